@@ -3,8 +3,8 @@
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::commands::{
-    augment, bank, cartridge, check, compare, explain, info, list, lockstep, model, page, probe, replay,
-    sizing, study, survey, timing, trace, trigger,
+    augment, bank, cartridge, check, compare, explain, info, list, lockstep, model, netlist, page, probe,
+    replay, sizing, study, survey, timing, trace, trigger,
 };
 use crate::output::Colour;
 
@@ -102,6 +102,8 @@ pub enum Command {
     Sizing(sizing::Sizing),
     /// Run machine and interpreter side by side and compare every signal and every event.
     Lockstep(lockstep::LockstepCommand),
+    /// Write the terrain generator's chain of one sweep as a circuit that ngspice runs.
+    Netlist(netlist::NetlistCommand),
     /// Measure error against run time.
     Study(study::StudyCommand),
     /// Run test cartridges: scenes whose answer is known in closed form.

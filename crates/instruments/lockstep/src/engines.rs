@@ -5,10 +5,10 @@ use std::collections::HashSet;
 use control_plane::{ControlPlane, DigitalUnit, FrameSweeps, MachineStage};
 use data_bank::DrumUnit;
 use generator::{FrameError, Planes, Session};
-use interpreter::parts::Drawn;
+use interpreter::parts::{Array, Drawn};
 use interpreter::{
     DrumFigures, Event, Frame, FrameGiven, Given, Happening, Outcome, Part, Record, SceneData, Unknown,
-    interpret,
+    interpret, range_programme,
 };
 use machine::Prepare;
 use parts::{NoiseSource, Spread};
@@ -64,16 +64,7 @@ impl Engines {
     ) -> Result<Vec<Seen>, FrameError> {
         let digital = self.control.sweeps_with_gates(frame, pose)?;
         let lines = self.control.shadow_lines(&digital, pose.time);
-        let scene = SceneData {
-            landscape: &self.stage.landscape,
-            settings: &self.stage.settings,
-            sun: self.stage.scenery.sun(pose.time),
-            eye: pose.eye,
-            heading: pose.attitude.heading,
-            pitch: pose.attitude.pitch,
-            frame,
-            course: self.stage.scenery.course(),
-        };
+        let scene = self.scene(frame, pose);
         let own = self.frame(&scene, &digital);
         let of_frame = compare_frame(frame, &digital.frame_events(), &own.events);
         let wires = self.session.wires();
@@ -125,6 +116,54 @@ impl Engines {
             first.report.add(of_frame);
         }
         Ok(seen)
+    }
+
+    /// What the interpreter is given of a frame.
+    fn scene(&self, frame: u64, pose: &Pose) -> SceneData<'_> {
+        SceneData {
+            landscape: &self.stage.landscape,
+            settings: &self.stage.settings,
+            sun: self.stage.scenery.sun(pose.time),
+            eye: pose.eye,
+            heading: pose.attitude.heading,
+            pitch: pose.attitude.pitch,
+            frame,
+            course: self.stage.scenery.course(),
+        }
+    }
+
+    /// The array of real parts of a level (0 fine, 1 coarse) as sweep `sweep` drives it in the interpreter, and the machine's waveforms
+    /// of `signals` (patterns) in that sweep; none where the level or its parts are not there.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    pub fn array(
+        &self,
+        (frame, pose): (u64, &Pose),
+        sweep: u32,
+        level: usize,
+        signals: Vec<String>,
+    ) -> Result<Option<(Array, Vec<Waveform>)>, FrameError> {
+        let digital = self.control.sweeps_with_gates(frame, pose)?;
+        let (scene, mut probe) = (self.scene(frame, pose), Probe::new(signals, sweep..sweep + 1));
+        self.session.frame(frame, pose, &mut Planes::new(0, 0, &[]), &mut probe)?;
+        let own = self.frame(&scene, &digital);
+        let ranges = range_programme(&scene.settings.range, scene.settings.raster.samples);
+        let given = Given {
+            ranges: &ranges,
+            frame: &own,
+            draw: |seed, words| unit_interval(seed, &words),
+            lines: &[],
+            shadow: &[],
+            parts: drawn(scene.settings.seed, &self.broken_lines),
+            full_scales: &[],
+        };
+        Ok(interpreter::array(&scene, sweep, &given, level).map(|array| (array, probe.waveforms)))
+    }
+
+    /// Points of the broken lines of function generators ([`terrain_generator::broken_lines`]).
+    pub fn broken_lines(&self) -> &[Vec<f64>] {
+        &self.broken_lines
     }
 
     /// The digital side of a frame as the interpreter sees it.

@@ -11,6 +11,7 @@ pub mod info;
 pub mod list;
 pub mod lockstep;
 pub mod model;
+pub mod netlist;
 mod of_run;
 pub mod page;
 pub mod probe;
@@ -53,5 +54,6 @@ pub fn run(cli: &Cli) -> Result<Verdict, Failure> {
         Command::Study(study) => study.run(),
         Command::Cartridge(cartridge) => cartridge.run(),
         Command::Lockstep(lockstep) => lockstep.run(),
+        Command::Netlist(netlist) => netlist.run(),
     }
 }

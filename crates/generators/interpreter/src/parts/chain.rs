@@ -265,11 +265,14 @@ fn polarity_by(sweep: &Sweep<'_>, words: &Words, by: f64) -> ([f64; 2], usize) {
 /// the far end (6.4).
 fn with_signs(outputs: &[f64; 12], polarity: f64) -> [f64; 12] {
     std::array::from_fn(|unit| {
-        let (slope, end, order) = (unit / 6, unit / 3 % 2, unit % 3);
-        let turns = (order + slope) % 2 == 1;
-        let sign = if end == 0 { polarity } else { -polarity };
-        if turns { sign * outputs[unit] } else { outputs[unit] }
+        let sign = if unit / 3 % 2 == 0 { polarity } else { -polarity };
+        if is_turned(unit) { sign * outputs[unit] } else { outputs[unit] }
     })
+}
+
+/// Whether the polarity turns the output of a function generator.
+pub fn is_turned(unit: usize) -> bool {
+    (unit % 3 + unit / 6) % 2 == 1
 }
 
 /// Units of X and of Y that a term of a sum multiplies.

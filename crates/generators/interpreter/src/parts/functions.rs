@@ -73,3 +73,15 @@ fn exact(curve: usize, z: f64) -> f64 {
         _ => 0.5 * z * rest * rest * (2.0 - 5.0 * z),
     }
 }
+
+/// Ascending powers of the same: what [`exact`] is when it is multiplied out.
+pub fn exact_powers(curve: usize) -> [f64; 6] {
+    match curve {
+        0 => [1.0, 0.0, 0.0, -10.0, 15.0, -6.0],
+        1 => [0.0, 1.0, 0.0, -6.0, 8.0, -3.0],
+        2 => [0.0, 0.0, 0.5, -1.5, 1.5, -0.5],
+        3 => [0.0, 0.0, -30.0, 60.0, -30.0, 0.0],
+        4 => [1.0, 0.0, -18.0, 32.0, -15.0, 0.0],
+        _ => [0.0, 1.0, -4.5, 6.0, -2.5, 0.0],
+    }
+}

@@ -77,13 +77,13 @@ impl RampCircuit {
 }
 
 /// The nearest word of a converter without sign.
-fn word_for(value: f64, bits: u32) -> u32 {
+pub fn word_for(value: f64, bits: u32) -> u32 {
     let words = f64::from(1_u32 << bits);
     (value * words + 0.5).floor().clamp(0.0, words - 1.0) as u32
 }
 
 /// The level of a word: off by at most `nonlinearity`, right at both ends and in the middle.
-fn level_of(word: u32, bits: u32, nonlinearity: f64) -> f64 {
+pub fn level_of(word: u32, bits: u32, nonlinearity: f64) -> f64 {
     let q = f64::from(word) / f64::from(1_u32 << bits);
     // The cubic q (1 - q) (1 - 2 q) is sqrt(3) / 18 where it is largest.
     q + nonlinearity * 18.0 / 3.0_f64.sqrt() * q * (1.0 - q) * (1.0 - 2.0 * q)

@@ -1,0 +1,150 @@
+//! `lunoid netlist`: the chain of one sweep as a circuit for ngspice.
+
+use std::path::PathBuf;
+
+use ::lockstep::Engines;
+use ::netlist::{Agreement, Circuit, OUTPUTS, compare, run, text};
+use ::text::table;
+use clap::{Args, ValueEnum};
+use front_door::Opened;
+use interpreter::parts::Array;
+use scenario::PoseTable;
+use serde_json::json;
+use signal::Waveform;
+
+use crate::frame::FrameArgs;
+use crate::loading::{expect_machine, machine_stage};
+use crate::output::{print, print_json};
+use crate::{Failure, Verdict, values};
+
+const AFTER: &str = "Examples:
+  lunoid netlist scenarios/first-light.toml --machine pra-nominal --frame 10 --sweep 200 --out chain.cir
+  lunoid netlist scenarios/nominal-drive.toml --machine pra-nominal --frame 10 --sweep 200 --block coarse --out far.cir --check
+
+The circuit runs as it stands: ngspice -b -r chain.raw chain.cir. --check runs it, and compares the ramps, two function generators and
+the three sums with the machine's, at every sample, by the waveform norm (1e-3 of the value and 1e-4 of full scale). The exit code is 1
+if a signal is farther off.";
+
+/// Write the terrain generator's chain of one sweep as a circuit that ngspice runs.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER)]
+pub struct NetlistCommand {
+    #[command(flatten)]
+    chosen: FrameArgs,
+    /// Sweep of the frame, from 0 at the left.
+    #[arg(long, value_name = "S", value_parser = values::at_least(0_u32))]
+    sweep: u32,
+    /// Terrain generator whose chain is written.
+    #[arg(long, value_enum, default_value_t = Block::Fine)]
+    block: Block,
+    /// File of the circuit.
+    #[arg(long, value_name = "FILE")]
+    out: PathBuf,
+    /// Run the circuit with ngspice and compare its waveforms with the machine's; the raw file stands beside the circuit.
+    #[arg(long)]
+    check: bool,
+    /// Print the comparison as JSON.
+    #[arg(long, requires = "check")]
+    json: bool,
+}
+
+/// Blocks that have a circuit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Block {
+    /// Terrain generator of near ground.
+    Fine,
+    /// Terrain generator of far ground, of a scenario with two levels.
+    Coarse,
+}
+
+impl NetlistCommand {
+    /// Writes the circuit, and compares what ngspice makes of it.
+    pub fn run(&self) -> Result<Verdict, Failure> {
+        let opened = self.chosen.stage.load()?;
+        expect_machine(&opened, "only the hybrid machine has such a circuit")?;
+        self.chosen.expect_in(&opened)?;
+        let sweeps = opened.settings.raster.sweeps;
+        if self.sweep >= sweeps {
+            return Err(Failure::usage(format!(
+                "--sweep {}: a frame has sweeps 0..{sweeps}; expected one of them",
+                self.sweep
+            )));
+        }
+        let (engines, array, machine) = self.array(&opened)?;
+        let title = format!(
+            "{}, {}, frame {}, sweep {}",
+            opened.scenario.title, opened.inputs.model, self.chosen.frame, self.sweep
+        );
+        let circuit = Circuit { title: &title, array: &array, broken_lines: engines.broken_lines() };
+        files::write_atomic(&self.out, |out| out.write_all(text(&circuit).as_bytes()))?;
+        if !self.check {
+            print(&format!("{}: run it with ngspice -b -r chain.raw {0}\n", self.out.display()))?;
+            return Ok(Verdict::Yes);
+        }
+        let curves = run(&self.out, &self.out.with_extension("raw")).map_err(Failure::input)?;
+        let found = compare(&array, &curves, |node| self.signal(node, &machine));
+        self.tell(&title, &found)?;
+        Ok(if found.iter().all(Agreement::holds) { Verdict::Yes } else { Verdict::No })
+    }
+
+    fn array(&self, opened: &Opened) -> Result<(Engines, Array, Vec<Waveform>), Failure> {
+        let frame = self.chosen.frame;
+        let pool = self.chosen.threads.pool()?;
+        let stage = machine_stage(opened, &pool)?;
+        let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
+        let table = PoseTable::resolve(&opened.scenario, &stage.landscape, update, yoke, frame..frame + 1);
+        let pose = table.map_err(Failure::input)?.rows()[0].pose;
+        let engines = Engines::new(stage);
+        let signals = OUTPUTS.iter().map(|(_, signal)| self.name(signal)).collect();
+        let level = usize::from(self.block == Block::Coarse);
+        let found = pool.install(|| engines.array((frame, &pose), self.sweep, level, signals));
+        let Some((array, machine)) = found.map_err(Failure::input)? else {
+            return Err(Failure::usage(match self.block {
+                Block::Fine => {
+                    "--machine: this model has an ideal terrain generator, which has no circuit; expected one with real parts, as pra-nominal has"
+                }
+                Block::Coarse => {
+                    "--block coarse: expected a scenario with two levels, and a model whose terrain generator has real parts"
+                }
+            }));
+        };
+        Ok((engines, array, machine))
+    }
+
+    /// Name of a signal on the chosen level.
+    fn name(&self, signal: &str) -> String {
+        signal.replace("{}", if self.block == Block::Coarse { "coarse." } else { "" })
+    }
+
+    fn signal<'a>(&self, node: usize, machine: &'a [Waveform]) -> &'a [f64] {
+        let name = self.name(OUTPUTS[node].1);
+        machine.iter().find(|wave| wave.signal.name == name).map_or(&[], |wave| &wave.values)
+    }
+
+    fn tell(&self, title: &str, found: &[Agreement]) -> Result<(), Failure> {
+        let name = |node: usize| self.name(OUTPUTS[node].1);
+        if self.json {
+            let signals: Vec<_> = found.iter().map(|agreement| {
+                let Agreement { node, norm, worst, samples, skipped } = *agreement;
+                json!({ "signal": name(node), "norm": norm, "worst": worst, "samples": samples, "skipped": skipped })
+            }).collect();
+            return print_json(&json!({ "schema": "lunoid.netlist/1", "what": title, "signals": signals }));
+        }
+        let head = ["signal", "norm", "worst (FS)", "samples", "beside edges"].map(str::to_owned).to_vec();
+        let rows = found.iter().map(|agreement| {
+            vec![
+                name(agreement.node),
+                format!("{:.3}", agreement.norm),
+                format!("{:.1e}", agreement.worst),
+                agreement.samples.to_string(),
+                agreement.skipped.to_string(),
+            ]
+        });
+        let verdict =
+            if found.iter().all(Agreement::holds) { "the circuit agrees" } else { "the circuit differs" };
+        print(&format!(
+            "{title}\n\n{}\n{verdict}\n",
+            table(&[head].into_iter().chain(rows).collect::<Vec<_>>())
+        ))
+    }
+}

@@ -1,0 +1,74 @@
+//! A circuit through ngspice.
+
+use std::io;
+use std::path::Path;
+use std::process::Command;
+
+/// Waveforms of the nodes of [`crate::OUTPUTS`], at the instants that ngspice chose.
+#[derive(Debug, Clone)]
+pub struct Curves {
+    /// Instants (s).
+    pub times: Vec<f64>,
+    /// Values of each node, in the order of [`crate::OUTPUTS`].
+    pub values: Vec<Vec<f64>>,
+}
+
+impl Curves {
+    /// A node at an instant (s): straight between the instants beside it.
+    pub fn at(&self, node: usize, time: f64) -> f64 {
+        let (times, values) = (&self.times, &self.values[node]);
+        let next = times.partition_point(|at| *at <= time).clamp(1, times.len() - 1);
+        let [from, to] = [times[next - 1], times[next]];
+        let share = if to > from { (time - from) / (to - from) } else { 1.0 };
+        values[next - 1] + (values[next] - values[next - 1]) * share
+    }
+}
+
+/// Why there are no waveforms.
+#[derive(Debug, thiserror::Error)]
+pub enum RunError {
+    /// No program of this name can be started.
+    #[error("ngspice is not installed; install it, or leave --check out")]
+    NoNgspice,
+    /// The program could not be started or its file not be read.
+    #[error("ngspice: {0}")]
+    Io(#[from] io::Error),
+    /// The program ended without waveforms.
+    #[error("ngspice gave no waveforms; it says: {0}")]
+    Failed(String),
+}
+
+/// Runs the circuit in the file `circuit`; its raw file is written to `raw`.
+///
+/// # Errors
+/// If ngspice is not there, or makes nothing of the circuit.
+pub fn run(circuit: &Path, raw: &Path) -> Result<Curves, RunError> {
+    let started = Command::new("ngspice").arg("-b").arg("-r").arg(raw).arg(circuit).output();
+    let output = match started {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Err(RunError::NoNgspice),
+        other => other?,
+    };
+    let said = || {
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        RunError::Failed(
+            said.lines().filter(|line| !line.trim().is_empty()).take(5).collect::<Vec<_>>().join("; "),
+        )
+    };
+    let bytes = std::fs::read(raw).map_err(|_| said())?;
+    parsed(&bytes).ok_or_else(said)
+}
+
+/// A raw file of real numbers: a header up to `Binary:`, then doubles, the time first.
+fn parsed(bytes: &[u8]) -> Option<Curves> {
+    const MARK: &[u8] = b"Binary:\n";
+    let body = bytes.windows(MARK.len()).position(|window| window == MARK)? + MARK.len();
+    let header = std::str::from_utf8(&bytes[..body]).ok()?;
+    let variables: usize =
+        header.lines().find_map(|line| line.strip_prefix("No. Variables:"))?.trim().parse().ok()?;
+    let number = |bytes: &[u8]| bytes.try_into().map(f64::from_le_bytes).ok();
+    let numbers: Option<Vec<f64>> = bytes[body..].chunks_exact(8).map(number).collect();
+    let numbers = numbers?;
+    let column = |k: usize| numbers.iter().skip(k).step_by(variables).copied().collect::<Vec<f64>>();
+    (variables == crate::OUTPUTS.len() + 1 && numbers.len() > variables)
+        .then(|| Curves { times: column(0), values: (1..variables).map(column).collect() })
+}
