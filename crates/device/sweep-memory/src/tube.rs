@@ -82,6 +82,12 @@ impl Tube {
         successors(frame.checked_sub(tubes), move |frame| frame.checked_sub(tubes)).take(self.memory_frames)
     }
 
+    /// Frames in whose pictures that of `frame` counts, the next first: those after it in the same tube.
+    pub fn later(&self, frame: u64) -> impl Iterator<Item = u64> + use<> {
+        let tubes = self.tubes;
+        (1..=self.memory_frames as u64).map(move |number| frame + number * tubes)
+    }
+
     /// Adds what erasing has left of `earlier`, without residue of their own, in the order of [`Tube::earlier`].
     pub fn combine(&self, store: &mut [f32], earlier: &[&[f32]]) {
         let mut left = 1.0;

@@ -121,6 +121,8 @@ fn two_tubes_take_turns() {
     assert_eq!(residue(2).earlier(7).collect::<Vec<_>>(), [5, 3]);
     assert_eq!(residue(2).earlier(3).collect::<Vec<_>>(), [1]);
     assert_eq!(residue(2).earlier(1).count(), 0);
+    assert_eq!(residue(2).later(3).collect::<Vec<_>>(), [5, 7]);
+    assert!(residue(2).later(3).all(|later| residue(2).earlier(later).any(|frame| frame == 3)));
 }
 
 #[test]
