@@ -35,7 +35,7 @@ pub struct FramePlan {
     /// The sun.
     pub sun: Sun,
     /// Words that were late and are taken as if they had been on time; none in the machine as it is.
-    pub on_time: Option<LateCrossing>,
+    pub(crate) on_time: Option<LateCrossing>,
 }
 
 impl FramePlan {
@@ -70,6 +70,12 @@ impl FramePlan {
             sun: scenery.sun(pose.time),
             on_time: None,
         })
+    }
+
+    /// The same frame, with the late words that `late` names on time and nothing else changed.
+    #[must_use]
+    pub fn with_words_on_time(self, late: LateCrossing) -> Self {
+        Self { on_time: Some(late), ..self }
     }
 
     /// Regions that the frame can show, out to `range` (m).

@@ -48,6 +48,9 @@ impl<S: Real> Twice for Elaborated<S> {
         let (columns, lines) = (raster.columns as usize, raster.lines as usize);
         let plan = FramePlan::new(frame, pose, &self.stage, &self.raster.field)?;
         let written = self.written_twice((&plan, pose.time), None, on_time)?;
+        if let Some(tube) = &self.parts.tube {
+            self.keep(tube, &plan, &written[0].1);
+        }
         let earlier = self.earlier_twice(frame, on_time)?;
         let show = |(written, earlier): (Arc<Written>, Vec<Arc<Written>>)| {
             let mut planes = Planes::new(columns, lines, &[PlaneKind::Intensity]);
@@ -89,7 +92,7 @@ impl<S: Real> Elaborated<S> {
             let is = known.map_or_else(draw, Arc::clone);
             let mut would_be = Arc::clone(&is);
             if plan.frame == on_time.late.frame {
-                let other = FramePlan { on_time: Some(on_time.late), ..*plan };
+                let other = plan.with_words_on_time(on_time.late);
                 let wanted = Wanted { look: &Again(&on_time.again), picture: false };
                 self.write(&other, delivery, digital, wanted, &mut Arc::make_mut(&mut would_be).1);
             }
@@ -101,12 +104,14 @@ impl<S: Real> Elaborated<S> {
     fn earlier_twice(&self, frame: u64, on_time: &OnTime) -> Result<[Vec<Arc<Written>>; 2], FrameError> {
         let Some(tube) = &self.parts.tube else { return Ok([Vec::new(), Vec::new()]) };
         let is = self.earlier(tube, frame)?;
-        let would_be = is.iter().map(|written| match written.0.frame == on_time.late.frame {
-            true => {
-                let time = self.stage.scenery.course()[on_time.late.frame as usize].time;
-                self.written_twice((&written.0, time), Some(written), on_time).map(|[_, other]| other)
+        let late = on_time.late.frame;
+        let pose = self.stage.scenery.course().get(late as usize);
+        let would_be = is.iter().map(|written| match pose.filter(|_| written.0.frame == late) {
+            Some(pose) => {
+                let both = self.written_twice((&written.0, pose.time), Some(written), on_time);
+                both.map(|[_, other]| other)
             }
-            false => Ok(Arc::clone(written)),
+            None => Ok(Arc::clone(written)),
         });
         let would_be = would_be.collect::<Result<_, _>>()?;
         Ok([is, would_be])

@@ -9,6 +9,7 @@ use quantities::SweepTime;
 use scenario::{Occlusion, Pose};
 use serde::Serialize;
 use signal::Probe;
+use sweep_program::SweepProgram;
 
 use crate::because::because;
 use crate::column::{SIGNALS, SweepColumn};
@@ -268,7 +269,10 @@ impl<'a> Inquiry<'a> {
 /// Words of a sweep that were late before the sample of its stroke; none without a stroke.
 fn missed(sweeps: &FrameSweeps<'_>, sweep: u32, stroke: Option<usize>) -> Vec<Late> {
     let programs = sweeps.programs(sweep);
-    let missed = |sample| programs.iter().flat_map(|program| late(program, sample)).collect();
+    let missed = |sample| {
+        let of_level = |(level, program): (usize, &SweepProgram)| late(program, level, sample);
+        programs.iter().enumerate().flat_map(of_level).collect()
+    };
     stroke.map_or_else(Vec::new, missed)
 }
 
