@@ -8,7 +8,7 @@ use lunoid_tests::{Dice, Shipped};
 use machine::{OnTime, Prepare, Twice, prepare_twice};
 use scenario::{Pose, PoseTable};
 use signal::Probe;
-use sweep_program::{Colour, PreloadRegister};
+use sweep_program::SweepProgram;
 
 /// A scenario on a machine, ready to be asked.
 struct Asked {
@@ -21,16 +21,22 @@ struct Asked {
 
 impl Asked {
     fn new(scenario: &str, model: &str, sweeps: u32) -> Self {
-        Self::changed(scenario, model, sweeps, Vec::new())
-    }
-
-    fn changed(scenario: &str, model: &str, sweeps: u32, delays: Vec<LoadDelay>) -> Self {
         let scene = Shipped::read(scenario, Some(sweeps));
         let model = HardwareModel::load(&ModelSource::BuiltIn(model.into()), &[], &[]).unwrap().model;
         let mut settings = front_door::settings(&scene.scenario, &model).unwrap();
-        settings.loader.delays = delays;
         settings.shadow_cache = scene.settings.shadow_cache.clone();
         let stage = front_door::build(&scene.scenario, settings).unwrap();
+        Self::of(scene, stage)
+    }
+
+    /// The same with a word that the model holds back.
+    fn with_delay(&self, delay: LoadDelay) -> Self {
+        let mut stage = self.stage.clone();
+        stage.settings.loader.delays = vec![delay];
+        Self::of(self.scene.clone(), stage)
+    }
+
+    fn of(scene: Shipped, stage: MachineStage) -> Self {
         let control = ControlPlane::new(stage.clone());
         let (twice, session) = (prepare_twice(stage.clone()), stage.clone().prepare());
         Self { scene, stage, control, twice, session }
@@ -128,7 +134,15 @@ fn what_is_told_is_the_difference_of_whole_pictures() {
                 changed += pixels.len();
             }
             if !told.frames[0].changed.pixels().is_empty() {
-                assert!(asked.is_named(&told), "{scenario}, {late:?}: no changed pixel names the words");
+                if !asked.is_named(&told) {
+                    let inquiry = Inquiry::new(&asked.stage, &*asked.session, &asked.control, None);
+                    for pixel in told.frames[0].changed.pixels() {
+                        let why = inquiry.explain(frame, &asked.pose(frame), [pixel.column, pixel.line]).unwrap();
+                        eprintln!("{pixel:?} {:?} {:?} {:?}", why.place, why.read.iter().map(|r| (r.sweep, r.late.len())).collect::<Vec<_>>(), why.ground.map(|g| (g.sample, g.range_m)));
+                    }
+                    eprintln!("{:?}", told.words);
+                    panic!("{scenario}, {late:?}: no changed pixel names the words");
+                }
                 named += 1;
             }
         }
@@ -146,29 +160,40 @@ fn a_word_on_time_draws_the_machine_that_does_not_hold_it_back() {
         let plain = Asked::new(scenario, "ideal", 48);
         let columns = plain.stage.settings.raster.columns as usize;
         let expected = plain.whole(frame);
+        let sweeps = plain.control.sweeps(frame, &plain.pose(frame)).unwrap();
         let mut changed = 0;
         for _ in 0..10 {
-            let delay = LoadDelay {
-                frame: Some(frame),
-                sweep: dice.count(0, 47) as u32,
-                crossing: dice.count(0, 20) as u32,
-                colour: Colour::ALL[dice.count(0, 3)],
-                register: [PreloadRegister::XFirst, PreloadRegister::YFirst][dice.count(0, 1)],
-                word: dice.count(0, 8),
-                ticks: 3000,
-            };
-            let asked = Asked::changed(scenario, "ideal", 48, vec![delay]);
+            let sweep = dice.count(0, 47) as u32;
+            let delay = LoadDelay { frame: Some(frame), sweep, ..some_delay(&sweeps.programs(sweep)[0], &mut dice) };
+            let asked = plain.with_delay(delay);
             let late = asked.late(frame);
-            let Some(&late) = late.first() else { continue };
-            let told = asked.effect(late).unwrap();
+            assert_eq!(late.len(), 1, "{scenario}, {delay:?}: {late:?}");
+            let told = asked.effect(late[0]).unwrap();
             let pixels: Vec<_> =
                 told.frames[0].changed.pixels().iter().map(|pixel| [pixel.column, pixel.line]).collect();
             assert_eq!(pixels, differing(&asked.whole(frame), &expected, columns), "{scenario}, {delay:?}");
             assert_eq!((told.frames.len(), told.later.contains("no tube")), (1, true));
             changed += usize::from(!pixels.is_empty());
         }
-        eprintln!("{scenario}: {changed} words held back changed pixels");
+        eprintln!("{scenario}: {changed} of 10 words held back changed pixels");
         assert!(changed > 0, "{scenario}");
+    }
+}
+
+/// A word of a set that a fold of `program` transfers, held back from the fold that asks for it until a while after.
+fn some_delay(program: &SweepProgram, dice: &mut Dice) -> LoadDelay {
+    let folds: Vec<_> =
+        program.steps.iter().filter_map(|step| Some((step.time.0, *step.kind.fold()?))).collect();
+    loop {
+        let due = dice.count(0, folds.len() - 1);
+        let (time, fold) = folds[due];
+        let colour = fold.colours()[dice.count(0, 1)];
+        let asks = (0..due).rfind(|&earlier| folds[earlier].1.colours().contains(&colour));
+        let Some(crossing) = asks else { continue };
+        // 48 sweeps of 1000 samples and their retrace in a tenth of a second, at a tick a nanosecond: 2000 ticks a sample.
+        let ticks = ((time - folds[crossing].0 + 40.0) * 2000.0) as u64;
+        let (register, word) = (fold.axis.register(), dice.count(0, 8));
+        return LoadDelay { frame: None, sweep: 0, crossing: crossing as u32, colour, register, word, ticks };
     }
 }
 

@@ -59,7 +59,7 @@ pub use unprobed::prepare_unprobed;
 
 // The command still asks the machine for what the planes hold.
 pub use control_plane::{
-    ControlPlane, DigitalEvent, DigitalUnit, EventWord, FrameSweeps, LoadedPart, MachineStage, RANGE,
-    Register, RegisterState, RegisterWords,
+    ControlPlane, DigitalEvent, DigitalUnit, EventWord, FrameSweeps, LateCrossing, LoadedPart, MachineStage,
+    RANGE, Register, RegisterState, RegisterWords,
 };
 pub use signal_plane::signals;

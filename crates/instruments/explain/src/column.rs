@@ -55,6 +55,18 @@ impl SweepColumn {
         (1..line.len()).rev().find(crosses).or(first_below.then_some(0))
     }
 
+    /// The last sample whose stroke leaves anything in `cell`; the last of all where no stroke does, because the sweep did not
+    /// reach there.
+    pub fn last_in(&self, cell: usize) -> usize {
+        let (line, blank) = (self.all("dpp.y"), self.all("dpp.blank"));
+        let [top, bottom] = [cell as f64, cell as f64 + 1.0];
+        let touches = |k: &usize| {
+            let (from, to) = (line[k - 1], line[*k]);
+            from.min(to) < bottom && top < from.max(to) && blank.get(*k).is_none_or(|gate| *gate < 0.5)
+        };
+        (1..line.len()).rev().find(touches).unwrap_or(line.len().saturating_sub(1))
+    }
+
     /// Samples from the first hidden one after `sample` up to the one that is seen again, if any are hidden at once.
     pub fn hidden_behind(&self, sample: usize) -> Option<[usize; 2]> {
         let blank = self.all("dpp.blank");
@@ -88,6 +100,11 @@ mod tests {
         assert_eq!(column.stroke_across(4), Some(5), "the last stroke stays");
         assert_eq!(column.stroke_across(0), None, "sky");
         assert_eq!(column.stroke_across(9), Some(0), "below the first sample");
+        assert_eq!(
+            [6, 4, 3, 0].map(|cell| column.last_in(cell)),
+            [2, 5, 5, 5],
+            "5 ends at line 1, and never comes to 0"
+        );
         assert_eq!(column.hidden_behind(2), Some([3, 5]));
         assert_eq!(column.hidden_behind(1), None);
         assert_eq!(column.highest(), Some((1.0, 5)));

@@ -10,7 +10,8 @@
 //! **Law.** The stroke from sample k-1 to k crosses the middle of a cell if the beam's line passes it and the beam is not
 //! blanked at k; of several the last one stays in the store. What the sample tells is the machine's own: every number is
 //! a signal of the signal table or follows from the program that the sweep ran.
-//! **Our choices.** A pixel is read between two sweeps: both are named with their weights, and with the late words of each. The sample
+//! **Our choices.** A pixel is read between two sweeps: both are named with their weights, and with the late words of each: those due
+//! before the last sample that leaves anything in the cell, or in the sky, which the sweep did not reach, before its end. The sample
 //! and its wires are those of the nearest. What bodies cover is told as
 //! theirs; the ground behind is told as well. A register is stale if its corner is not the one that the region asks
 //! for, whatever brought it there.
