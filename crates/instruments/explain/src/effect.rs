@@ -143,7 +143,7 @@ fn not_late(programs: &[SweepProgram], late: LateCrossing, sweeps: impl FnOnce()
     let of_level = programs.iter().zip(LEVELS).map(|(program, level)| (program.late_crossings(), level));
     let of_sweep: Vec<String> = of_level
         .filter(|(late, _)| !late.is_empty())
-        .map(|(late, level)| format!("{} of the {level} level", some_of(&late)))
+        .map(|(late, level)| format!("{} ({level} level)", some_of(&late)))
         .collect();
     if !of_sweep.is_empty() {
         return format!(

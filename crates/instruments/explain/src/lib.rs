@@ -11,7 +11,7 @@
 //! blanked at k; of several the last one stays in the store. What the sample tells is the machine's own: every number is
 //! a signal of the signal table or follows from the program that the sweep ran.
 //! **Our choices.** A pixel is read between two sweeps: both are named with their weights, and with the late words of each: those due
-//! before the last sample that leaves anything in the cell, or in the sky, which the sweep did not reach, before its end. The sample
+//! before the last sample that leaves anything in the cell, or before the sweep's end where it does not fill the cell. The sample
 //! and its wires are those of the nearest. What bodies cover is told as
 //! theirs; the ground behind is told as well. A register is stale if its corner is not the one that the region asks
 //! for, whatever brought it there.

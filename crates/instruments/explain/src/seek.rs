@@ -43,7 +43,7 @@ pub struct ReadSweep {
     pub weight: f64,
     /// What it left in the nearest cell.
     pub left: f64,
-    /// Words of it that were late before the last sample that left anything there; in the sky, of the whole sweep.
+    /// Words of it that were late before the last sample that has a say there; of the whole sweep where it does not fill the cell.
     pub late: Vec<Late>,
 }
 
@@ -103,7 +103,7 @@ pub struct Explanation {
     pub ground: Option<GroundPoint>,
     /// Highest line that the profile of the sweep reaches, and at which range (m).
     pub highest: Option<(f64, f64)>,
-    /// Words of the sweep that were late before the last sample that left anything there; in the sky, of the whole sweep.
+    /// Words of the sweep that were late before the last sample that has a say there; of the whole sweep where it does not fill the cell.
     pub late: Vec<Late>,
     /// By closed form.
     pub exact: Option<ExactPixel>,
@@ -240,7 +240,7 @@ impl<'a> Inquiry<'a> {
     }
 
     fn place(&self, sweeps: &FrameSweeps<'_>, pose: &Pose, pixel: [usize; 2]) -> Place {
-        let [between_sweeps, between_cells] = sweeps.place_of(pose, pixel);
+        let [between_sweeps, between_cells] = sweeps.read_at(pose, pixel);
         let (last, cells) = (self.stage.settings.raster.sweeps - 1, sweeps.cells());
         let sweep = between_sweeps.round().clamp(0.0, f64::from(last)) as u32;
         let cell = between_cells.round().clamp(0.0, (cells - 1) as f64) as usize;

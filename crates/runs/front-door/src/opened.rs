@@ -27,6 +27,8 @@ pub struct Opened {
     pub row: Option<&'static Row>,
     /// The generator, configured.
     pub generator: Arc<dyn Generator>,
+    /// What is odd about the model's file, in words.
+    pub remarks: Vec<String>,
     /// Files, for the record of a run.
     pub inputs: Inputs,
     /// The scenario's file.

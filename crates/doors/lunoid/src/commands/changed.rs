@@ -1,7 +1,6 @@
 //! A folder with pictures of changed pixels, one a frame.
 
 use std::fs;
-use std::io::Write;
 use std::path::Path;
 
 use picture::{ChangedPixels, encode_png};

@@ -25,7 +25,7 @@ const AFTER: &str = "Examples:
   lunoid explain scenarios/nominal-drive.toml --frame 45 --pixel 210,260 --json
   lunoid explain runs/first-light --frame 60 --pixel 500,300
   lunoid explain scenarios/lunsim-landing.toml --machine exact --frame 3 --pixel 100,200
-  lunoid explain scenarios/nominal-drive.toml --machine pra-overloaded --frame 17 --late 500:12 --pictures changed
+  lunoid explain scenarios/nominal-drive.toml --machine pra-overloaded --frame 17 --late 500:12 --level coarse --pictures changed
 
 A run folder stands for the scenario and the options with which it was drawn. Of the hybrid machine the first lines say why, and the table has every signal at the sample. The last lines are commands that go on
 from there: the sweep on a page of the scope, the registers at the sample, the digital events of the sweep. Another generator has a
@@ -41,7 +41,7 @@ pub struct Explain {
     #[command(flatten)]
     chosen: FrameArgs,
     /// Pixel: column and line, from 0 at the top left.
-    #[arg(long, value_name = "X,Y", value_parser = pixel, allow_hyphen_values = true, required_unless_present = "late")]
+    #[arg(long, value_name = "X,Y", value_parser = pixel, allow_hyphen_values = true)]
     pixel: Option<[usize; 2]>,
     #[command(flatten)]
     late: LateArgs,
@@ -66,7 +66,7 @@ impl Explain {
             }
             (None, Some(pixel)) if opened.is_machine() => self.of_the_machine(opened, &stage, pixel),
             (None, Some(pixel)) => self.of_a_guest(&opened, pixel),
-            (None, None) => Err(Failure::usage("--pixel, --late: expected one of them")),
+            (None, None) => Err(Failure::usage("--pixel X,Y or --late SWEEP:CROSSING: expected one of them")),
         }
     }
 
