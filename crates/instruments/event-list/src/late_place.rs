@@ -24,10 +24,10 @@ impl FromStr for LatePlace {
 
     /// `SWEEP:CROSSING`, or a line of the listing as text, as CSV or as JSON.
     fn from_str(text: &str) -> Result<Self, String> {
-        let line = text.trim().trim_end_matches(',');
+        let line = text.trim();
         let cells: Vec<&str> = line.split(',').collect();
         if line.starts_with('{') {
-            return of_json(line);
+            return of_json(line.trim_end_matches(','));
         }
         match cells.len() == CSV.split(',').count() {
             true => of_words([cells[2], cells[4], cells[5], cells[6]]),
