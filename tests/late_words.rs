@@ -136,7 +136,7 @@ fn what_is_told_is_the_difference_of_whole_pictures() {
             }
             if !told.frames[0].changed.pixels().is_empty() {
                 let is_named = asked.is_named(&told);
-                // A tube of 300 lines shows far words in pixels whose own sample is another: not all of them are named.
+                // Its words change far ground alone, which this tube shows in pixels whose own sample is another: open.
                 assert!(
                     is_named || model == "pra-overloaded",
                     "{scenario}, {late:?}: no changed pixel names the words"

@@ -148,7 +148,7 @@ fn not_late(programs: &[SweepProgram], late: LateCrossing, sweeps: impl FnOnce()
     if !of_sweep.is_empty() {
         return format!(
             "{there}; late in sweep {sweep} of frame {frame} are crossings {}",
-            of_sweep.join(", ")
+            of_sweep.join("; ")
         );
     }
     match sweeps().as_slice() {
