@@ -1,4 +1,4 @@
-//! Grey and colour pictures, PNG, animated PNG, Y4M, contact sheets.
+//! Grey and colour pictures, PNG, animated PNG, Y4M, contact sheets, changed pixels.
 //!
 //! A [`Picture`] holds codes of 8 or 16 bits, line by line from the top, one a pixel ([`GreyPicture`]) or three
 //! ([`ColourPicture`]); [`AnyPicture`] is one of both. [`Encoder`] turns a plane of linear intensity, or three of linear
@@ -17,6 +17,7 @@
 
 mod any;
 mod apng;
+mod changed;
 mod compose;
 mod error;
 mod luminance;
@@ -27,6 +28,7 @@ mod y4m;
 
 pub use any::AnyPicture;
 pub use apng::Apng;
+pub use changed::{ChangedPixel, ChangedPixels};
 pub use compose::{GAP, beside, contact_sheet, shrink};
 pub use error::{PictureError, PictureFileError};
 pub use luminance::Curve;

@@ -17,6 +17,8 @@ pub struct LoadedModel {
     pub values: Vec<EffectiveValue>,
     /// Files that were read, the lowest base first; built-in models have none.
     pub files: Vec<PathBuf>,
+    /// What is odd about its file though it can be read, in words: its name is another than the model's.
+    pub remarks: Vec<String>,
 }
 
 /// One value of a model.
@@ -61,13 +63,27 @@ impl HardwareModel {
     ) -> Result<LoadedModel, ProblemList> {
         let problems = Problems::new();
         let loaded = layered(source, overlays, sets, &problems).and_then(|layered| {
-            let model = model(&layered.layers.root(&problems), layered.name)?;
+            let model = model(&layered.layers.root(&problems), layered.name.clone())?;
             let origins = layered.layers.origins().into_iter();
             let values = origins.map(|(key, origin)| EffectiveValue::new(key, &origin, &model)).collect();
-            Some(LoadedModel { model, values, files: layered.files })
+            let remarks = misnamed(source, &layered.name).into_iter().collect();
+            Some(LoadedModel { model, values, files: layered.files, remarks })
         });
         problems.resolve(loaded)
     }
+}
+
+/// What to say of a model file that has another name than the model in it: records and tables have the model's, and `--machine`
+/// finds the file's.
+fn misnamed(source: &ModelSource, name: &str) -> Option<String> {
+    let ModelSource::File(path) = source else { return None };
+    let stem = path.file_stem()?.to_string_lossy();
+    (stem != name).then(|| {
+        format!(
+            "{}: the model in it is called `{name}`, and its file `{stem}`; expected one name for both",
+            path.display()
+        )
+    })
 }
 
 impl EffectiveValue {

@@ -133,3 +133,31 @@ proptest! {
         prop_assert!(model.budget(ground).lines().iter().all(|line| line.value.is_finite()));
     }
 }
+
+/// A delay is of use where its sweep is drawn and it holds its word back at all.
+#[test]
+fn delays_that_never_meet_their_word_are_told() {
+    let delay = |sweep: u32, ticks: u32| {
+        format!(
+            "[{{ sweep = {sweep}, crossing = 1, colour = 'red', register = 'x-first', word = [1, 1], ticks = {ticks} }}]"
+        )
+    };
+    let told =
+        |list: &str| only(&[("loader.delay", list), ("raster.sweeps", "40")], Grade::Warn(None)).message;
+    assert!(told(&delay(40, 9)).contains("in sweep 40, and a frame has sweeps 0..40"));
+    assert!(told(&delay(39, 0)).contains("held back by no tick"));
+    assert_eq!(with(&[("loader.delay", &delay(39, 9)), ("raster.sweeps", "40")]).check(), []);
+}
+
+/// A model is named in records, and found by its file.
+#[test]
+fn a_file_with_another_name_than_its_model_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let remarks = |file: &str| {
+        let path = folder.path().join(file);
+        std::fs::write(&path, "format = 1\nname = \"mine\"\nbase = \"ideal\"\n").unwrap();
+        HardwareModel::read(&path, &[], &[]).unwrap().remarks
+    };
+    assert_eq!(remarks("mine.toml"), [""; 0]);
+    assert!(remarks("other.toml")[0].contains("called `mine`, and its file `other`"));
+}

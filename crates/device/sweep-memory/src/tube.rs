@@ -82,6 +82,12 @@ impl Tube {
         successors(frame.checked_sub(tubes), move |frame| frame.checked_sub(tubes)).take(self.memory_frames)
     }
 
+    /// Frames in whose pictures that of `frame` counts, the next first: those after it in the same tube.
+    pub fn later(&self, frame: u64) -> impl Iterator<Item = u64> + use<> {
+        let tubes = self.tubes;
+        (1..=self.memory_frames as u64).map(move |number| frame + number * tubes)
+    }
+
     /// Adds what erasing has left of `earlier`, without residue of their own, in the order of [`Tube::earlier`].
     pub fn combine(&self, store: &mut [f32], earlier: &[&[f32]]) {
         let mut left = 1.0;
@@ -116,17 +122,50 @@ impl Tube {
     }
 }
 
+impl TubeRaster {
+    /// Where a tube of `parts` that is to be read at sweep and cell `place` in frame `frame` is read: beside it by the
+    /// registration error that `seed` gives the tube. Centres are whole numbers.
+    pub fn read_at(&self, parts: &MemoryParts, seed: u64, frame: u64, place: [f64; 2]) -> [f64; 2] {
+        let tube = frame % u64::from(parts.tubes.max(1));
+        let [across, along] = Registration::of(parts, self, &Spread::new(seed), tube);
+        [across.at(place[0]), along.at(place[1])]
+    }
+}
+
+/// Where one axis is read: beside where it was written.
+#[derive(Debug, Clone, Copy)]
+struct Registration {
+    /// Of the middle (cells).
+    shift: f64,
+    /// Share of the way from the middle.
+    scale: f64,
+    middle: f64,
+}
+
+impl Registration {
+    /// Across sweeps and along lines of tube `tube`.
+    fn of(parts: &MemoryParts, raster: &TubeRaster, spread: &Spread, tube: u64) -> [Self; 2] {
+        let axis = |names: [&str; 2], cells: usize, heights: f64| {
+            let [shift, scale] = names.map(|part| spread.error(part, tube, parts.registration));
+            Self { shift: shift * (cells as f64 / heights), scale, middle: 0.5 * (cells as f64 - 1.0) }
+        };
+        let [across, along] = REGISTRATION;
+        [axis(across, raster.sweeps, raster.width), axis(along, raster.lines, 1.0)]
+    }
+
+    /// Where the beam reads that is to read `cell`.
+    fn at(&self, cell: f64) -> f64 {
+        cell + self.shift + self.scale * (cell - self.middle)
+    }
+}
+
 /// Spot and registration of a tube.
 fn optics(parts: &MemoryParts, raster: &TubeRaster, spread: &Spread, tube: u64) -> [Gather; 2] {
     let spot = parts.tv_lines.map_or(0.0, |lines| SPOT / f64::from(lines));
-    let error = |part| spread.error(part, tube, parts.registration);
-    let axis = |cells: usize, heights: f64, [shift, scale]: [f64; 2]| {
-        let (cells_a_height, middle) = (cells as f64 / heights, 0.5 * (cells as f64 - 1.0));
-        Gather::new(cells, spot * cells_a_height, |cell| {
-            cell + shift * cells_a_height + scale * (cell - middle)
-        })
+    let [across, along] = Registration::of(parts, raster, spread, tube);
+    let axis = |cells: usize, heights: f64, registration: Registration| {
+        Gather::new(cells, spot * (cells as f64 / heights), |cell| registration.at(cell))
     };
-    let [across, along] = REGISTRATION.map(|axis| axis.map(error));
     [axis(raster.sweeps, raster.width, across), axis(raster.lines, 1.0, along)]
 }
 

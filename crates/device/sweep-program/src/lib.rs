@@ -6,6 +6,7 @@
 mod colour;
 mod fan;
 mod load_line;
+mod on_time;
 mod program;
 mod register_corners;
 

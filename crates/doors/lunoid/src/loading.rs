@@ -15,7 +15,7 @@ use registry::ROWS;
 use scenario::Scalar;
 use text::Span;
 
-use crate::output::{Place, tell};
+use crate::output::{Place, tell, warn};
 use crate::{Failure, values};
 
 /// Help of `--machine` where any generator may draw.
@@ -236,7 +236,9 @@ impl StageArgs {
 
     /// Reads scenario and model.
     pub fn load(&self) -> Result<Opened, Failure> {
-        Ok(open(&self.scenario, &self.wishes())?)
+        let opened = open(&self.scenario, &self.wishes())?;
+        opened.remarks.iter().for_each(|remark| warn(remark));
+        Ok(opened)
     }
 }
 

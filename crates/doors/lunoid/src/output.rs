@@ -48,6 +48,11 @@ pub fn tell(text: &str) {
     let _ = io::stderr().lock().write_all(text.as_bytes());
 }
 
+/// Says what is odd, though the command goes on.
+pub fn warn(text: &str) {
+    tell(&format!("warning: {text}\n"));
+}
+
 /// Writes a JSON document to standard output.
 pub fn print_json(document: &Value) -> Result<(), Failure> {
     print(&format!("{document:#}\n"))

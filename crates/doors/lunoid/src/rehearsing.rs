@@ -7,6 +7,7 @@ use timing::TimingRecord;
 
 use crate::Failure;
 use crate::loading::{StageArgs, Threads, choose_frames, expect_machine};
+use crate::output::warn;
 use crate::progress::Display;
 use text::Span;
 
@@ -22,7 +23,15 @@ pub fn rehearse(
     let opened = stage.load()?;
     expect_machine(&opened, LACK)?;
     let chosen = frames(&opened)?;
-    Ok((Rehearsal::new(opened, threads.pool()?)?, chosen))
+    let rehearsal = Rehearsal::new(opened, threads.pool()?)?;
+    warn_of_idle_delays(&rehearsal, &chosen)?;
+    Ok((rehearsal, chosen))
+}
+
+/// Says which delays of the model hold nothing back in `frames`.
+fn warn_of_idle_delays(rehearsal: &Rehearsal, frames: &[u64]) -> Result<(), Failure> {
+    rehearsal.idle_delays(frames)?.iter().for_each(|idle| warn(idle));
+    Ok(())
 }
 
 /// The same on any generator whose frames take time.
@@ -36,7 +45,11 @@ pub fn rehearse_timed(
         expect_machine(&opened, LACK)?;
     }
     let chosen = frames(&opened)?;
-    Ok((Rehearsed::new(opened, threads.pool()?)?, chosen))
+    let rehearsed = Rehearsed::new(opened, threads.pool()?)?;
+    if let Rehearsed::Machine(rehearsal) = &rehearsed {
+        warn_of_idle_delays(rehearsal, &chosen)?;
+    }
+    Ok((rehearsed, chosen))
 }
 
 /// The timing record that `make` makes, its progress shown if that is `wanted`.

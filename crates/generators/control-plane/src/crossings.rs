@@ -37,6 +37,7 @@ impl<'a> Crossings<'a> {
         let end = self.plan.way_to_edge(drawn, level).min(far).min(range.end);
         let service = self.service(sweep, level, loader, self.missing[0]);
         self.plan.write_program([drawn, sweep], &service, self.table, end, program, watch);
+        self.bring_on_time(sweep, 0, program);
     }
 
     /// The same for the coarse level.
@@ -51,6 +52,18 @@ impl<'a> Crossings<'a> {
         let end = self.plan.way_to_edge(drawn, level).min(self.stage.settings.range.end);
         let service = self.service(sweep, level, &coarse.loader, self.missing[1]);
         self.plan.write_program([drawn, sweep], &service, self.table, end, program, watch);
+        self.bring_on_time(sweep, 1, program);
+    }
+
+    /// Brings late words on time where the plan asks for it, in the program of `level` for `sweep`.
+    fn bring_on_time(&self, sweep: u32, level: usize, program: &mut SweepProgram) {
+        let asked = self
+            .plan
+            .on_time
+            .filter(|late| (late.frame, late.sweep, late.level) == (self.plan.frame, sweep, level));
+        if let Some(late) = asked {
+            program.bring_on_time(late.crossing);
+        }
     }
 
     fn service(

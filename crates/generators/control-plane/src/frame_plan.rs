@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use crate::late_crossing::LateCrossing;
 use crate::refusal::Refusal;
 use crate::stage::MachineStage;
 use dpu::{CrossingService, Sector, Watch};
@@ -33,6 +34,8 @@ pub struct FramePlan {
     pub eye: [f64; 3],
     /// Direction of the sun in this frame.
     pub sun: Sun,
+    /// Words that were late and are taken as if they had been on time; none in the machine as it is.
+    pub(crate) on_time: Option<LateCrossing>,
 }
 
 impl FramePlan {
@@ -65,7 +68,14 @@ impl FramePlan {
             yoke: if settings.yoke.is_some() { pose.yoke } else { 0.0 },
             eye: pose.eye,
             sun: scenery.sun(pose.time),
+            on_time: None,
         })
+    }
+
+    /// The same frame, with the late words that `late` names on time and nothing else changed.
+    #[must_use]
+    pub fn with_words_on_time(self, late: LateCrossing) -> Self {
+        Self { on_time: Some(late), ..self }
     }
 
     /// Regions that the frame can show, out to `range` (m).

@@ -171,6 +171,14 @@ impl FrameSweeps<'_> {
         view.source(size, written.lines, pixel, tube)
     }
 
+    /// Where the read beam finds what pixel (column, line) shows: [`place_of`](Self::place_of), beside it where the tube is not read
+    /// where it was written.
+    pub fn read_at(&self, pose: &Pose, pixel: [usize; 2]) -> [f64; 2] {
+        let Settings { raster, analog, seed, .. } = &self.stage.settings;
+        let tube = WrittenRaster::new(&self.stage.settings).on_tube(raster.sweeps);
+        tube.read_at(&analog.memory, *seed, self.plan.frame, self.place_of(pose, pixel))
+    }
+
     /// Cells of a sweep: its lines, or finer ones where the yoke turns the picture.
     pub fn cells(&self) -> usize {
         WrittenRaster::new(&self.stage.settings).lines

@@ -22,6 +22,7 @@
 //! | 1 | `guests` | what a scene may have, and no block draws |
 //! | 1 | `digital_event` | one event of the digital side |
 //! | 1 | `preview` | what keeps a machine from drawing a preview |
+//! | 1 | `late_crossing` | one fold that found words missing |
 //! | 1 | `waveforms` | digital wires of a sweep, from its programs |
 //! | 2 | `ticks` | ticks of frames and sweeps |
 //! | 2 | `elaboration` | the list of blocks: which are there, which have parts, what a record says of the others |
@@ -56,6 +57,7 @@ mod feature_loads;
 mod frame_plan;
 mod frame_sweeps;
 mod guests;
+mod late_crossing;
 mod preview;
 mod raster;
 mod refusal;
@@ -81,6 +83,7 @@ pub use feature_loads::FeatureLoads;
 pub use frame_plan::FramePlan;
 pub use frame_sweeps::FrameSweeps;
 pub use guests::guest_omissions;
+pub use late_crossing::LateCrossing;
 pub use preview::preview_obstacle;
 pub use raster::WrittenRaster;
 pub use register_state::{RegisterState, RegisterWords};

@@ -2,7 +2,7 @@
 
 use hardware_model::{Settings, SweepMemoryKind};
 use scenario::FieldOfView;
-use sweep_memory::covering;
+use sweep_memory::{TubeRaster, covering};
 
 /// Field and lines of the raster that is written.
 #[derive(Debug, Clone, Copy)]
@@ -26,6 +26,12 @@ impl WrittenRaster {
             SweepMemoryKind::DigitalMemory => 1.0,
         };
         Self { field, lines: (f64::from(raster.lines) * growth * finer).ceil() as usize }
+    }
+
+    /// The same on the target of a storage tube, `sweeps` side by side.
+    pub fn on_tube(&self, sweeps: u32) -> TubeRaster {
+        let width = self.field.tan_half_width / self.field.tan_half_height;
+        TubeRaster { sweeps: sweeps as usize, lines: self.lines, width }
     }
 }
 

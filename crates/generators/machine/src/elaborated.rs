@@ -60,6 +60,20 @@ impl<S: Real> Elaborated<S> {
         }
     }
 
+    /// Hands what the I/O processors and the digital side have for the frame of `plan` at `time` (s) to `run`.
+    pub(crate) fn prepared<T>(
+        &self,
+        plan: &FramePlan,
+        time: f64,
+        run: impl FnOnce(&Delivery, &DigitalFrame) -> T,
+    ) -> Result<T, FrameError> {
+        let digital = self.digital_frame(plan, time);
+        let delivery = self.deliver(plan, &digital, time)?;
+        let result = run(&delivery, &digital);
+        self.deliveries.give_back(delivery);
+        Ok(result)
+    }
+
     pub(crate) fn deliver(
         &self,
         plan: &FramePlan,

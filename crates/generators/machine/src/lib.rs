@@ -32,6 +32,7 @@
 //! | 4 | `groups` | the groups of a frame |
 //! | 4 | `tube` | how pictures are read, and what a tube has left of earlier ones |
 //! | 5 | `session` | a frame, from its pose to its planes |
+//! | 5 | `on_time` | a frame twice: as it is, and with late words on time |
 //! | 6 | `prepare` | from a stage to a session |
 //! | 6 | `unprobed` | the machine without probes |
 //! | 7 | `hybrid_machine` | the machine as a generator |
@@ -41,6 +42,7 @@ mod elaborated;
 mod groups;
 mod hybrid_machine;
 mod omissions;
+mod on_time;
 mod picture;
 mod pool;
 mod prepare;
@@ -51,12 +53,13 @@ mod unprobed;
 
 pub use counts::COUNTERS;
 pub use hybrid_machine::HybridMachine;
+pub use on_time::{OnTime, Twice, prepare_twice};
 pub use prepare::Prepare;
 pub use unprobed::prepare_unprobed;
 
 // The command still asks the machine for what the planes hold.
 pub use control_plane::{
-    ControlPlane, DigitalEvent, DigitalUnit, EventWord, FrameSweeps, LoadedPart, MachineStage, RANGE,
-    Register, RegisterState, RegisterWords,
+    ControlPlane, DigitalEvent, DigitalUnit, EventWord, FrameSweeps, LateCrossing, LoadedPart, MachineStage,
+    RANGE, Register, RegisterState, RegisterWords,
 };
 pub use signal_plane::signals;

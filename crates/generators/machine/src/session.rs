@@ -31,7 +31,9 @@ impl<S: Real> Elaborated<S> {
             Some(tube) if !pixels.is_empty() => {
                 let mut store = self.stores.take();
                 let groups = self.write(&plan, &delivery, &digital, wanted, &mut store);
-                self.show(tube, &plan, pose.yoke, &mut store, columns, pixels)?;
+                self.keep(tube, &plan, &store);
+                let earlier = self.earlier(tube, frame)?;
+                self.show(tube, (&plan, pose.yoke), (&mut store, &earlier), columns, pixels);
                 self.stores.give_back(store);
                 groups
             }

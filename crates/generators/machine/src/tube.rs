@@ -13,24 +13,17 @@ use crate::elaborated::Elaborated;
 use crate::residue::Written;
 
 impl<S: Real> Elaborated<S> {
-    /// What the read beam makes of a store, and of what `tube` has left of earlier ones. A picture lies in its tube
-    /// where it was written: each is read by its own fan and pitch.
+    /// What the read beam makes of `store`, which was written by `plan`, and of what `tube` has left of `earlier` ones, under
+    /// the angle `yoke` (rad). A picture lies in its tube where it was written: each is read by its own fan and pitch.
     pub(crate) fn show(
         &self,
         tube: &Tube,
-        plan: &FramePlan,
-        yoke: f64,
-        store: &mut [f32],
+        (plan, yoke): (&FramePlan, f64),
+        (store, earlier): (&mut [f32], &[Arc<Written>]),
         columns: usize,
         picture: &mut [f32],
-    ) -> Result<(), FrameError> {
+    ) {
         let mut scratch = self.stores.take();
-        if tube.memory_frames() > 0 {
-            let most = 2 * tube.memory_frames() + 2;
-            self.recent.keep(plan.frame, Arc::new((*plan, store.to_vec())), most);
-        }
-        let earlier = tube.earlier(plan.frame).map_while(|frame| self.written(frame));
-        let earlier: Vec<Arc<Written>> = earlier.collect::<Result<_, _>>()?;
         let pictures: Vec<Vec<f32>> = earlier
             .iter()
             .map(|written| {
@@ -45,7 +38,19 @@ impl<S: Real> Elaborated<S> {
         tube.combine(picture, &pictures.iter().map(Vec::as_slice).collect::<Vec<_>>());
         tube.add_noise(plan.frame, columns, picture, &mut scratch);
         self.stores.give_back(scratch);
-        Ok(())
+    }
+
+    /// Keeps what was written by `plan` as long as `tube` may show it.
+    pub(crate) fn keep(&self, tube: &Tube, plan: &FramePlan, store: &[f32]) {
+        if tube.memory_frames() > 0 {
+            let most = 2 * tube.memory_frames() + 2;
+            self.recent.keep(plan.frame, Arc::new((*plan, store.to_vec())), most);
+        }
+    }
+
+    /// What was written in the frames that `tube` still shows in `frame`, nearest first.
+    pub(crate) fn earlier(&self, tube: &Tube, frame: u64) -> Result<Vec<Arc<Written>>, FrameError> {
+        tube.earlier(frame).map_while(|frame| self.written(frame)).collect()
     }
 
     /// What was written in an earlier frame, drawn again if nobody has kept it; `None` if its pose is not known.
@@ -56,13 +61,12 @@ impl<S: Real> Elaborated<S> {
         let pose = self.stage.scenery.course().get(frame as usize)?;
         let draw = || {
             let plan = FramePlan::new(frame, pose, &self.stage, &self.raster.field)?;
-            let digital = self.digital_frame(&plan, pose.time);
-            let delivery = self.deliver(&plan, &digital, pose.time)?;
-            let mut store = Vec::new();
-            let wanted = Wanted { look: &(), picture: true };
-            self.write(&plan, &delivery, &digital, wanted, &mut store);
-            self.deliveries.give_back(delivery);
-            Ok(Arc::new((plan, store)))
+            self.prepared(&plan, pose.time, |delivery, digital| {
+                let mut store = Vec::new();
+                let wanted = Wanted { look: &(), picture: true };
+                self.write(&plan, delivery, digital, wanted, &mut store);
+                Arc::new((plan, store))
+            })
         };
         Some(draw())
     }

@@ -9,7 +9,7 @@ use parts::LagStep;
 use polyhedron_generator::PartsSwitch;
 use shadow_controller::PartsLines;
 use signal::Real;
-use sweep_memory::{Tube, TubeRaster, WriteGun};
+use sweep_memory::{Tube, WriteGun};
 use terrain_generator::PartsArray;
 use texture_generator::PartsTexture;
 
@@ -68,11 +68,7 @@ impl<S: Real> RealParts<S> {
         };
         let texture = stage.landscape.texture().filter(|_| list.has_parts(Block::Texture));
         let lines_a_second = raster.lines as f64 / (ranges.len() as f64 * step);
-        let tube = TubeRaster {
-            sweeps: settings.raster.sweeps as usize,
-            lines: raster.lines,
-            width: raster.field.tan_half_width / raster.field.tan_half_height,
-        };
+        let tube = raster.on_tube(settings.raster.sweeps);
         Self {
             terrain: list.has_parts(Block::Terrain).then(|| Terrain::new(stage, step)),
             features: list

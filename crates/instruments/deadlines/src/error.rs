@@ -49,6 +49,17 @@ pub enum DeadlineError {
         /// Ground range to which the sweep goes (m).
         end: f64,
     },
+    /// Two pictures are not of one size.
+    #[error(
+        "the baseline's pictures have {} x {} pixels, these {} x {}; pictures of one size are compared alone",
+        .baseline[0], .baseline[1], .found[0], .found[1]
+    )]
+    OtherSize {
+        /// Columns and lines of the baseline.
+        baseline: [usize; 2],
+        /// Columns and lines that were found.
+        found: [usize; 2],
+    },
     /// No fan of sweeps covers the pose.
     #[error("no fan of sweeps covers the pose")]
     NoFan,

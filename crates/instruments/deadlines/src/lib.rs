@@ -9,9 +9,11 @@
 //! [`Rehearsal`] is a mission on the hybrid machine without its pictures. [`Rehearsed`] is the same for any generator
 //! whose frames take time. `docs/timing.md` says what each figure means.
 
+mod changed;
 pub mod columns;
 mod critical_path;
 mod error;
+mod idle_delays;
 mod levels;
 mod misses;
 mod moved;
@@ -23,6 +25,7 @@ mod show;
 pub mod sizing;
 mod timeline;
 
+pub use changed::changed_pixels;
 pub use error::DeadlineError;
 pub use moved::first_moved;
 pub use plots::{write_slack, write_utilisation};

@@ -6,6 +6,7 @@
 mod error;
 mod filter;
 mod frame;
+mod late_place;
 mod listing;
 mod registers;
 mod seen;
@@ -21,6 +22,7 @@ use crate::seen::Seen;
 pub use error::EventListError;
 pub use filter::{Filter, LEVELS, unit};
 pub use frame::{At, DigitalFrame};
+pub use late_place::LatePlace;
 pub use listing::{Form, told};
 pub use registers::Registers;
 

@@ -19,7 +19,8 @@ pub enum Form {
     Json,
 }
 
-const CSV: &str = "tick,time_us,sweep,unit,event,level,crossing,axis,stop,colour,register,corner_north,corner_east,\
+/// Names of the columns of a listing as CSV, a line.
+pub(crate) const CSV: &str = "tick,time_us,sweep,unit,event,level,crossing,axis,stop,colour,register,corner_north,corner_east,\
                    words,mask,slack_ticks,cause,comes_sample,set_up_of,part,crater,range_m\n";
 
 /// A listing in the making; what it returns is to be written in that order.

@@ -137,8 +137,12 @@ fn digital(told: &Explanation) -> Vec<String> {
         let in_force = read.late.iter().filter(|late| late.in_force);
         reasons.extend(in_force.map(|late| {
             format!(
-                "late words in force in sweep {}: {} {}, due at crossing {} (dpu.late, cause {})",
-                read.sweep, late.colour, late.register, late.crossing, late.cause
+                "late words in force in sweep {}: {} {}, due at {} (dpu.late, cause {})",
+                read.sweep,
+                late.colour,
+                late.register,
+                late.place(),
+                late.cause
             )
         }));
     }

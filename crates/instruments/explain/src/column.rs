@@ -55,6 +55,22 @@ impl SweepColumn {
         (1..line.len()).rev().find(crosses).or(first_below.then_some(0))
     }
 
+    /// The last sample that has a say in `cell`: the last whose stroke leaves anything there, or the last of all where the sweep
+    /// does not reach up to the top of the cell, for what is missing there might have filled it.
+    pub fn last_in(&self, cell: usize) -> usize {
+        let (line, blank) = (self.all("dpp.y"), self.all("dpp.blank"));
+        let [top, bottom] = [cell as f64, cell as f64 + 1.0];
+        let is_drawn = |k: &usize| blank.get(*k).is_none_or(|gate| *gate < 0.5);
+        let touches = |k: &usize| {
+            let (from, to) = (line[k - 1], line[*k]);
+            from.min(to) < bottom && top < from.max(to) && is_drawn(k)
+        };
+        let is_filled = (0..line.len()).any(|k| line[k] <= top && is_drawn(&k));
+        let is_below_first = line.first().is_some_and(|first| *first < bottom);
+        let found = (1..line.len()).rev().find(touches).or(is_below_first.then_some(0));
+        found.filter(|_| is_filled).unwrap_or(line.len().saturating_sub(1))
+    }
+
     /// Samples from the first hidden one after `sample` up to the one that is seen again, if any are hidden at once.
     pub fn hidden_behind(&self, sample: usize) -> Option<[usize; 2]> {
         let blank = self.all("dpp.blank");
@@ -88,6 +104,10 @@ mod tests {
         assert_eq!(column.stroke_across(4), Some(5), "the last stroke stays");
         assert_eq!(column.stroke_across(0), None, "sky");
         assert_eq!(column.stroke_across(9), Some(0), "below the first sample");
+        let last_in = [9, 6, 4, 1, 0].map(|cell| column.last_in(cell));
+        assert_eq!(last_in, [0, 2, 5, 5, 5], "no stroke comes to line 0");
+        let low = self::column(&[9.0, 6.2, 6.4, 6.5], &[0.0; 4]);
+        assert_eq!([8, 6].map(|cell| low.last_in(cell)), [1, 3], "6 is not filled to its top");
         assert_eq!(column.hidden_behind(2), Some([3, 5]));
         assert_eq!(column.hidden_behind(1), None);
         assert_eq!(column.highest(), Some((1.0, 5)));

@@ -6,7 +6,9 @@ use sweep_program::{Event, Load, Miss, MissCause, PreloadRegister, SweepProgram,
 /// Words that missed the stop they were meant for.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Late {
-    /// Fold of the sweep that found them missing, from 0.
+    /// Level of terrain, `fine` or `coarse`.
+    pub level: &'static str,
+    /// Fold of that level's ramps in the sweep that found them missing, from 0.
     pub crossing: u32,
     /// Name of the colour whose registers missed them.
     pub colour: &'static str,
@@ -24,14 +26,33 @@ pub struct Late {
     pub in_force: bool,
 }
 
-/// The misses of a program up to `sample`.
-pub fn late(program: &SweepProgram, sample: usize) -> Vec<Late> {
-    let missed = program.misses.iter().filter(|miss| miss.time.0 <= sample as f64);
-    missed.map(|miss| told(miss, in_force(program, miss, sample))).collect()
+impl Late {
+    /// The fold, with its level where that is not the fine one.
+    pub(crate) fn place(&self) -> String {
+        let level =
+            if self.level == LEVELS[0] { String::new() } else { format!(" of the {} level", self.level) };
+        format!("crossing {}{level}", self.crossing)
+    }
 }
 
-fn told(miss: &Miss, in_force: bool) -> Late {
+/// Names of the levels of terrain, the finest first.
+pub(crate) const LEVELS: [&str; 2] = ["fine", "coarse"];
+
+/// The misses of the program of a level up to `sample`.
+pub fn late(program: &SweepProgram, level: usize, sample: usize) -> Vec<Late> {
+    let missed = program.misses.iter().filter(|miss| miss.time.0 <= sample as f64);
+    missed.map(|miss| told(miss, level, in_force(program, miss, sample))).collect()
+}
+
+/// The words that fold `crossing` of a level found missing, as they are at the end of the sweep.
+pub(crate) fn late_words(program: &SweepProgram, level: usize, crossing: u32) -> Vec<Late> {
+    let missed = program.late_words(crossing);
+    missed.iter().map(|miss| told(miss, level, in_force(program, miss, usize::MAX))).collect()
+}
+
+fn told(miss: &Miss, level: usize, in_force: bool) -> Late {
     Late {
+        level: LEVELS[level],
         crossing: miss.crossing,
         colour: miss.colour.name(),
         register: match miss.register {

@@ -9,6 +9,7 @@ use quantities::SweepTime;
 use scenario::{Occlusion, Pose};
 use serde::Serialize;
 use signal::Probe;
+use sweep_program::SweepProgram;
 
 use crate::because::because;
 use crate::column::{SIGNALS, SweepColumn};
@@ -42,7 +43,7 @@ pub struct ReadSweep {
     pub weight: f64,
     /// What it left in the nearest cell.
     pub left: f64,
-    /// Words of it that were late before the sample that is seen there.
+    /// Words of it that were late before the last sample that has a say there; of the whole sweep where it does not fill the cell.
     pub late: Vec<Late>,
 }
 
@@ -102,7 +103,7 @@ pub struct Explanation {
     pub ground: Option<GroundPoint>,
     /// Highest line that the profile of the sweep reaches, and at which range (m).
     pub highest: Option<(f64, f64)>,
-    /// Words of the sweep that were late before the sample.
+    /// Words of the sweep that were late before the last sample that has a say there; of the whole sweep where it does not fill the cell.
     pub late: Vec<Late>,
     /// The same pixel by closed form, if it was asked for.
     pub exact: Option<ExactPixel>,
@@ -182,7 +183,7 @@ impl<'a> Inquiry<'a> {
             body: shown_body(&column, place.cell),
             ground,
             highest: column.highest().map(|(line, sample)| (line, column.at("sweep.range", sample))),
-            late: missed(&sweeps, place.sweep, stroke),
+            late: missed(&sweeps, place.sweep, column.last_in(place.cell)),
             place,
             read,
             has_tube: !self.stage.settings.analog.memory.is_ideal(),
@@ -203,7 +204,7 @@ impl<'a> Inquiry<'a> {
     ) -> Result<Vec<ReadSweep>, FrameError> {
         let beside = beside(place.between_sweeps, self.stage.settings.raster.sweeps);
         let told = |sweep, weight, column: &SweepColumn| {
-            let late = missed(sweeps, sweep, column.stroke_across(place.cell));
+            let late = missed(sweeps, sweep, column.last_in(place.cell));
             ReadSweep { sweep, weight, left: column.at("sm.write", place.cell), late }
         };
         let read = |(sweep, weight): (u32, f64)| {
@@ -239,7 +240,7 @@ impl<'a> Inquiry<'a> {
     }
 
     fn place(&self, sweeps: &FrameSweeps<'_>, pose: &Pose, pixel: [usize; 2]) -> Place {
-        let [between_sweeps, between_cells] = sweeps.place_of(pose, pixel);
+        let [between_sweeps, between_cells] = sweeps.read_at(pose, pixel);
         let (last, cells) = (self.stage.settings.raster.sweeps - 1, sweeps.cells());
         let sweep = between_sweeps.round().clamp(0.0, f64::from(last)) as u32;
         let cell = between_cells.round().clamp(0.0, (cells - 1) as f64) as usize;
@@ -265,11 +266,11 @@ impl<'a> Inquiry<'a> {
     }
 }
 
-/// Words of a sweep that were late before the sample of its stroke; none without a stroke.
-fn missed(sweeps: &FrameSweeps<'_>, sweep: u32, stroke: Option<usize>) -> Vec<Late> {
+/// Words of a sweep that were late up to a sample.
+fn missed(sweeps: &FrameSweeps<'_>, sweep: u32, sample: usize) -> Vec<Late> {
     let programs = sweeps.programs(sweep);
-    let missed = |sample| programs.iter().flat_map(|program| late(program, sample)).collect();
-    stroke.map_or_else(Vec::new, missed)
+    let of_level = |(level, program): (usize, &SweepProgram)| late(program, level, sample);
+    programs.iter().enumerate().flat_map(of_level).collect()
 }
 
 /// Sweeps on both sides of a place between them, of `count`, with their weights; the nearer one first.

@@ -117,14 +117,19 @@ fn craters(numbers: &[u32]) -> String {
     }
 }
 
-fn late_row(late: &Late) -> String {
+pub(crate) fn late_row(late: &Late) -> String {
     let came = late.came.map_or_else(|| "never came".to_owned(), |came| format!("came at {came:.2}"));
     let force = if late.in_force { ", in force" } else { "" };
     row(
         "dpu.late",
         &format!(
-            "crossing {}, {} {}: due at sample {:.2}, {came}, words {:#05x}, {}{force}",
-            late.crossing, late.colour, late.register, late.due, late.words, late.cause
+            "{}, {} {}: due at sample {:.2}, {came}, words {:#05x}, {}{force}",
+            late.place(),
+            late.colour,
+            late.register,
+            late.due,
+            late.words,
+            late.cause
         ),
     )
 }

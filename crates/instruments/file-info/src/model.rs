@@ -37,6 +37,7 @@ pub fn findings_document(loaded: &LoadedModel, ground: GroundScale, found: &[Fin
         "region_size_m": ground.region_size,
         "range_m": ground.range,
         "ok": can_be_built(found),
+        "remarks": loaded.remarks,
         "findings": rows.collect::<Vec<_>>(),
     })
 }

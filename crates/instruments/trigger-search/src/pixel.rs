@@ -16,7 +16,7 @@ pub fn pixel_of(
 ) -> Option<[usize; 2]> {
     // The middle of a cell lies half a line below its upper edge.
     let wanted = [sweep, line - 0.5];
-    let place = |pixel: [usize; 2]| sweeps.place_of(pose, pixel);
+    let place = |pixel: [usize; 2]| sweeps.read_at(pose, pixel);
     let clamp = |value: f64, axis: usize| value.round().clamp(0.0, f64::from(size[axis].max(2) - 2)) as usize;
     let mut pixel = [size[0] as usize / 2, size[1] as usize / 2];
     for _ in 0..STEPS {

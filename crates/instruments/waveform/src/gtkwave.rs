@@ -24,12 +24,13 @@ const COLOURS: [u32; 6] = [2, 3, 4, 5, 6, 7];
 /// Widths of the window that GTKWave calls a frame (200 pixels), in the window that opens.
 const FRAMES: u64 = 4;
 
-/// The text of the save file for the waveforms at `path`.
+/// The text of the save file for the waveforms at `path`. Given its own name and that of the waveforms, GTKWave looks for these beside
+/// the save file, whatever folder it is started in.
 pub fn text(path: &Path, header: &Header) -> String {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
     let (start, zoom) = window(header);
     let mut text = format!(
-        "[*]\n[*] lunoid: {}\n[*]\n[dumpfile] \"{name}\"\n[timestart] {start}\n[size] 1600 900\n[pos] -1 -1\n\
+        "[*]\n[*] lunoid: {}\n[*]\n[dumpfile] \"{name}\"\n[savefile] \"{name}.gtkw\"\n[timestart] {start}\n[size] 1600 900\n[pos] -1 -1\n\
          *-{zoom}.000000 {start} -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1\n\
          [sst_width] 220\n[signals_width] 300\n[sst_expanded] 1\n",
         header.title.lines().collect::<Vec<_>>().join(" ")

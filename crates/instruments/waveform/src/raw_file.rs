@@ -29,6 +29,8 @@ impl RawFile {
         writeln!(out, "Flags: real")?;
         writeln!(out, "No. Variables: {}", header.wires.len() + 1)?;
         writeln!(out, "No. Points: {points}")?;
+        // Readers such as spicelib tell the layout by the name of the program.
+        writeln!(out, "Command: lunoid, for ngspice")?;
         writeln!(out, "Variables:")?;
         writeln!(out, "\t0\ttime\ttime")?;
         for (place, wire) in header.wires.iter().enumerate() {

@@ -151,7 +151,7 @@ fn record_beside(format: Format, path: &Path) -> Option<PathBuf> {
 }
 
 fn view_beside(format: Format, path: &Path) -> Option<PathBuf> {
-    format.is_of_gtkwave().then(|| path.with_extension("gtkw"))
+    format.is_of_gtkwave().then(|| path.with_added_extension("gtkw"))
 }
 
 fn remove(files: &[(PathBuf, String)]) {

@@ -59,6 +59,7 @@ pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
         settings,
         row,
         generator,
+        remarks: model.remarks,
         inputs,
         path: path.to_owned(),
         wishes: wishes.clone(),

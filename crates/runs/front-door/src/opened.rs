@@ -27,6 +27,8 @@ pub struct Opened {
     pub row: Option<&'static Row>,
     /// Generator that draws, configured by the scenario and the wishes.
     pub generator: Arc<dyn Generator>,
+    /// What is odd about the model's file, in words.
+    pub remarks: Vec<String>,
     /// Files, for the record of a run.
     pub inputs: Inputs,
     /// Path of the scenario's file.

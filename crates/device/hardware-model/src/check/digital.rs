@@ -2,12 +2,13 @@
 
 use super::{Check, Grade, short};
 use crate::budget::sector_corners;
-use crate::{CrossingServer, LatePolicy};
+use crate::{CrossingServer, LatePolicy, LoadDelay};
 
 pub(super) fn check(check: &mut Check) {
     late_words(check);
     loader_switched_off(check);
     idle_policy(check);
+    idle_delays(check);
     processor(check);
     drums(check);
     update(check);
@@ -47,6 +48,25 @@ fn idle_policy(check: &mut Check) {
     check.push_if(is_so, Grade::Warn(None), &["loader.late_policy", "loader.diagonal_register"], || {
         "latches for late words beside a register that leaves no urgent word late: the policy is of no use".into()
     });
+}
+
+fn idle_delays(check: &mut Check) {
+    let sweeps = check.model.raster.sweeps;
+    for delay in &check.model.loader.delays {
+        let LoadDelay { sweep, word, ticks, .. } = *delay;
+        let [p, q] = [word / 3, word % 3];
+        check.push_if(sweep >= sweeps, Grade::Warn(None), &["loader.delay", "raster.sweeps"], || {
+            format!(
+                "word [{p}, {q}] is held back in sweep {sweep}, and a frame has sweeps 0..{sweeps}: the delay never meets \
+                 its word"
+            )
+        });
+        check.push_if(ticks == 0, Grade::Warn(None), &["loader.delay"], || {
+            format!(
+                "word [{p}, {q}] of sweep {sweep} is held back by no tick: it comes as if there were no delay"
+            )
+        });
+    }
 }
 
 fn processor(check: &mut Check) {

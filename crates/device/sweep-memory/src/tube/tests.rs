@@ -94,7 +94,8 @@ fn displacement(tube: &Tube, frame: u64, at: [usize; 2]) -> [f64; 2] {
 
 #[test]
 fn registration_is_a_field_that_stays() {
-    let tube = tube(MemoryParts { registration: 0.007, ..sharp(300) });
+    let parts = MemoryParts { registration: 0.007, ..sharp(300) };
+    let tube = tube(parts);
     let spread = Spread::new(1970);
     let deviate = |part: &str| 0.007 * spread.deviate(&format!("sweep-memory.{part}"), 0);
     for at in [[150, 120], [60, 60], [240, 200]] {
@@ -107,6 +108,9 @@ fn registration_is_a_field_that_stays() {
             assert!((found - expected).abs() < 0.1, "{axis} at {at:?}: {found}, {expected}");
         }
         assert_eq!(found, displacement(&tube, 4, at));
+        let told = RASTER.read_at(&parts, 1970, 3, at.map(|cell| cell as f64));
+        let off = [0, 1].map(|axis| (told[axis] - at[axis] as f64 - found[axis]).abs());
+        assert!(off.iter().all(|off| *off < 0.1), "{at:?}: {told:?}, {found:?}");
     }
 }
 
@@ -121,6 +125,8 @@ fn two_tubes_take_turns() {
     assert_eq!(residue(2).earlier(7).collect::<Vec<_>>(), [5, 3]);
     assert_eq!(residue(2).earlier(3).collect::<Vec<_>>(), [1]);
     assert_eq!(residue(2).earlier(1).count(), 0);
+    assert_eq!(residue(2).later(3).collect::<Vec<_>>(), [5, 7]);
+    assert!(residue(2).later(3).all(|later| residue(2).earlier(later).any(|frame| frame == 3)));
 }
 
 #[test]

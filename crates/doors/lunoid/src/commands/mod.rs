@@ -4,6 +4,7 @@ mod again;
 pub mod augment;
 pub mod bank;
 pub mod cartridge;
+mod changed;
 pub mod check;
 pub mod compare;
 pub mod explain;

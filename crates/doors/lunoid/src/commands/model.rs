@@ -10,7 +10,7 @@ use serde_json::json;
 use text::table;
 
 use crate::commands::list;
-use crate::output::{print, print_json};
+use crate::output::{print, print_json, warn};
 use crate::{Failure, Verdict, values};
 use front_door::read_model;
 
@@ -225,6 +225,7 @@ impl Check {
         let loaded = self.named.load()?;
         let ground = self.ground.of(&loaded.model);
         let found = loaded.model.check_over(ground);
+        loaded.remarks.iter().for_each(|remark| warn(remark));
         if self.json {
             print_json(&findings_document(&loaded, ground, &found))?;
         } else if found.is_empty() {

@@ -34,7 +34,7 @@ const AFTER: &str = "Examples:
   lunoid probe scenarios/first-light.toml --frame 12 --sweep all --signals 'sweep.x,sweep.y,tg.*.hold,tg.height' --out tg.fst
   lunoid probe scenarios/first-light.toml --frame 60 --sweep 500 --signals 'sweep.x,tg.fn.x.*,tg.*height,dpp.blank' --out tg.png
 
-The file is what its name says, or --format. FST and VCD open in GTKWave (`gtkwave -A tg.fst` draws curves at once), FST in
+The file is what its name says, or --format. FST and VCD open in GTKWave (`gtkwave tg.fst.gtkw` draws curves at once), FST in
 Surfer, NPZ in numpy, raw in ngspice, sr in PulseView; docs/waveform-files.md says what each holds. PNG and SVG are a
 page of the scope, of one sweep. About how large the file will be is said before it is written.";
 

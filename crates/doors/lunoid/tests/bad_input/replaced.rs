@@ -80,8 +80,8 @@ fn no_output_replaces_an_input() {
             "a file written beside the waveforms, w.raw.json: would replace --overlay w.raw.json",
         ),
         (
-            &["trigger", "tiny.toml", "--on", "blank", "--out", "w.fst", "--overlay", "w.gtkw"],
-            "a file written beside the waveforms, w.gtkw: would replace --overlay w.gtkw",
+            &["trigger", "tiny.toml", "--on", "blank", "--out", "w.fst", "--overlay", "w.fst.gtkw"],
+            "a file written beside the waveforms, w.fst.gtkw: would replace --overlay w.fst.gtkw",
         ),
         (&["study", "error", "tiny.toml", "--out", ".", "--overlay", "error.csv"], "--overlay error.csv"),
         (&["study", "economy", "tiny.toml", "--out", ".", "--bank", "waste.png"], "--bank waste.png"),

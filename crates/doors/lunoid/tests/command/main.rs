@@ -4,6 +4,7 @@ mod augment;
 mod bad_input;
 mod banks;
 mod cartridges;
+mod changed;
 mod checks;
 mod colour;
 mod columns;

@@ -60,7 +60,7 @@ fn every_format_and_its_size() {
         assert!((0.75..1.25).contains(&(said / real)), "{format}: {said} said, {real} written");
     }
     let names = list(room.path());
-    assert!(names.contains(&"w.fst.json".into()) && names.contains(&"w.gtkw".into()), "{names:?}");
+    assert!(names.contains(&"w.fst.json".into()) && names.contains(&"w.fst.gtkw".into()), "{names:?}");
     assert!(names.iter().all(|name| !name.ends_with(".tmp")), "{names:?}");
 }
 

@@ -78,7 +78,8 @@ fn folders_that_are_not_there_and_folders_in_the_way() {
 /// The record cannot be written: neither is the file.
 #[test]
 fn a_companion_in_the_way_stops_the_file() {
-    for (format, name) in [(Format::Fst, "w.fst.json"), (Format::Fst, "w.gtkw"), (Format::Npz, "w.npz.json")]
+    for (format, name) in
+        [(Format::Fst, "w.fst.json"), (Format::Fst, "w.fst.gtkw"), (Format::Npz, "w.npz.json")]
     {
         let folder = tempfile::tempdir().unwrap();
         std::fs::create_dir(folder.path().join(name)).unwrap();

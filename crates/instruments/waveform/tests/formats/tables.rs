@@ -4,7 +4,7 @@ use serde_json::Value;
 use signal::{Axis, Kind};
 use waveform::Format;
 
-use crate::sample::{FRAME, SAMPLES, header, held, pulse, second, waveforms, written};
+use crate::sample::{FRAME, SAMPLES, header, held, pulse, second, waveforms, write, written};
 
 #[test]
 fn csv_has_a_row_a_sample() {
@@ -78,13 +78,29 @@ fn a_record_stands_beside_what_has_no_units() {
     }
 }
 
+/// A VCD and an FST of one name have a save file each.
+#[test]
+fn vcd_and_fst_of_one_name_keep_their_own_save_files() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["w.vcd", "w.fst"] {
+        let format = Format::of_path(std::path::Path::new(name)).unwrap();
+        let written = write(format, &folder.path().join(name), 3..6);
+        assert!(written.contains(&folder.path().join(format!("{name}.gtkw"))), "{written:?}");
+    }
+    let saved = |name: &str| std::fs::read_to_string(folder.path().join(name)).unwrap();
+    assert!(saved("w.vcd.gtkw").contains("\"w.vcd\"") && saved("w.fst.gtkw").contains("\"w.fst\""));
+}
+
 /// GTKWave draws what the save file says: reals as steps over four rows, words signed, gates as bits.
 #[test]
 fn a_save_file_stands_beside_what_gtkwave_opens() {
     for format in [Format::Vcd, Format::Fst] {
         let (folder, _) = written(format);
-        let text = std::fs::read_to_string(folder.path().join("w.gtkw")).unwrap();
-        assert!(text.contains(&format!("[dumpfile] \"w.{}\"\n", format.name())), "{text}");
+        let name = format!("w.{}", format.name());
+        let text = std::fs::read_to_string(folder.path().join(format!("{name}.gtkw"))).unwrap();
+        // Both names without a folder: whoever opens the save file from another one finds the waveforms beside it.
+        let names = format!("[dumpfile] \"{name}\"\n[savefile] \"{name}.gtkw\"\n[timestart] ");
+        assert!(text.contains(&names), "{text}");
         assert!(
             text.contains("@8420\n[color] 2\n+{sweep range [m]} sweep.range\n@20000\n-\n-\n-\n"),
             "{text}"

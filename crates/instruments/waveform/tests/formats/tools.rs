@@ -53,6 +53,37 @@ fn ngspice_loads_raw() {
     assert_eq!(rows.next(), None);
 }
 
+/// Prints the first and the last value of each vector of a raw file, and how many there are.
+const READ_RAW: &str = "
+import sys
+from spicelib import RawRead
+raw = RawRead(sys.argv[1])
+for name in raw.get_trace_names():
+    wave = raw.get_trace(name).get_wave(0)
+    print(name, len(wave), repr(float(wave[0])), repr(float(wave[-1])))
+";
+
+/// spicelib's reader (Python) finds the layout of the file by itself.
+#[test]
+fn spicelib_reads_raw() {
+    let (_folder, path) = written(Format::Raw);
+    let Some(known) = tool("python3", &["-c", "import spicelib"]) else { return };
+    if !known.status.success() {
+        return eprintln!("SKIPPED: python3 has no spicelib; its reader of raw files is not tested");
+    }
+    let text = said(tool("python3", &["-c", READ_RAW, path.to_str().unwrap()]).unwrap());
+    let mut lines = text.lines();
+    assert!(lines.next().unwrap().starts_with(&format!("time {} ", 3 * SAMPLES)), "{text}");
+    let ends = [(3, 0), (5, SAMPLES - 1)].map(|(sweep, sample)| (waveforms(sweep), sample));
+    for (place, wire) in header(3..6).wires.iter().enumerate() {
+        let words: Vec<&str> = lines.next().unwrap().split(' ').collect();
+        assert_eq!(words[..2], [wire.signal.name.to_lowercase(), (3 * SAMPLES).to_string()]);
+        for ((waveforms, sample), word) in ends.iter().zip(&words[2..]) {
+            assert_eq!(word.parse::<f64>().unwrap(), volts(place, &waveforms[place], *sample), "{text}");
+        }
+    }
+}
+
 /// Prints the members of a zip that hold logic or numbers: name, then bytes or the bits of f32.
 const UNPACK: &str = "
 import sys, zipfile, struct

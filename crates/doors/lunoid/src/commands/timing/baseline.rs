@@ -3,13 +3,15 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use deadlines::{Rehearsed, first, first_moved};
+use deadlines::{DeadlineError, Rehearsal, Rehearsed, changed_pixels, first, first_moved};
 use front_door::Opened;
+use picture::ChangedPixels;
 use serde_json::json;
-use timing::{Allowance, Comparison, Difference, MovedEvent, TimingRecord, Tolerance, Totals, compare};
+use timing::{Allowance, Comparison, Difference, TimingRecord, Tolerance, Totals, compare};
 
+use crate::commands::changed;
 use crate::loading::{StageArgs, Threads, of_timed};
-use crate::output::{Place, expect_outputs, print, print_json};
+use crate::output::{Place, expect_outputs, print, print_json, warn};
 use crate::rehearsing::{choose, record, rehearse, rehearse_timed};
 use crate::values::not_negative;
 use crate::{Failure, Verdict};
@@ -76,7 +78,7 @@ impl Record {
 #[derive(Debug, Args)]
 #[command(
     mut_args(of_timed),
-    after_help = "Example:\n  lunoid timing check scenarios/first-light.toml --machine pra-nominal --sweeps 21 --baseline baseline.json --junit timing.xml"
+    after_help = "Example:\n  lunoid timing check scenarios/first-light.toml --machine pra-nominal --sweeps 21 --baseline baseline.json --junit timing.xml --pictures changed"
 )]
 pub struct Check {
     #[command(flatten)]
@@ -103,6 +105,10 @@ pub struct Check {
     /// Write the result as JUnit XML as well.
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
+    /// Where frames differ, draw them by the machine and by that of the baseline, and write a PNG of each, changed-NNNNNN.png:
+    /// changed pixels on the dimmed picture, orange where they are brighter now, blue where darker.
+    #[arg(long, value_name = "FOLDER")]
+    pictures: Option<PathBuf>,
     /// Do not show any progress.
     #[arg(long)]
     no_progress: bool,
@@ -115,7 +121,9 @@ impl Check {
     /// Measures the frames and compares their timing with the baseline.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let sources = [vec![Place::file("--baseline", &self.baseline)], self.stage.sources()].concat();
-        expect_outputs(&Place::given([("--junit", &self.junit)]), &sources)?;
+        let pictures = self.pictures.iter().map(|folder| changed::place(folder));
+        let outputs: Vec<_> = Place::given([("--junit", &self.junit)]).into_iter().chain(pictures).collect();
+        expect_outputs(&outputs, &sources)?;
         let tolerance = Tolerance::new(self.tolerance_samples, self.tolerance_m).map_err(Failure::usage)?;
         let mut baseline = timing::read(&self.baseline)?;
         let (rehearsal, frames) =
@@ -125,10 +133,19 @@ impl Check {
         }
         let found = record(!self.no_progress, |hear| rehearsal.record(&frames, hear))?;
         let mut comparison = compare(&baseline, &found, &tolerance).within(&self.allow, &found);
+        let mut pictures = Vec::new();
         if !comparison.is_same() {
-            comparison.first_event = self.first_event(&baseline, &comparison, &rehearsal, &frames)?;
+            let again = self.again(&baseline, &comparison, &frames);
+            if let (Some((again, known)), Rehearsed::Machine(found)) = (&again, &rehearsal) {
+                comparison.first_event = first_moved(again, found, known)?;
+                pictures = self.draw(again, found, &changed_frames(&comparison, known))?;
+            } else if self.pictures.is_some() {
+                warn(
+                    "--pictures: none, for the run of the baseline cannot be made again; record it anew with the machine as it was",
+                );
+            }
         }
-        self.tell(&comparison)?;
+        self.tell(&comparison, &pictures)?;
         Ok(if comparison.is_met() { Verdict::Yes } else { Verdict::No })
     }
 
@@ -148,28 +165,43 @@ impl Check {
         Ok(frames)
     }
 
-    /// The first event that moved, where the baseline's run can be made again: on the same scenario, with the values that its
-    /// hardware model and its raster had.
-    fn first_event(
+    /// The baseline's run made again, on the same scenario with the values that its hardware model and its raster had, and the
+    /// frames that both have. `None` if it cannot be made: the check has its answer without.
+    fn again(
         &self,
         baseline: &TimingRecord,
         comparison: &Comparison,
-        rehearsal: &Rehearsed,
         frames: &[u64],
-    ) -> Result<Option<MovedEvent>, Failure> {
-        let Rehearsed::Machine(found) = rehearsal else { return Ok(None) };
-        let Some(stage) = self.as_baseline(comparison) else { return Ok(None) };
-        let known: Vec<u64> = frames
-            .iter()
-            .copied()
-            .filter(|frame| baseline.frames.iter().any(|known| known.frame == *frame))
-            .collect();
-        // What cannot be made again is not looked at: the check has its answer without.
-        let Ok((again, _)) = rehearse(&stage, &self.threads, |_| Ok(known.clone())) else { return Ok(None) };
-        match again.inputs() == baseline.inputs {
-            true => Ok(first_moved(&again, found, &known)?),
-            false => Ok(None),
+    ) -> Option<(Rehearsal, Vec<u64>)> {
+        let stage = self.as_baseline(comparison)?;
+        let recorded = frames_of(baseline);
+        let known: Vec<u64> = frames.iter().copied().filter(|frame| recorded.contains(frame)).collect();
+        let (again, known) = rehearse(&stage, &self.threads, |_| Ok(known)).ok()?;
+        (again.inputs() == baseline.inputs).then_some((again, known))
+    }
+
+    /// Draws `frames` by both machines, and writes the pictures of what changed, if they are asked for.
+    fn draw(
+        &self,
+        baseline: &Rehearsal,
+        found: &Rehearsal,
+        frames: &[u64],
+    ) -> Result<Vec<(u64, ChangedPixels)>, Failure> {
+        let Some(folder) = &self.pictures else { return Ok(Vec::new()) };
+        let mut pictures = Vec::new();
+        for &frame in frames {
+            let changed = match changed_pixels(baseline, found, frame) {
+                // The check has its answer without.
+                Err(error @ DeadlineError::OtherSize { .. }) => {
+                    warn(&format!("--pictures: none: {error}"));
+                    break;
+                }
+                changed => changed?,
+            };
+            changed::write(folder, frame, &changed)?;
+            pictures.push((frame, changed));
         }
+        Ok(pictures)
     }
 
     /// What makes the baseline's run again; `None` if its keys are not known, or others than the machine's and the raster's differ.
@@ -193,19 +225,33 @@ impl Check {
         Some(stage)
     }
 
-    fn tell(&self, comparison: &Comparison) -> Result<(), Failure> {
+    fn tell(&self, comparison: &Comparison, pictures: &[(u64, ChangedPixels)]) -> Result<(), Failure> {
         if let Some(junit) = &self.junit {
             let text = comparison.junit(TOLD);
             files::write_atomic(junit, |out| out.write_all(text.as_bytes()))?;
         }
         if !self.json {
-            return print(&comparison.text(TOLD));
+            let told = |(frame, changed): &(u64, ChangedPixels)| {
+                let (all, seen) = (changed.pixels().len(), changed.seen());
+                format!(
+                    "picture of frame {frame}: {all} pixels changed, {seen} of them by a grey level or more\n"
+                )
+            };
+            return print(&(comparison.text(TOLD) + &pictures.iter().map(told).collect::<String>()));
         }
+        let picture = |(frame, changed): &(u64, ChangedPixels)| json!({ "frame": frame, "changed": changed.pixels().len(), "seen": changed.seen() });
         let mut document = comparison.json();
         document["schema"] = "lunoid.timing.check/1".into();
+        document["pictures"] = pictures.iter().map(picture).collect();
         document["baseline"] = self.baseline.display().to_string().into();
         print_json(&document)
     }
+}
+
+/// Of `known`, the frames that differ from the baseline.
+fn changed_frames(comparison: &Comparison, known: &[u64]) -> Vec<u64> {
+    let differ = comparison.frames.iter().filter(|frame| !frame.differences.is_empty());
+    differ.map(|frame| frame.frame).filter(|frame| known.contains(frame)).collect()
 }
 
 fn frames_of(record: &TimingRecord) -> Vec<u64> {

@@ -1,4 +1,6 @@
-//! `lunoid explain`: from a pixel of a frame to the wires that made it.
+//! `lunoid explain`: from a pixel of a frame to the wires that made it, and from late words to their pixels.
+
+mod late;
 
 use clap::Args;
 use deadlines::Rehearsal;
@@ -9,10 +11,11 @@ use machine::Prepare;
 use serde_json::json;
 use text::table;
 
+use self::late::{LateArgs, option};
 use crate::commands::again::command;
 use crate::commands::of_run::stage_of;
 use crate::frame::FrameArgs;
-use crate::loading::StageArgs;
+use crate::loading::{StageArgs, expect_machine};
 use crate::output::{print, print_json};
 use crate::values::pixel;
 use crate::{Failure, Verdict};
@@ -21,14 +24,17 @@ const AFTER: &str = "Examples:
   lunoid explain scenarios/first-light.toml --frame 60 --pixel 500,300
   lunoid explain scenarios/nominal-drive.toml --frame 45 --pixel 210,260 --json
   lunoid explain runs/first-light --frame 60 --pixel 500,300
-
   lunoid explain scenarios/lunsim-landing.toml --machine exact --frame 3 --pixel 100,200
+  lunoid explain scenarios/nominal-drive.toml --machine pra-overloaded --frame 17 --late 500:12 --level coarse --pictures changed
 
 A run folder stands for the scenario and the options with which it was drawn. Of the hybrid machine the first lines say why, and the table has every signal at the sample. The last lines are commands that go on
 from there: the sweep on a page of the scope, the registers at the sample, the digital events of the sweep. Another generator has a
-table alone: what it knows of the pixel.";
+table alone: what it knows of the pixel.
 
-/// Explain a pixel: the sweep and sample that made it, and every block there.
+--late goes the other way: from words that were late to the pixels that they changed, in the frame and in every later one that can
+differ. The machine is drawn as it is, and again with these words on time and nothing else changed.";
+
+/// Explain a pixel: the sweep and sample that made it, and every block there. Or late words: the pixels that they changed.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]
 pub struct Explain {
@@ -36,7 +42,9 @@ pub struct Explain {
     chosen: FrameArgs,
     /// Pixel: column and line, from 0 at the top left.
     #[arg(long, value_name = "X,Y", value_parser = pixel, allow_hyphen_values = true)]
-    pixel: [usize; 2],
+    pixel: Option<[usize; 2]>,
+    #[command(flatten)]
+    late: LateArgs,
     /// Leave the closed form out, and with it the error. Only of the hybrid machine.
     #[arg(long)]
     no_exact: bool,
@@ -51,11 +59,19 @@ impl Explain {
         let stage = stage_of(&self.chosen.stage)?;
         let opened = stage.load()?;
         self.chosen.expect_in(&opened)?;
-        if opened.is_machine() { self.of_the_machine(opened, &stage) } else { self.of_a_guest(&opened) }
+        match (self.late.late, self.pixel) {
+            (Some(place), _) => {
+                expect_machine(&opened, "it has no words that come late")?;
+                self.late.explain(place, (&self.chosen, &stage), opened, self.json)
+            }
+            (None, Some(pixel)) if opened.is_machine() => self.of_the_machine(opened, &stage, pixel),
+            (None, Some(pixel)) => self.of_a_guest(&opened, pixel),
+            (None, None) => Err(Failure::usage("--pixel X,Y or --late SWEEP:CROSSING: expected one of them")),
+        }
     }
 
     /// What a generator beside the hybrid machine says of the pixel.
-    fn of_a_guest(&self, opened: &Opened) -> Result<Verdict, Failure> {
+    fn of_a_guest(&self, opened: &Opened, pixel: [usize; 2]) -> Result<Verdict, Failure> {
         let name = opened.generator.name();
         if self.no_exact {
             return Err(Failure::usage(format!(
@@ -69,11 +85,11 @@ impl Explain {
             let pose = opened.poses(&stage, frame..frame + 1).map_err(Failure::input)?.rows()[0].pose;
             let view = stage.view.clone();
             let session = opened.generator.prepare(stage).map_err(Failure::input)?;
-            let told = facts(&*opened.generator, &*session, &view, (frame, &pose), self.pixel);
+            let told = facts(&*opened.generator, &*session, &view, (frame, &pose), pixel);
             Ok((pose.time, told.map_err(failure)?))
         });
         let (time, told) = told?;
-        let [x, y] = self.pixel;
+        let [x, y] = pixel;
         if self.json {
             print_json(&json!({
                 "schema": "lunoid.facts/1", "generator": name, "frame": frame, "time_s": time, "pixel": [x, y], "facts": told,
@@ -85,14 +101,19 @@ impl Explain {
         Ok(Verdict::Yes)
     }
 
-    fn of_the_machine(&self, opened: Opened, stage: &StageArgs) -> Result<Verdict, Failure> {
+    fn of_the_machine(
+        &self,
+        opened: Opened,
+        stage: &StageArgs,
+        pixel: [usize; 2],
+    ) -> Result<Verdict, Failure> {
         let frame = self.chosen.frame;
         let rehearsal = Rehearsal::new(opened, self.chosen.threads.pool()?)?;
         let pose = rehearsal.poses(&[frame])?[0].pose;
         let session = rehearsal.stage.clone().prepare();
         let exact = (!self.no_exact).then(|| Columns::new(rehearsal.stage.stage()));
         let inquiry = Inquiry::new(&rehearsal.stage, session.as_ref(), &rehearsal.control, exact.as_ref());
-        let told = rehearsal.pool.install(|| inquiry.explain(frame, &pose, self.pixel));
+        let told = rehearsal.pool.install(|| inquiry.explain(frame, &pose, pixel));
         let told = told.map_err(failure)?;
         if self.json {
             let mut document = serde_json::to_value(&told).map_err(Failure::input)?;
@@ -104,7 +125,8 @@ impl Explain {
         Ok(Verdict::Yes)
     }
 
-    /// Commands that go on from the pixel: its wires on a page of the scope, its registers and what was loaded into them.
+    /// Commands that go on from the pixel: its wires on a page of the scope, its registers and what was loaded into them, and
+    /// what late words in force changed elsewhere.
     fn next(&self, told: &Explanation, stage: &StageArgs) -> String {
         let (frame, sweep) = (self.chosen.frame, told.place.sweep);
         let cursor = told.ground.as_ref().map(|ground| format!(" --cursor {:.4}", ground.range_m));
@@ -117,11 +139,15 @@ impl Explain {
             told.body.map(|_| ("probe", format!("--sweep {sweep} --signals 'pg.*,sm.write' --out body.csv")));
         let registers =
             told.ground.as_ref().map(|ground| ("trace", format!("--at {sweep}:{}", ground.sample)));
+        let mut in_force = told.read.iter().flat_map(|read| read.late.iter().map(|late| (read.sweep, late)));
+        let words =
+            in_force.rfind(|(_, late)| late.in_force).map(|(sweep, late)| ("explain", option(sweep, late)));
         let commands = [("probe", page)]
             .into_iter()
             .chain(body)
             .chain(registers)
-            .chain([("trace", format!("--sweep {sweep}"))]);
+            .chain([("trace", format!("--sweep {sweep}"))])
+            .chain(words);
         commands.map(|(name, rest)| command(name, stage, frame, &rest) + "\n").collect()
     }
 }
