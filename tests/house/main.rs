@@ -2,6 +2,7 @@
 
 mod awake;
 mod citations;
+mod comments;
 mod dependencies;
 mod floors;
 mod imports;

@@ -3,7 +3,7 @@
 /// Names the words that one fold found missing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LateCrossing {
-    /// Frame, from 0.
+    /// Number of the frame, from 0.
     pub frame: u64,
     /// Sweep of the frame, from 0 at the left.
     pub sweep: u32,

@@ -11,7 +11,7 @@ use crate::listing::CSV;
 /// Which late words of a frame are meant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct LatePlace {
-    /// Sweep, from 0.
+    /// Number of the sweep, from 0.
     pub sweep: u32,
     /// Level of terrain, from 0; `None` if only sweep and crossing are given.
     pub level: Option<usize>,

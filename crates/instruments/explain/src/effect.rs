@@ -29,7 +29,7 @@ pub struct LateEffect {
 pub struct FrameEffect {
     /// Frame of the mission, from 0.
     pub frame: u64,
-    /// Its time (s).
+    /// Time of the frame (s).
     pub time_s: f64,
     /// Pixels that are not as they would be with the words on time, in levels of 8 bits: what the lateness added or took.
     pub changed: ChangedPixels,
@@ -47,9 +47,9 @@ pub enum LateError {
     /// There is no such sweep.
     #[error("{sweep}:{crossing}: a frame has sweeps 0..{sweeps}; expected one of them")]
     Sweep {
-        /// Sweep asked for.
+        /// Sweep that was asked for.
         sweep: u32,
-        /// Crossing asked for.
+        /// Crossing that was asked for.
         crossing: u32,
         /// Sweeps of a frame.
         sweeps: u32,
@@ -59,17 +59,17 @@ pub enum LateError {
         "{sweep}:{crossing}, coarse level: the machine draws one level of terrain; expected the fine one"
     )]
     Level {
-        /// Sweep asked for.
+        /// Sweep that was asked for.
         sweep: u32,
-        /// Crossing asked for.
+        /// Crossing that was asked for.
         crossing: u32,
     },
     /// No word was late there.
     #[error("{sweep}:{crossing}: {found}")]
     NotLate {
-        /// Sweep asked for.
+        /// Sweep that was asked for.
         sweep: u32,
-        /// Crossing asked for.
+        /// Crossing that was asked for.
         crossing: u32,
         /// What the sweep has instead, and where words were late.
         found: String,

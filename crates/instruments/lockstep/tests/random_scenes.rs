@@ -45,7 +45,8 @@ fn two_hundred_in_f64() {
     assert!(found.scenes >= 190, "{} scenes could be drawn", found.scenes);
     for name in compared() {
         let tally = found.report.signals.get(name).cloned().unwrap_or_default();
-        assert!(tally.samples > 25_000, "{name}: {} samples compared", tally.samples);
+        // Gates are not compared where comparators are real.
+        assert!(tally.samples > 15_000, "{name}: {} samples compared", tally.samples);
         assert!(tally.doubtful < tally.samples / 1000, "{name}: {} samples doubtful", tally.doubtful);
     }
     for word in ["stop", "transfer", "load", "late"] {

@@ -7,7 +7,7 @@ use std::process::Command;
 /// Waveforms of the nodes of [`crate::OUTPUTS`], at the instants that ngspice chose.
 #[derive(Debug, Clone)]
 pub struct Curves {
-    /// Instants (s).
+    /// Instants of the points (s).
     pub times: Vec<f64>,
     /// Values of each node, in the order of [`crate::OUTPUTS`].
     pub values: Vec<Vec<f64>>,

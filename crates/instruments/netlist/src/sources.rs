@@ -23,7 +23,7 @@ pub fn straight(name: &str, points: &[[f64; 2]]) -> String {
 /// A level that a source takes at an instant, and the area of a pulse that comes with it.
 #[derive(Debug, Clone, Copy)]
 pub struct Level {
-    /// When (s).
+    /// Instant of the jump (s).
     pub at: f64,
     /// Level from then on (full scales).
     pub level: f64,

@@ -139,7 +139,8 @@ const CASES: &[Case] = &[
         limit: "text-bytes",
         file: "model.toml",
         make: |room| {
-            room.write("model.toml", room.done(&["model", "show", "pra-nominal"]));
+            let shown = room.done(&["model", "show", "pra-nominal"]);
+            room.write("model.toml", shown.replace("name = \"pra-nominal\"", "name = \"model\""));
             bytes(room, "model.toml")
         },
         command: &["replay", "tiny.toml", "-m", "model.toml", "-q", "--out", "new", "--frames", "0"],

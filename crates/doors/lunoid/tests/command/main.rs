@@ -13,6 +13,7 @@ mod help;
 mod lockstep;
 mod lunsim;
 mod models;
+mod netlist;
 mod overlays;
 mod refusals;
 mod replays;

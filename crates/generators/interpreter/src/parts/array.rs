@@ -13,7 +13,7 @@ use crate::walk::Sample;
 /// What an array is swept with.
 #[derive(Debug, Clone, Copy)]
 pub struct Sweep<'a> {
-    /// Its ground.
+    /// Ground that the array draws.
     pub level: &'a Level,
     /// Name of the array in draws: `tg` or `mtg`.
     pub name: &'a str,

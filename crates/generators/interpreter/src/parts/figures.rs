@@ -49,7 +49,7 @@ pub struct RampFigures {
 pub struct FunctionFigures {
     /// Deviation at the middle of its input.
     pub bow: f64,
-    /// Time constant (s).
+    /// Time constant of the lag (s).
     pub tau: f64,
 }
 
@@ -81,11 +81,11 @@ pub struct CellFigures {
 /// An amplifier of a tree.
 #[derive(Debug, Clone, Copy)]
 pub struct AmplifierFigures {
-    /// Time constant (s).
+    /// Time constant of the lag (s).
     pub tau: f64,
     /// Slew rate (full scales a second).
     pub slew: f64,
-    /// Saturation (full scales).
+    /// Largest output either way (full scales).
     pub saturation: f64,
     /// Recovery from overload (s).
     pub recovery: f64,
@@ -120,9 +120,9 @@ pub struct Scales {
 pub struct Figures {
     /// Length of a step (s).
     pub step: f64,
-    /// Full scales.
+    /// Full scales of the level.
     pub scales: Scales,
-    /// Both ramps.
+    /// Figures of both ramps.
     pub ramps: [RampFigures; 2],
     /// Function generators by axis.
     pub functions: [[FunctionFigures; UNITS]; 2],

@@ -38,7 +38,7 @@ impl RampCircuit {
         }
     }
 
-    /// The ramp.
+    /// Output of the ramp now.
     pub fn output(&self) -> f64 {
         if self.smoother.is_some() { self.smooth[0] } else { self.converted }
     }

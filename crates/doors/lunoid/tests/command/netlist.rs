@@ -1,0 +1,47 @@
+//! `lunoid netlist`: a chain of parts as a circuit, and what ngspice makes of it.
+
+use std::process::Command;
+
+use serde_json::Value;
+
+use crate::scene::Scene;
+
+const CHAIN: &[&str] = &["netlist", "tiny.toml", "--frame", "1", "--sweep", "5", "--out", "chain.cir"];
+
+#[test]
+fn a_chain_runs_in_ngspice_and_agrees() {
+    let scene = Scene::new();
+    let told = scene.expect(0, &[CHAIN, &["-m", "pra-parts"]].concat()).0;
+    assert!(told.contains("ngspice -b"), "{told}");
+    if Command::new("ngspice").arg("--version").output().is_err() {
+        eprintln!("SKIPPED: ngspice is not installed; the circuit was written and not run");
+        return;
+    }
+    let told = scene.expect(0, &[CHAIN, &["-m", "pra-parts", "--check", "--json"]].concat()).0;
+    let told: Value = serde_json::from_str(&told).unwrap();
+    let signals = told["signals"].as_array().unwrap();
+    assert_eq!(signals.len(), 7);
+    for signal in signals {
+        assert!(signal["samples"].as_u64().unwrap() > 40, "{signal}");
+        assert!(signal["norm"].as_f64().unwrap() <= 1.0, "{signal}");
+    }
+}
+
+#[test]
+fn what_has_no_circuit_is_refused() {
+    let scene = Scene::new();
+    for (wrong, words) in [
+        (&["-m", "ideal"][..], "this model has an ideal terrain generator"),
+        (&["-m", "pra-parts", "--block", "coarse"], "expected a scenario with two levels"),
+        (&["-m", "pra-parts", "--block", "mixing-unit"], "possible values: fine, coarse"),
+        (&["-m", "exact"], "only the hybrid machine has such a circuit"),
+        (&["-m", "pra-parts", "--json"], "--check"),
+    ] {
+        let (out, err) = scene.expect(2, &[CHAIN, wrong].concat());
+        assert!(out.is_empty() && err.contains(words), "{wrong:?}: {err}");
+    }
+    let far =
+        ["netlist", "tiny.toml", "--frame", "1", "--sweep", "40", "--out", "chain.cir", "-m", "pra-parts"];
+    let (_, err) = scene.expect(2, &far);
+    assert!(err.contains("a frame has sweeps 0..40"), "{err}");
+}
