@@ -8,9 +8,13 @@ use crate::sources::sources;
 /// Words that a doc comment has at least.
 const FEWEST: usize = 4;
 
+/// Text of a doc comment, if the line is one.
+fn doc<'a>(line: Option<&&'a str>) -> Option<&'a str> {
+    line.and_then(|line| line.trim_start().strip_prefix("///"))
+}
+
 /// Doc comments of one line with fewer words, with their line numbers.
 fn riddles(text: &str) -> Vec<String> {
-    let doc = |line: Option<&&str>| line.and_then(|line| line.trim_start().strip_prefix("///"));
     let lines: Vec<&str> = text.lines().collect();
     let mut found = Vec::new();
     for (number, line) in lines.iter().enumerate() {
