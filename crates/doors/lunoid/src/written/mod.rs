@@ -24,7 +24,7 @@ use pages::{Kind, Written, root};
 use workspace::Workspace;
 
 /// Commands of others that stand in blocks of a shell.
-const OTHERS: [&str; 6] = ["alias", "ffmpeg", "gtkwave", "ngspice", "rustup", "tests/fuzz/run", "xdg-open"];
+const OTHERS: [&str; 7] = ["alias", "ffmpeg", "gtkwave", "ngspice", "rustup", "tests/fuzz/run", "xdg-open"];
 /// Folders of the repository that commands name files in.
 const FOLDERS: [&str; 5] = ["scenarios/", "hardware-models/", "tests/", "crates/", "docs/"];
 
