@@ -74,7 +74,7 @@ fn exact(curve: usize, z: f64) -> f64 {
     }
 }
 
-/// Ascending powers of the same: what [`exact`] is when it is multiplied out.
+/// Ascending powers of the same: what `exact` is when it is multiplied out.
 pub fn exact_powers(curve: usize) -> [f64; 6] {
     match curve {
         0 => [1.0, 0.0, 0.0, -10.0, 15.0, -6.0],
