@@ -11,7 +11,7 @@ use landscape::{Level, Sun};
 use quantities::{degrees, sin_cos};
 use scenario::{FieldOfView, Pose};
 use sweep_generator::{RangeTable, TimedFolds, set_up};
-use sweep_program::{Fan, SweepProgram, SweepStart};
+use sweep_program::{Fan, SweepProgram};
 
 /// What the control plane works out once a frame.
 #[derive(Debug, Clone, Copy)]
@@ -154,15 +154,15 @@ impl FramePlan {
 /// What rounding may do to the place of a sweep in its fan (sweeps).
 const SLACK: f64 = 1e-6;
 
-/// Ground range at which a straight sweep leaves the stored area (m): that of its last fold, to the bit.
+/// Ground range at which a straight sweep leaves the stored area (m).
 fn way_to_edge(level: &Level, foot: [f64; 2], direction: [f64; 2]) -> f64 {
-    let (corners, SweepStart { region, ramps, .. }) = (level.corners(), set_up(foot, direction));
+    let corners = level.corners();
     let regions = (0..2).map(|axis| {
-        let regions_left =
-            if direction[axis] > 0.0 { corners[axis] as i64 - 2 - region[axis] } else { region[axis] };
-        match ramps[axis].rate.abs() {
-            0.0 => f64::INFINITY,
-            rate => (ramps[axis].first_stop().0 + regions_left as f64) / rate,
+        let last = (corners[axis] - 1) as f64;
+        match direction[axis] {
+            cosine if cosine > 0.0 => (last - foot[axis]) / cosine,
+            cosine if cosine < 0.0 => -foot[axis] / cosine,
+            _ => f64::INFINITY,
         }
     });
     regions.fold(f64::INFINITY, f64::min) * level.region_size()
