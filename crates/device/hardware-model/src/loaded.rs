@@ -73,8 +73,8 @@ impl HardwareModel {
     }
 }
 
-/// What to say of a model file that has another name than the model in it: records and tables have the model's, and `--machine`
-/// finds the file's.
+/// Warning about a model file whose name is not that of the model in it. Records and tables show the name of the model;
+/// `--machine` finds the file by its own.
 fn misnamed(source: &ModelSource, name: &str) -> Option<String> {
     let ModelSource::File(path) = source else { return None };
     let stem = path.file_stem()?.to_string_lossy();

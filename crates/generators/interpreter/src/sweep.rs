@@ -42,8 +42,8 @@ pub struct Record {
     pub loads_undecided: bool,
     /// Instants of the stops of the fine level, in accumulator steps from the first sample, with axis (0 is X).
     pub stops: Vec<(f64, usize)>,
-    /// How near the accumulators of either level came to another word of a converter, by sample, as far back as parts remember (full
-    /// scales).
+    /// Distance of the accumulators of either level from another word of their converters (full scales), by sample: the least within
+    /// the memory of the parts.
     pub stairs: Vec<f64>,
     /// Samples within the stored ground.
     pub samples: usize,

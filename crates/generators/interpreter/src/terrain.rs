@@ -4,12 +4,15 @@ use crate::registers::CORNERS;
 
 /// Outputs of the three kinds of function generator at z, and of their derivative generators.
 #[derive(Debug, Clone, Copy)]
-struct Generators {
-    value: [f64; 3],
-    slope: [f64; 3],
+pub struct Generators {
+    /// Values of the three orders.
+    pub value: [f64; 3],
+    /// Slopes of the three orders.
+    pub slope: [f64; 3],
 }
 
-fn generators(z: f64) -> Generators {
+/// The three kinds of function generator at `z`.
+pub fn generators(z: f64) -> Generators {
     let (z2, z3) = (z * z, z * z * z);
     let (z4, z5) = (z2 * z2, z2 * z3);
     Generators {

@@ -35,8 +35,8 @@ pub struct Sample {
     pub height: f64,
     /// Slopes to the north and to the east.
     pub slopes: [f64; 2],
-    /// How near the accumulators came to where a converter takes another word, as far back as the parts remember (full scales);
-    /// infinite without converters.
+    /// Distance of the accumulators from another word of their converters (full scales): the least within the memory of the parts.
+    /// It is infinite without converters.
     pub stairs: f64,
 }
 

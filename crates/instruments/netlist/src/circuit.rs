@@ -5,7 +5,6 @@ use std::fmt::Write;
 use interpreter::parts::Array;
 use interpreter::parts::chain::{is_turned, units};
 use interpreter::parts::figures::{AmplifierFigures, CellFigures, PEAKS, TERMS, UNITS};
-use interpreter::parts::functions::exact_powers;
 use interpreter::parts::ramp::{carry, level_of, word_for};
 
 use crate::sources::{Level, stairs, straight};
@@ -24,6 +23,16 @@ pub const OUTPUTS: [(&str, &str); 7] = [
 
 /// Instants of a sample at which waveforms are asked for; ngspice takes twice as many and more.
 const INSTANTS: f64 = 8.0;
+
+/// Ascending powers of the basis functions of section 5.2, then of their slopes.
+const POWERS: [[f64; 6]; 6] = [
+    [1.0, 0.0, 0.0, -10.0, 15.0, -6.0],
+    [0.0, 1.0, 0.0, -6.0, 8.0, -3.0],
+    [0.0, 0.0, 0.5, -1.5, 1.5, -0.5],
+    [0.0, 0.0, -30.0, 60.0, -30.0, 0.0],
+    [1.0, 0.0, -18.0, 32.0, -15.0, 0.0],
+    [0.0, 1.0, -4.5, 6.0, -2.5, 0.0],
+];
 
 /// What is written as a circuit.
 #[derive(Debug, Clone, Copy)]
@@ -131,7 +140,7 @@ fn functions(circuit: &Circuit<'_>, axis: usize, text: &mut String) {
         let figures = &circuit.array.figures.functions[axis][unit];
         let value = match circuit.broken_lines.get(curve) {
             Some(points) => broken(&fed, points),
-            None => polynomial(&fed, &exact_powers(curve).map(|power| power / PEAKS[curve])),
+            None => polynomial(&fed, &POWERS[curve].map(|power| power / PEAKS[curve])),
         };
         let bow = 4.0 * figures.bow;
         let _ = writeln!(text, "Bg{name}{unit} g{name}{unit} 0 V={value}+{bow:.15e}*{fed}*(1-{fed})");

@@ -112,7 +112,9 @@ fn corners(sweep: &Sweep<'_>, figures: &Figures, axis: usize, accumulators: &[[f
     let leaves = if figures.preset { 0.0 } else { -1.0 };
     let mut ramps = Accumulators::new(sweep);
     let mut bend = |time: f64| ramps.at(accumulated(sweep.ranges, time, figures.preset))[axis];
-    let bends = (-1..sweep.ranges.len() as i64).map(|sample| (sample as f64, None));
+    // The accumulators are ahead of the beam: behind the last sample they go on at its rate.
+    let last = sweep.ranges.len() as i64 + lead.ceil() as i64;
+    let bends = (-1..=last).map(|sample| (sample as f64, None));
     let folds = sweep.changes.iter().filter_map(|change| {
         let (_, at_one) = change.fold.filter(|(folded, _)| *folded == axis)?;
         Some((change.time, Some(if at_one { 1.0 } else { 0.0 })))

@@ -3,6 +3,7 @@
 use super::drawn::Drawn;
 use super::figures::{FunctionFigures, PEAKS, UNITS};
 use super::series::LagMap;
+use crate::terrain::generators;
 
 /// The function generators of one axis along a sweep, shares of full scale.
 #[derive(Debug, Clone)]
@@ -41,12 +42,14 @@ impl<'a> FunctionCircuits<'a> {
 
     /// What the circuits make of a ramp before their lags.
     fn inputs(&self, ramp: f64) -> [f64; UNITS] {
+        let ends = [ramp, 1.0 - ramp];
+        let exact = ends.map(generators);
         std::array::from_fn(|unit| {
-            let fed = if unit / 3 % 2 == 0 { ramp } else { 1.0 - ramp };
-            let curve = 3 * (unit / 6) + unit % 3;
+            let (slope, end, order) = (unit / 6, unit / 3 % 2, unit % 3);
+            let (fed, curve) = (ends[end], 3 * slope + order);
             let value = match self.broken_lines.get(curve) {
                 Some(points) => on_the_line(points, fed),
-                None => exact(curve, fed) / PEAKS[curve],
+                None => [exact[end].value, exact[end].slope][slope][order] / PEAKS[curve],
             };
             value + 4.0 * self.figures[unit].bow * fed * (1.0 - fed)
         })
@@ -59,29 +62,4 @@ fn on_the_line(points: &[f64], z: f64) -> f64 {
     let cell = (z * cells).floor().clamp(0.0, cells - 1.0);
     let [from, to] = [points[cell as usize], points[cell as usize + 1]];
     from + (to - from) * (z * cells - cell)
-}
-
-/// The basis functions of section 5.2 and their slopes.
-fn exact(curve: usize, z: f64) -> f64 {
-    let rest = 1.0 - z;
-    match curve {
-        0 => rest * rest * rest * (1.0 + 3.0 * z + 6.0 * z * z),
-        1 => z * rest * rest * rest * (1.0 + 3.0 * z),
-        2 => 0.5 * z * z * rest * rest * rest,
-        3 => -30.0 * z * z * rest * rest,
-        4 => rest * rest * (1.0 + 2.0 * z - 15.0 * z * z),
-        _ => 0.5 * z * rest * rest * (2.0 - 5.0 * z),
-    }
-}
-
-/// Ascending powers of the same: what `exact` is when it is multiplied out.
-pub fn exact_powers(curve: usize) -> [f64; 6] {
-    match curve {
-        0 => [1.0, 0.0, 0.0, -10.0, 15.0, -6.0],
-        1 => [0.0, 1.0, 0.0, -6.0, 8.0, -3.0],
-        2 => [0.0, 0.0, 0.5, -1.5, 1.5, -0.5],
-        3 => [0.0, 0.0, -30.0, 60.0, -30.0, 0.0],
-        4 => [1.0, 0.0, -18.0, 32.0, -15.0, 0.0],
-        _ => [0.0, 1.0, -4.5, 6.0, -2.5, 0.0],
-    }
 }

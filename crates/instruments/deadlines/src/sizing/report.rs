@@ -22,7 +22,7 @@ pub struct Row {
     measured: Option<f64>,
     /// Value that the formula gives.
     formula: Option<f64>,
-    /// Measured value divided by that of the formula.
+    /// Measured value divided by the value of the formula.
     ratio: Option<f64>,
     /// The formula in the symbols of hardware section 4.
     law: &'static str,

@@ -21,7 +21,7 @@ const LEVELS: u32 = 2;
 /// A run among others.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct MachineFigures {
-    /// Name of the run's folder, below that of the page.
+    /// Name of the run's folder within the folder of the page.
     pub name: String,
     /// Name of the generator that drew.
     pub generator: String,

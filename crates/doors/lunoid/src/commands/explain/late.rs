@@ -33,7 +33,7 @@ pub struct LateArgs {
 }
 
 impl LateArgs {
-    /// Tells what the words at `place` changed, in frame and machine of `chosen`, which `stage` stands for.
+    /// Tells what the words at `place` changed. `chosen` names the frame and the machine; `stage` is its stage.
     pub fn explain(
         &self,
         place: LatePlace,

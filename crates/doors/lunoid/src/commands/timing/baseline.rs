@@ -105,8 +105,8 @@ pub struct Check {
     /// Write the result as JUnit XML as well.
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
-    /// Where frames differ, draw them by the machine and by that of the baseline, and write a PNG of each, changed-NNNNNN.png:
-    /// changed pixels on the dimmed picture, orange where they are brighter now, blue where darker.
+    /// Write a PNG of each frame that differs, changed-NNNNNN.png: changed pixels on the dimmed picture, orange where they are
+    /// brighter than under the machine of the baseline, blue where they are darker.
     #[arg(long, value_name = "FOLDER")]
     pictures: Option<PathBuf>,
     /// Do not show any progress.
