@@ -8,7 +8,6 @@ use ::text::table;
 use clap::{Args, ValueEnum};
 use front_door::Opened;
 use interpreter::parts::Array;
-use scenario::PoseTable;
 use serde_json::json;
 use signal::Waveform;
 
@@ -91,9 +90,8 @@ impl NetlistCommand {
         let frame = self.chosen.frame;
         let pool = self.chosen.threads.pool()?;
         let stage = machine_stage(opened, &pool)?;
-        let (update, yoke) = (stage.settings.timebase.update, stage.settings.yoke);
-        let table = PoseTable::resolve(&opened.scenario, &stage.landscape, update, yoke, frame..frame + 1);
-        let pose = table.map_err(Failure::input)?.rows()[0].pose;
+        let poses = opened.poses(&stage.stage(), frame..frame + 1).map_err(Failure::input)?;
+        let pose = poses.rows()[0].pose;
         let engines = Engines::new(stage);
         let signals = OUTPUTS.iter().map(|(_, signal)| self.name(signal)).collect();
         let level = usize::from(self.block == Block::Coarse);
