@@ -46,7 +46,7 @@ fn with_ground(change: impl FnOnce(Landscape) -> Landscape) -> Elaboration {
     changed(|stage| stage.landscape = Arc::new(change(Landscape::clone(&stage.landscape))))
 }
 
-const ALL: [Block; 12] = [
+const ALL: [Block; 13] = [
     Block::Terrain,
     Block::Features,
     Block::Shadows,
@@ -58,6 +58,7 @@ const ALL: [Block; 12] = [
     Block::Mixing,
     Block::Beam,
     Block::Memory,
+    Block::PictureTube,
     Block::Amplifiers,
 ];
 
@@ -70,10 +71,10 @@ fn of_parts(list: &Elaboration) -> Vec<Block> {
 }
 
 /// What is always there.
-const BARE: [Block; 4] = [Block::Terrain, Block::Beam, Block::Memory, Block::Amplifiers];
+const BARE: [Block; 5] = [Block::Terrain, Block::Beam, Block::Memory, Block::PictureTube, Block::Amplifiers];
 
 #[test]
-fn level_ground_on_the_ideal_machine_needs_four_blocks_and_no_parts() {
+fn level_ground_on_the_ideal_machine_needs_five_blocks_and_no_parts() {
     let list = changed(|_| {});
     assert_eq!(there(&list), BARE);
     assert_eq!(of_parts(&list), []);

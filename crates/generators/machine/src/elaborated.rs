@@ -8,13 +8,14 @@ use display_projection_processor::Processor;
 use generator::FrameError;
 use polyhedron_generator::NearTable;
 use remote_shadow::Footings;
+use scenario::Pose;
 use signal::Real;
 use signal_plane::{Group, RealParts, Workspace};
 use sweep_generator::RangeTable;
 
 use crate::picture::Cells;
 use crate::pool::Pool;
-use crate::residue::Recent;
+use crate::residue::{Recent, Written};
 
 /// The machine, its tables, and buffers that wait for the next frame.
 pub(crate) struct Elaborated<S> {
@@ -29,7 +30,9 @@ pub(crate) struct Elaborated<S> {
     pub footings: Footings,
     pub digital: Digital,
     pub parts: RealParts<S>,
-    pub recent: Recent,
+    pub stores_before: Recent<Written>,
+    /// Pictures as they were read.
+    pub pictures_before: Recent<Vec<f32>>,
     pub workspaces: Pool<Box<Workspace<S>>>,
     pub deliveries: Pool<Delivery>,
     pub stores: Pool<Vec<f32>>,
@@ -50,7 +53,8 @@ impl<S: Real> Elaborated<S> {
             digital: Digital::new(&stage),
             parts: RealParts::new(&stage, &list, table.ranges(), &WrittenRaster::new(settings)),
             list,
-            recent: Recent::default(),
+            stores_before: Recent::default(),
+            pictures_before: Recent::default(),
             table,
             workspaces: Pool::default(),
             deliveries: Pool::default(),
@@ -60,12 +64,22 @@ impl<S: Real> Elaborated<S> {
         }
     }
 
-    pub(crate) fn deliver(
+    /// A frame before its sweeps run: where they look, what its digital side does, what its I/O processors bring.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    pub(crate) fn begin(
         &self,
-        plan: &FramePlan,
-        digital: &DigitalFrame,
-        time: f64,
-    ) -> Result<Delivery, FrameError> {
+        frame: u64,
+        pose: &Pose,
+    ) -> Result<(FramePlan, DigitalFrame, Delivery), FrameError> {
+        let plan = FramePlan::new(frame, pose, &self.stage, &self.raster.field)?;
+        let digital = self.digital_frame(&plan, pose.time);
+        let delivery = self.deliver(&plan, &digital, pose.time)?;
+        Ok((plan, digital, delivery))
+    }
+
+    fn deliver(&self, plan: &FramePlan, digital: &DigitalFrame, time: f64) -> Result<Delivery, FrameError> {
         let mut delivery = self.deliveries.take();
         let supply = Supply {
             stage: &self.stage,
@@ -81,7 +95,7 @@ impl<S: Real> Elaborated<S> {
         Ok(delivery)
     }
 
-    pub(crate) fn digital_frame(&self, plan: &FramePlan, time: f64) -> DigitalFrame {
+    fn digital_frame(&self, plan: &FramePlan, time: f64) -> DigitalFrame {
         let crossings = Crossings {
             stage: &self.stage,
             coarse: self.blocks.coarse.as_ref(),

@@ -4,7 +4,7 @@
 //!  control plane                         signal plane, eight sweeps side by side
 //!  pose ▶ fan ▶ ramps ▶ folds ▶ DPU ────▶ TG, fine and coarse ─▶┐
 //!                craters ▶ schedule ────▶ FG ──────────────────▶┤
-//!  shadow bank ▶ segments ▶ SC gates ──────────────────────────▶┼▶ MU ▶ DPP ▶ SM ▶ VS3 ▶ [sweep, line] ▶ read-out
+//!  shadow bank ▶ segments ▶ SC gates ──────────────────────────▶┼▶ MU ▶ DPP ▶ SM ▶ VS3 ▶ [sweep, line] ▶ read-out ▶ tube
 //!                                         TXG ─────────────────▶┘          ▲ hold   ▲              (yoke)
 //!  bodies ▶ project ▶ spans ───────────────────────────────────────────────┴─ PG ───┘
 //! ```
@@ -26,17 +26,19 @@
 //! | 1 | `counts` | what a frame takes |
 //! | 1 | `omissions` | what the elaborated machine leaves out |
 //! | 1 | `pool` | buffers that are used again |
-//! | 1 | `residue` | pictures as they were written, for a tube |
+//! | 1 | `residue` | stores and pictures of the last frames, for tubes |
 //! | 2 | `picture` | a picture while it is written |
 //! | 3 | `elaborated` | the machine of a stage: its tables, and what the groups of a frame share |
 //! | 4 | `groups` | the groups of a frame |
 //! | 4 | `tube` | how pictures are read, and what a tube has left of earlier ones |
-//! | 5 | `session` | a frame, from its pose to its planes |
-//! | 6 | `prepare` | from a stage to a session |
-//! | 6 | `unprobed` | the machine without probes |
-//! | 7 | `hybrid_machine` | the machine as a generator |
+//! | 5 | `display` | pictures that were read, and what the picture tube shows of them |
+//! | 6 | `session` | a frame, from its pose to its planes |
+//! | 7 | `prepare` | from a stage to a session |
+//! | 7 | `unprobed` | the machine without probes |
+//! | 8 | `hybrid_machine` | the machine as a generator |
 
 mod counts;
+mod display;
 mod elaborated;
 mod groups;
 mod hybrid_machine;

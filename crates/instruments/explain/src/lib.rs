@@ -15,7 +15,7 @@
 //! theirs; the ground behind is told as well. A register is stale if its corner is not the one that the region asks
 //! for, whatever brought it there.
 //! **Other generators** ([`facts`]) say of a pixel what they will, or else what their planes hold there.
-//! **Not told.** What the read beam, the tube's residue and its noise add to what the sweep left: that is the difference
+//! **Not told.** What the read beam, the storage tube's residue, noise and the law of the picture tube add to what the sweep left: that is the difference
 //! between `left` and the pixel's `intensity`.
 
 mod because;

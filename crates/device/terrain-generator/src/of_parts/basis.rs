@@ -224,7 +224,11 @@ fn broken<S: Real>(segments: u32, knee: f64) -> [FunctionGenerator<S>; CURVES] {
     std::array::from_fn(|curve| {
         let order = curve % 3;
         let share = |z| {
-            if curve < 3 { values(z)[order] / PEAKS[order] } else { derivatives(z)[order] / SLOPE_PEAKS[order] }
+            if curve < 3 {
+                values(z)[order] / PEAKS[order]
+            } else {
+                derivatives(z)[order] / SLOPE_PEAKS[order]
+            }
         };
         FunctionGenerator::new(&law, share)
     })

@@ -84,8 +84,7 @@ struct Accumulators {
 impl Accumulators {
     fn new(sweep: &Sweep<'_>) -> Self {
         let of = |axis: usize| {
-            let of_axis =
-                |change: &&Change| change.fold.is_some_and(|(folded, _)| folded == axis);
+            let of_axis = |change: &&Change| change.fold.is_some_and(|(folded, _)| folded == axis);
             sweep.changes.iter().filter(of_axis).count()
         };
         Self { ramps: sweep.ramps.clone(), folds: [of(0), of(1)] }
@@ -209,9 +208,8 @@ impl<'a> Chain<'a> {
         let (polarity, turned) = polarity_by(sweep, words, by);
         let ramps = [0, 1].map(|axis| RampCircuit::at_rest(figures.ramps[axis], step, accumulators[axis]));
         let ramp = [0, 1].map(|axis| ramps[axis].output());
-        let functions = [0, 1].map(|axis| {
-            FunctionCircuits::at_rest(figures.functions[axis], step, ramp[axis], sweep.drawn)
-        });
+        let functions = [0, 1]
+            .map(|axis| FunctionCircuits::at_rest(figures.functions[axis], step, ramp[axis], sweep.drawn));
         let signed = [0, 1].map(|axis| with_signs(&functions[axis].outputs, polarity[axis]));
         let cells = [0, 1, 2].map(|sum| {
             let cells = figures.cells[sum].iter().zip(&words.taken[sum]).enumerate();
@@ -297,7 +295,8 @@ impl<'a> Chain<'a> {
         for fed in 0..4 {
             for order in 0..3 {
                 let output = |slope: usize| {
-                    self.functions[fed / 2].outputs[6 * slope + 3 * (fed % 2) + order] * PEAKS[3 * slope + order]
+                    self.functions[fed / 2].outputs[6 * slope + 3 * (fed % 2) + order]
+                        * PEAKS[3 * slope + order]
                 };
                 (sums.functions[fed][order], sums.derivatives[fed][order]) = (output(0), output(1));
             }
@@ -354,4 +353,3 @@ fn factors(signed: &[[f64; 12]; 2], sum: usize, term: usize) -> [f64; 2] {
 fn peaks(sum: usize, term: usize) -> [f64; 2] {
     units(sum, term).map(|unit| PEAKS[3 * (unit / 6) + unit % 3])
 }
-

@@ -178,11 +178,8 @@ pub fn figures(step: f64, level: &Level, parts: &AnalogParts, drawn: &Drawn<'_>,
     let switching = parts.multiplying_dac.switching;
     let on_ramp = parts.sweep.fold_detect == FoldDetect::Comparator;
     let found = nominal.delay(step) + parts.comparator.delay;
-    let (to_polarity, to_words) = if on_ramp {
-        (found, found + switching)
-    } else {
-        (to_functions, to_converters.max(switching))
-    };
+    let (to_polarity, to_words) =
+        if on_ramp { (found, found + switching) } else { (to_functions, to_converters.max(switching)) };
     let stop = |number: usize| {
         let (deviates, late) = ("stop", parts.comparator);
         let delay = draw.figure(deviates, number, late.delay, sigma::SWITCHING);

@@ -12,12 +12,7 @@ pub struct TreeCircuit {
 
 impl TreeCircuit {
     /// At rest under `terms`, for steps of `step` seconds; amplifiers that rest do not clip. The sum with it.
-    pub fn at_rest(
-        stages: &[Vec<AmplifierFigures>],
-        inputs: usize,
-        step: f64,
-        terms: &[f64],
-    ) -> (Self, f64) {
+    pub fn at_rest(stages: &[Vec<AmplifierFigures>], inputs: usize, step: f64, terms: &[f64]) -> (Self, f64) {
         let mut values = terms.to_vec();
         let mut tree = Self { inputs, stages: Vec::new() };
         for stage in stages {
