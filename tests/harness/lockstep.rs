@@ -1,6 +1,6 @@
 //! A scene by hand on machine and interpreter.
 
-use ::lockstep::{Engines, Report, Seen};
+use ::lockstep::{Engines, Report, Seen, drawn};
 use interpreter::{FrameGiven, Given, Record, interpret, range_programme};
 
 use crate::ComparedScene;
@@ -62,6 +62,7 @@ pub fn walk(scene: &ComparedScene) -> Record {
             draw: |_, _| 0.0,
             lines: &[],
             shadow: &[],
+            parts: drawn(0, &[]),
             full_scales: &[],
         },
     )

@@ -129,7 +129,7 @@ impl<'a, T: 'a> Field<'a, T> {
 
 /// Values whose numbers can be held to bounds: a number, or each number of an array.
 pub trait Bounded {
-    /// The number.
+    /// Type of the numbers, which can be compared and shown.
     type Number: PartialOrd + Copy + std::fmt::Display;
     /// All numbers, in the order of the file.
     fn numbers(&self) -> Vec<Self::Number>;
@@ -144,22 +144,22 @@ where
         self.bounded(format!("from {low} to {high}"), move |number| low <= number && number <= high)
     }
 
-    /// `low` or more.
+    /// Requires every number to be `low` or more.
     pub fn at_least(self, low: T::Number) -> Self {
         self.bounded(format!("of at least {low}"), move |number| number >= low)
     }
 
-    /// `high` or less.
+    /// Requires every number to be `high` or less.
     pub fn at_most(self, high: T::Number) -> Self {
         self.bounded(format!("of at most {high}"), move |number| number <= high)
     }
 
-    /// More than `low`.
+    /// Requires every number to be more than `low`.
     pub fn above(self, low: T::Number) -> Self {
         self.bounded(format!("above {low}"), move |number| number > low)
     }
 
-    /// Less than `high`.
+    /// Requires every number to be less than `high`.
     pub fn below(self, high: T::Number) -> Self {
         self.bounded(format!("below {high}"), move |number| number < high)
     }
@@ -242,7 +242,7 @@ impl<'a> Reader<'a> {
         self.field(key, "a whole number", whole_number)
     }
 
-    /// `true` or `false`.
+    /// Reads a key whose value is `true` or `false`.
     pub fn bool(&self, key: &str) -> Field<'a, bool> {
         self.field(key, "true or false", |node| match node.value {
             Value::Boolean(flag) => Ok(flag),

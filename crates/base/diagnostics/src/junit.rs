@@ -9,21 +9,21 @@ pub struct JunitSuite {
     pub name: String,
     /// Type of its failures, one word.
     pub kind: &'static str,
-    /// Cases in order.
+    /// Test cases of the suite, in their order.
     pub cases: Vec<JunitCase>,
 }
 
-/// One test case.
+/// One test case, passed or failed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct JunitCase {
-    /// Its name.
+    /// Name of the test case.
     pub name: String,
     /// What is wrong in a line, and in full; nothing if it passed.
     pub failure: Option<[String; 2]>,
 }
 
 impl JunitSuite {
-    /// The document.
+    /// Returns the JUnit document as XML text.
     pub fn xml(&self) -> String {
         let mut out = String::new();
         // A string takes whatever is written to it.

@@ -19,7 +19,7 @@ impl LongList {
         Self { file: file.into(), told: Vec::new(), more: 0 }
     }
 
-    /// Adds one.
+    /// Adds a fault; beyond the first few, faults are only counted.
     pub fn push(&mut self, problem: Problem) {
         if self.told.len() < TOLD {
             self.told.push(problem);

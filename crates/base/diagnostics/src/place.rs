@@ -8,7 +8,7 @@ use std::sync::Arc;
 pub struct Source {
     /// The path as the user gave it, or a word such as `--set`.
     pub name: String,
-    /// The whole text.
+    /// The whole text of the source.
     pub text: String,
 }
 

@@ -17,11 +17,11 @@ pub struct Problem {
     pub key: Option<String>,
     /// One sentence that says all that is needed.
     pub title: String,
-    /// What was found.
+    /// What was found there, for people.
     pub found: Option<String>,
     /// What was expected, said so that "expected ..." can stand under the place.
     pub expected: Option<String>,
-    /// What to do.
+    /// Advice: what the user can do.
     pub help: Option<String>,
 }
 
@@ -43,7 +43,7 @@ impl Problem {
         Self { file, place: None, key: None, title, found: None, expected: None, help: None }
     }
 
-    /// Names the key.
+    /// Names the key by its dotted path.
     pub fn key(mut self, key: impl Into<String>) -> Self {
         self.key = Some(key.into());
         self
@@ -88,19 +88,19 @@ impl Problem {
 pub struct ProblemRecord {
     /// The file, as the user named it.
     pub file: String,
-    /// Line, from 1.
+    /// Line of the fault, from 1.
     pub line: Option<usize>,
     /// Column in characters, from 1.
     pub column: Option<usize>,
-    /// Dotted key path.
+    /// Dotted path of the key, as `raster.sweeps`.
     pub key: Option<String>,
-    /// One sentence.
+    /// One sentence that says what is wrong.
     pub title: String,
-    /// What was found.
+    /// What was found there, for people.
     pub found: Option<String>,
-    /// What was expected.
+    /// What was expected there, for people.
     pub expected: Option<String>,
-    /// What to do.
+    /// Advice: what the user can do.
     pub help: Option<String>,
 }
 
@@ -111,12 +111,12 @@ pub struct Problems {
 }
 
 impl Problems {
-    /// No problem yet.
+    /// Makes a collector that holds no problem yet.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Adds one.
+    /// Adds a problem to the list.
     pub fn push(&self, problem: Problem) {
         self.list.borrow_mut().push(problem);
     }

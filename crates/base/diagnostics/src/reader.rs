@@ -63,7 +63,7 @@ impl<'a> Reader<'a> {
         Problem::at(&self.place(key), title).key(self.path(key))
     }
 
-    /// Records a problem.
+    /// Adds a problem to those of the file.
     pub fn report(&self, problem: Problem) {
         self.problems.push(problem);
     }

@@ -9,7 +9,7 @@ use crate::problem::{Problem, Problems};
 use crate::reader::Reader;
 use crate::tree::{self, Node};
 
-/// One parsed file.
+/// A parsed TOML file with the place of every value.
 #[derive(Debug)]
 pub struct TomlFile {
     source: Arc<Source>,

@@ -20,7 +20,7 @@ pub enum FileError {
     IsFolder {
         /// The path as given.
         path: PathBuf,
-        /// What was tried.
+        /// Step that was being tried.
         action: Action,
     },
     /// The file is larger than the reader allows.
@@ -30,7 +30,7 @@ pub enum FileError {
         path: PathBuf,
         /// Size found; a lower bound for files that do not tell their size.
         bytes: u64,
-        /// Largest size allowed.
+        /// Largest size that is allowed (bytes).
         limit: u64,
         /// What would allow more.
         raised_by: Option<Limit>,
@@ -42,7 +42,7 @@ pub enum FileError {
         path: PathBuf,
         /// The folder that is missing.
         folder: PathBuf,
-        /// What was tried.
+        /// Step that was being tried.
         action: Action,
     },
     /// Permission denied, or a read-only file system.
@@ -50,9 +50,9 @@ pub enum FileError {
     Denied {
         /// The path as given.
         path: PathBuf,
-        /// What was tried.
+        /// Step that was being tried.
         action: Action,
-        /// The system's words.
+        /// Error that the operating system reports.
         source: io::Error,
     },
     /// The disk or the quota is full.
@@ -60,9 +60,9 @@ pub enum FileError {
     NoSpace {
         /// The path as given.
         path: PathBuf,
-        /// What was tried.
+        /// Step that was being tried.
         action: Action,
-        /// The system's words.
+        /// Error that the operating system reports.
         source: io::Error,
     },
     /// Any other failure of the system.
@@ -70,9 +70,9 @@ pub enum FileError {
     Io {
         /// The path as given.
         path: PathBuf,
-        /// What was tried.
+        /// Step that was being tried.
         action: Action,
-        /// The system's words.
+        /// Error that the operating system reports.
         source: io::Error,
     },
 }
@@ -80,11 +80,11 @@ pub enum FileError {
 /// What was tried when it failed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Action {
-    /// Open or read.
+    /// Open or read the file.
     Read,
     /// Make the temporary file beside the target.
     Create,
-    /// Write the content.
+    /// Write the content of the file.
     Write,
     /// Bring the content to the disk.
     Sync,

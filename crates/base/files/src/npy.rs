@@ -25,9 +25,9 @@ pub enum NpyError {
     /// A version of the format that does not exist yet.
     #[error("NPY version {major}.{minor}, expected 1.0, 2.0 or 3.0")]
     Version {
-        /// First number.
+        /// First number of the version.
         major: u8,
-        /// Second number.
+        /// Second number of the version.
         minor: u8,
     },
     /// The header is not the dictionary it should be.
@@ -47,9 +47,9 @@ pub enum NpyError {
     /// The file ends too early.
     #[error("NPY file ends after {found} bytes, expected {expected}; copy it again")]
     Truncated {
-        /// Bytes needed.
+        /// Number of bytes that the reader needs.
         expected: u64,
-        /// Bytes there.
+        /// Number of bytes in the file.
         found: u64,
     },
     /// Shape and number of bytes do not agree.
@@ -61,7 +61,7 @@ pub enum NpyError {
         offset: usize,
         /// Bytes that the shape needs.
         expected: u64,
-        /// Bytes there.
+        /// Number of bytes of values that are there.
         found: u64,
     },
     /// The product of the shape does not fit.
@@ -73,7 +73,7 @@ pub enum NpyError {
     /// An array was put together with a shape that does not fit its values.
     #[error("shape {shape:?} does not hold {values} values")]
     Shape {
-        /// The shape.
+        /// Shape that was given for the array.
         shape: Vec<usize>,
         /// How many values there are.
         values: usize,
@@ -83,7 +83,7 @@ pub enum NpyError {
 /// An NPY file that could not be read.
 #[derive(Debug, thiserror::Error)]
 pub enum NpyFileError {
-    /// The file.
+    /// The file could not be read.
     #[error(transparent)]
     File(#[from] FileError),
     /// What is in it.
@@ -91,7 +91,7 @@ pub enum NpyFileError {
     Format {
         /// The path as given.
         path: PathBuf,
-        /// What is wrong.
+        /// Fault in the contents of the file.
         source: NpyError,
     },
 }
@@ -230,12 +230,12 @@ impl Npy {
         &self.shape
     }
 
-    /// The values.
+    /// Returns the values, in C order.
     pub fn data(&self) -> &NpyData {
         &self.data
     }
 
-    /// Shape and values.
+    /// Returns the shape and the values of the array.
     pub fn into_parts(self) -> (Vec<usize>, NpyData) {
         (self.shape, self.data)
     }

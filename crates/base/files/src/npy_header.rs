@@ -3,13 +3,13 @@
 use crate::npy::NpyError;
 
 pub(crate) const MAGIC: &[u8] = b"\x93NUMPY";
-/// numpy's own limit.
+/// Most dimensions of an array: numpy's own limit.
 const MOST_DIMENSIONS: usize = 64;
 
 /// What the header says.
 #[derive(Debug, PartialEq, Eq)]
 pub(crate) struct Header {
-    /// As `<f8`.
+    /// Type of the values in numpy's notation, as `<f8`.
     pub descr: String,
     pub fortran_order: bool,
     pub shape: Vec<usize>,

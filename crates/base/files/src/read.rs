@@ -11,7 +11,7 @@ use crate::error::{Action, FileError};
 /// Most bytes of a file: a number that stands, or a [`Limit`] that a user can raise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Most {
-    /// That many.
+    /// Greatest number of bytes that are read.
     pub bytes: u64,
     /// What would allow more.
     pub raised_by: Option<Limit>,

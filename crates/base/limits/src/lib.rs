@@ -13,7 +13,7 @@
 use std::fmt;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-/// What is limited.
+/// Quantity that is limited, as one name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Limit {
     /// Corners of a level that is generated.
@@ -49,7 +49,7 @@ pub enum Limit {
 /// A row of the table of limits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Row {
-    /// Which limit.
+    /// Limit that the row is about.
     pub limit: Limit,
     /// Its name on the command line.
     pub name: &'static str,

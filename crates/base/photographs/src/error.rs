@@ -13,7 +13,7 @@ pub enum PhotographError {
     /// None of the three formats.
     #[error("not a whole PNG, JPEG or TIFF: it begins with {found}; save the picture as one of these")]
     Unknown {
-        /// First bytes.
+        /// First bytes of the file, for the message.
         found: String,
     },
     /// More pixels than the limit.
@@ -24,11 +24,11 @@ pub enum PhotographError {
     TooManyPixels {
         /// Name of the format.
         format: &'static str,
-        /// Columns.
+        /// Number of columns of the picture.
         columns: u32,
-        /// Lines.
+        /// Number of lines of the picture.
         lines: u32,
-        /// Most pixels allowed.
+        /// Most pixels that are allowed.
         limit: u64,
     },
     /// More pixels than the bytes can hold.
@@ -38,9 +38,9 @@ pub enum PhotographError {
     Hollow {
         /// Name of the format.
         format: &'static str,
-        /// Columns.
+        /// Number of columns of the picture.
         columns: u32,
-        /// Lines.
+        /// Number of lines of the picture.
         lines: u32,
         /// Size of the file.
         bytes: u64,
@@ -85,7 +85,7 @@ pub enum PhotographError {
 /// A picture file that somebody brings and that cannot be read.
 #[derive(Debug, thiserror::Error)]
 pub enum PhotographFileError {
-    /// The file.
+    /// The file could not be read.
     #[error(transparent)]
     File(#[from] FileError),
     /// What is in it.
@@ -93,7 +93,7 @@ pub enum PhotographFileError {
     Picture {
         /// The path as given.
         path: PathBuf,
-        /// What is wrong.
+        /// Fault in the contents of the file.
         source: PhotographError,
     },
 }

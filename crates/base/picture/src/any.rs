@@ -42,7 +42,7 @@ impl AnyPicture {
         either!(self, picture => picture.columns())
     }
 
-    /// Number of lines.
+    /// Returns the number of lines.
     pub fn lines(&self) -> usize {
         either!(self, picture => picture.lines())
     }
@@ -65,7 +65,7 @@ impl AnyPicture {
         matches!(self, Self::Colour(_))
     }
 
-    /// [`Picture::pixel_hash`](crate::Picture::pixel_hash).
+    /// Returns the hash of the pixels; see [`Picture::pixel_hash`](crate::Picture::pixel_hash).
     pub fn pixel_hash(&self) -> String {
         either!(self, picture => picture.pixel_hash())
     }

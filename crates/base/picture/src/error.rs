@@ -13,33 +13,33 @@ pub enum PictureError {
     /// No picture has this size, or the codes do not fill it.
     #[error("a picture of {columns} columns and {lines} lines does not hold {codes} pixels")]
     Size {
-        /// Columns.
+        /// Number of columns that was given.
         columns: usize,
-        /// Lines.
+        /// Number of lines that was given.
         lines: usize,
-        /// Pixels there.
+        /// Number of pixels that were given.
         codes: usize,
     },
     /// A code is larger than the depth allows.
     #[error("pixel {column}, {line} has code {code}, expected at most {}", depth.white())]
     Code {
-        /// Column from 0.
+        /// Column of the pixel, from 0.
         column: usize,
-        /// Line from 0.
+        /// Line of the pixel, from 0.
         line: usize,
-        /// The code found.
+        /// Code of the pixel that was found.
         code: u16,
-        /// The picture's depth.
+        /// Depth of the picture's codes.
         depth: Depth,
     },
     /// An intensity that is no number.
     #[error("pixel {column}, {line} has intensity {value}, expected a finite number")]
     NotFinite {
-        /// Column from 0.
+        /// Column of the pixel, from 0.
         column: usize,
-        /// Line from 0.
+        /// Line of the pixel, from 0.
         line: usize,
-        /// The intensity found.
+        /// Intensity of the pixel that was found.
         value: f32,
     },
     /// A transfer law that cannot be.
@@ -47,11 +47,11 @@ pub enum PictureError {
     Transfer {
         /// Which figure of the law.
         name: &'static str,
-        /// What was given.
+        /// Value that was given for the figure.
         found: f32,
-        /// Smallest allowed.
+        /// Smallest value that is allowed.
         low: f32,
-        /// Largest allowed.
+        /// Largest value that is allowed.
         high: f32,
     },
     /// Pictures that should be alike are not.
@@ -83,19 +83,19 @@ pub enum PictureError {
         Limit::Pixels
     )]
     TooManyPixels {
-        /// Columns.
+        /// Number of columns of the picture.
         columns: u32,
-        /// Lines.
+        /// Number of lines of the picture.
         lines: u32,
-        /// Most pixels allowed.
+        /// Most pixels that are allowed.
         limit: u64,
     },
     /// A PNG with more pixels than its bytes can hold.
     #[error("the PNG claims {columns} columns and {lines} lines, but its {bytes} bytes cannot hold them")]
     Hollow {
-        /// Columns.
+        /// Number of columns of the picture.
         columns: u32,
-        /// Lines.
+        /// Number of lines of the picture.
         lines: u32,
         /// Size of the file.
         bytes: usize,
@@ -111,7 +111,7 @@ pub enum PictureError {
 /// A picture file that cannot be read or written.
 #[derive(Debug, thiserror::Error)]
 pub enum PictureFileError {
-    /// The file.
+    /// The file could not be read or written.
     #[error(transparent)]
     File(#[from] FileError),
     /// What is in it, or should be.
@@ -119,7 +119,7 @@ pub enum PictureFileError {
     Picture {
         /// The path as given.
         path: PathBuf,
-        /// What is wrong.
+        /// Fault in the contents of the file.
         source: PictureError,
     },
 }

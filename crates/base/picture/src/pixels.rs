@@ -81,7 +81,7 @@ impl<const CHANNELS: usize> Picture<CHANNELS> {
         self.columns
     }
 
-    /// Number of lines.
+    /// Returns the number of lines.
     pub fn lines(&self) -> usize {
         self.lines
     }

@@ -91,7 +91,7 @@ struct Buckets {
 }
 
 impl Encoder {
-    /// Makes the table.
+    /// Makes the table of thresholds for one transfer law and depth.
     pub fn new(transfer: Transfer, depth: Depth) -> Self {
         let mut thresholds: Vec<f32> =
             (1..=depth.white()).map(|code| transfer.threshold(code, depth)).collect();

@@ -90,7 +90,7 @@ pub struct Timebase {
     pub master: Rate,
     /// Pictures computed a second.
     pub update: Rate,
-    /// Sweeps a frame.
+    /// Number of sweeps a frame.
     pub sweeps: u32,
     /// Accumulator steps that are drawn in one sweep.
     pub active_samples: u32,

@@ -32,7 +32,7 @@ pub struct AmplifierLaw {
     pub slew: f64,
     /// Saturation (full scales); may be infinite.
     pub saturation: f64,
-    /// Overload recovery (s).
+    /// Time constant of the recovery from overload (s).
     pub recovery: f64,
 }
 
@@ -63,7 +63,7 @@ type Signal<S, L> = <S as Real>::Vector<L>;
 pub struct AmplifierState<V> {
     /// Output before the clip.
     pub y: V,
-    /// Stored overload.
+    /// Overload that is stored, and delays the recovery.
     pub excess: V,
 }
 

@@ -8,11 +8,11 @@ use crate::Delay;
 /// Where a signal jumps or bends between two samples.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Jump {
-    /// When (steps).
+    /// Instant of the jump or bend (steps).
     pub at: f64,
-    /// Value just before.
+    /// Value of the signal just before it.
     pub before: f64,
-    /// Value just after.
+    /// Value of the signal just after it.
     pub after: f64,
 }
 

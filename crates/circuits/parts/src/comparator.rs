@@ -68,7 +68,7 @@ pub struct ComparatorState {
 pub struct Passing {
     /// When it was passed.
     pub since: SweepTime,
-    /// The threshold.
+    /// Threshold that the input has passed (full scales).
     pub threshold: f64,
     /// Area of the overdrive so far (full scales times steps).
     pub charge: f64,
@@ -77,7 +77,7 @@ pub struct Passing {
 /// Where a sweep takes what a comparator sees past its threshold.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GateEdge {
-    /// Ground range (m).
+    /// Ground range of the passing (m).
     pub range: f64,
     /// How steeply (full scales a metre), above 0; infinite for a jump.
     pub slope: f64,
@@ -96,7 +96,7 @@ pub struct Trip {
 struct Line {
     /// Value at the start of the step.
     start: f64,
-    /// Change over it.
+    /// Change over the step, from start to end.
     change: f64,
 }
 

@@ -54,7 +54,7 @@ pub struct ConverterState<S> {
     pub word: u32,
     /// Level it stands for.
     pub level: S,
-    /// Output.
+    /// Output of the converter.
     pub y: S,
 }
 
@@ -117,7 +117,7 @@ impl<S: Real> Converter<S> {
 pub struct ConverterLanes<S> {
     word: [f64; LANES],
     level: Lanes<S>,
-    /// Outputs.
+    /// Outputs of the group, lane by lane.
     pub y: Lanes<S>,
 }
 

@@ -9,7 +9,7 @@ use quantities::SweepTime;
 /// A constant delay, in steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Delay {
-    /// Whole steps.
+    /// Number of whole steps.
     pub whole: usize,
     /// The rest, 0..1 of a step.
     pub share: f64,

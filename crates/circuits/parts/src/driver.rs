@@ -33,7 +33,7 @@ pub struct Driver<S> {
     lag: LagStep<S>,
     /// Largest difference of input and output, and largest change of the input in a step, that it follows freely.
     bounds: Option<[S; 2]>,
-    /// In steps.
+    /// Lag and slew rate in units of steps.
     slew: Slew,
 }
 
@@ -64,7 +64,7 @@ impl<S: Real> Driver<S> {
         Self { lag: LagStep::new(h, tau), bounds: (rate < f64::INFINITY).then_some(bounds), slew }
     }
 
-    /// Time constant (steps).
+    /// Returns the time constant (steps).
     pub fn tau(&self) -> f64 {
         self.slew.tau
     }
@@ -306,7 +306,7 @@ impl<S: Real> Driver<S> {
 }
 
 impl Jumps {
-    /// Those of `lists`.
+    /// Makes the jumps of a group from one list a lane.
     pub fn of(lists: [Vec<Jump>; LANES]) -> Self {
         Self { lists, ..Self::default() }
     }

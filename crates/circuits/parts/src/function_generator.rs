@@ -33,11 +33,11 @@ pub struct FunctionLaw {
     pub segments: usize,
     /// Width V of the knees (share of the input's full scale).
     pub rounding: f64,
-    /// The ends.
+    /// Rule for the two ends of the line.
     pub ends: Ends,
 }
 
-/// The part.
+/// The diode function generator as a table of cells.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FunctionGenerator<S> {
     cells: S,

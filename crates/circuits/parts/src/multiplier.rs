@@ -15,19 +15,19 @@ use crate::Wire;
 /// Static errors of a multiplier, shares of full scale; all 0 is an ideal product.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct MultiplierLaw {
-    /// eg: scale error.
+    /// eg: relative error of the scale.
     pub gain: f64,
     /// ex: feedthrough of the first input.
     pub feed_a: f64,
     /// ey: feedthrough of the second input.
     pub feed_b: f64,
-    /// eo: offset.
+    /// eo: constant offset of the output.
     pub offset: f64,
     /// en: nonlinearity of the first input.
     pub nonlinearity: f64,
 }
 
-/// The part.
+/// The multiplier with its static errors.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Multiplier<S> {
     gain: S,
@@ -117,7 +117,7 @@ impl<S: Real> Feedthrough<S> {
 }
 
 impl<S: Real> Feedthrough<S> {
-    /// Whether nothing leaks.
+    /// Returns whether nothing leaks past the part.
     pub fn is_none(&self) -> bool {
         self.gain == S::ZERO
     }

@@ -187,7 +187,7 @@ fn sin_cos(bits: u64) -> [f64; 2] {
     if quarter & 2 == 2 { [-sin, -cos] } else { [sin, cos] }
 }
 
-/// Ascending powers.
+/// Returns a polynomial at `x`, its coefficients in ascending powers.
 #[inline(always)]
 fn polynomial<const N: usize>(x: f64, powers: &[f64; N]) -> f64 {
     let mut sum = powers[N - 1];

@@ -10,12 +10,12 @@ use crate::lag::LagStep;
 use crate::second_order::{SecondOrder, SecondOrderState};
 use crate::slew::Piece;
 
-/// The clip.
+/// The clip at an amplifier's output.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Overload {
     /// Largest output, either sign.
     pub saturation: f64,
-    /// Recovery lag (s).
+    /// Time constant of the recovery (s).
     pub recovery: f64,
 }
 

@@ -26,7 +26,7 @@ pub struct QuietAmplifiers<S> {
 }
 
 impl<S: Real> QuietAmplifiers<S> {
-    /// These two.
+    /// Joins two amplifiers side by side.
     pub fn new([a, b]: [&Amplifier<S>; 2]) -> Self {
         let both = |a, b| Both::splat([a, b]);
         let tighter = |a: S, b: S| both(a * S::from_f64(TIGHTER), b * S::from_f64(TIGHTER));

@@ -18,7 +18,7 @@ use crate::{Wire, settling_time_constant};
 pub struct SampleHoldLaw {
     /// Acquisition to 0.1 % (s).
     pub acquisition: f64,
-    /// Aperture delay (s).
+    /// Aperture delay of the hold command (s).
     pub aperture: f64,
     /// Aperture jitter (s, one sigma).
     pub jitter: f64,
@@ -35,7 +35,7 @@ pub struct SampleHold<S> {
     pedestal: S,
     /// Droop of one step.
     droop: S,
-    /// In steps.
+    /// Aperture delay in units of steps.
     aperture: f64,
     jitter: f64,
     h: f64,

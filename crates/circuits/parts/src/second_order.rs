@@ -30,9 +30,9 @@ pub struct SecondOrder {
 /// Output and its rate.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct SecondOrderState<V> {
-    /// Output.
+    /// Output of the part.
     pub y: V,
-    /// Its rate (1/s).
+    /// Rate of change of the output (1/s).
     pub rate: V,
 }
 

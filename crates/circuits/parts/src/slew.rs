@@ -9,7 +9,7 @@ use crate::lag::LagStep;
 /// How the output moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Motion {
-    /// As the lag.
+    /// The output moves as the lag alone would.
     Free,
     /// Up at the slew rate.
     Up,
@@ -17,10 +17,10 @@ enum Motion {
     Down,
 }
 
-/// The bounded lag.
+/// The lag with a bounded rate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Slew {
-    /// Time constant (s).
+    /// Time constant of the lag (s).
     pub tau: f64,
     /// Slew rate (full scales a second).
     pub rate: f64,
@@ -35,7 +35,7 @@ pub(crate) struct Piece {
     u: f64,
     /// Slope of the input (1/s).
     s: f64,
-    /// Its length (s).
+    /// Length of the piece (s).
     pub length: f64,
 }
 
@@ -113,7 +113,7 @@ fn next(motion: Motion, s: f64) -> Motion {
 }
 
 impl Piece {
-    /// Output at `t`.
+    /// Returns the output at time `t` (s).
     pub fn y(&self, t: f64) -> f64 {
         match self.motion {
             Motion::Free if self.slew.tau == 0.0 => self.u(t),
@@ -123,7 +123,7 @@ impl Piece {
         }
     }
 
-    /// Input at `t`.
+    /// Returns the input at time `t` (s).
     pub fn u(&self, t: f64) -> f64 {
         self.u + self.s * t
     }

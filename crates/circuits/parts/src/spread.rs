@@ -59,19 +59,19 @@ impl Tolerance {
 /// Relative deviations of figures that name none (section 0). Bits and counts have none; static errors are
 /// deviations themselves.
 pub mod relative_sigma {
-    /// Clocks and rasters.
+    /// Rates of clocks and rasters.
     pub const CLOCK: f64 = 1e-4;
-    /// Speed of drums.
+    /// Speed of the drums.
     pub const DRUM_SPEED: f64 = 0.005;
     /// Delays of memory and logic.
     pub const LOGIC_DELAY: f64 = 0.05;
     /// Bandwidths and time constants.
     pub const BANDWIDTH: f64 = 0.20;
-    /// Slew rates.
+    /// Slew rates of amplifiers.
     pub const SLEW: f64 = 0.15;
     /// Delays of comparators and switches.
     pub const SWITCH_DELAY: f64 = 0.25;
-    /// Settling and acquisition.
+    /// Settling and acquisition times.
     pub const SETTLING: f64 = 0.30;
     /// Area of glitches, charge.
     pub const GLITCH: f64 = 0.50;

@@ -24,7 +24,7 @@ pub struct SwitchLaw {
     pub level_mismatch: f64,
 }
 
-/// The part.
+/// The video switch with its static errors.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Switch<S> {
     gain: S,

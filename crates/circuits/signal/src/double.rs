@@ -50,17 +50,17 @@ pub trait Double<L: Simd, S: Real>:
 {
     /// As they stand in memory.
     fn load(simd: L, both: &Both<S>) -> Self;
-    /// Back into memory.
+    /// Writes the lanes back to memory.
     fn store(self, both: &mut Both<S>);
     /// The same value in all lanes of both.
     fn splat(simd: L, value: S) -> Self;
-    /// Of two halves.
+    /// Joins two halves into one.
     fn of(low: S::Vector<L>, high: S::Vector<L>) -> Self;
-    /// Its halves.
+    /// Returns the two halves.
     fn halves(self) -> [S::Vector<L>; 2];
     /// Of the lanes whose bit is set in `lanes` those of `these`, of the others those of `others`.
     fn chosen(simd: L, lanes: u64, these: Self, others: Self) -> Self;
-    /// Sizes.
+    /// Returns the size of each lane: its absolute value.
     fn size(self) -> Self;
     /// The larger of each two sizes.
     fn at_least(self, other: Self) -> Self;

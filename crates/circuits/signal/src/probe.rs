@@ -7,7 +7,7 @@ use crate::Signal;
 /// One signal of one sweep, in physical units.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Waveform {
-    /// Which signal.
+    /// Signal that was recorded.
     pub signal: Signal,
     /// Frame it belongs to.
     pub frame: u64,

@@ -26,13 +26,13 @@ pub trait Real:
     type Vector<L: Simd>: SimdFloat<L, Element = Self> + Comparable;
     /// Twice [`LANES`](crate::LANES) of them.
     type Double<L: Simd>: Double<L, Self>;
-    /// 0.
+    /// The number 0 of the scalar type.
     const ZERO: Self;
-    /// 1.
+    /// The number 1 of the scalar type.
     const ONE: Self;
     /// Nearest value of this type.
     fn from_f64(value: f64) -> Self;
-    /// The same value.
+    /// Returns the same value as an f64.
     fn to_f64(self) -> f64;
 
     /// The same values. A loop, as below: what the library has for it is called, not inlined.

@@ -5,9 +5,9 @@ use std::fmt;
 /// Unit of a signal's physical value.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unit {
-    /// Metres.
+    /// A length in metres.
     Metre,
-    /// Metres a metre.
+    /// A slope: metres of height a metre of ground.
     Slope,
     /// Share of the sun's light, 0..=1.
     Reflectivity,
@@ -19,7 +19,7 @@ pub enum Unit {
     TangentRate,
     /// Display lines from the top of the picture.
     Line,
-    /// An angle (rad).
+    /// An angle in radians.
     Radian,
     /// A gate: 0 or 1.
     Gate,
@@ -98,9 +98,9 @@ impl Axis {
 /// What kind of wire carries a signal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// A voltage.
+    /// A wire with an analog voltage.
     Analog,
-    /// Two levels.
+    /// A wire with two levels.
     Gate,
     /// Wires that carry a number together: a whole one, or one in the unit of the signal.
     Bus,
@@ -131,7 +131,7 @@ pub struct Signal {
     pub kind: Kind,
     /// Against what it is sampled.
     pub axis: Axis,
-    /// What it is.
+    /// Meaning of the signal, in words.
     pub meaning: &'static str,
     /// Figure or section of the report that has it.
     pub figure: &'static str,
@@ -201,7 +201,7 @@ impl Signal {
 /// A signal as it is in an elaborated machine.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wire {
-    /// Which signal.
+    /// Signal that the wire carries.
     pub signal: Signal,
     /// Value at full scale, in the unit of the signal; 1 for what is digital.
     pub full_scale: f64,

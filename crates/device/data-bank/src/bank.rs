@@ -35,9 +35,9 @@ struct Order {
 
 /// The records of a demand, each once with its rank: the place of its first corner in the demand.
 struct Wanted {
-    /// Most urgent first.
+    /// Records with their rank, the most urgent first.
     by_rank: Vec<(u32, u32)>,
-    /// Ascending records.
+    /// Records with their rank, in ascending order of records.
     by_record: Vec<(u32, u32)>,
     /// How many of the most urgent the buffer has room for.
     kept: usize,

@@ -21,7 +21,7 @@ pub(crate) struct StorageBuffer {
 }
 
 impl StorageBuffer {
-    /// An empty buffer.
+    /// Makes an empty buffer for `capacity` records; any number if `None`.
     pub(crate) fn new(capacity: Option<usize>) -> Self {
         Self { capacity, records: BTreeMap::new() }
     }
@@ -36,7 +36,7 @@ impl StorageBuffer {
         self.records.contains_key(&record)
     }
 
-    /// Records held.
+    /// Returns the number of records that the buffer holds.
     pub(crate) fn len(&self) -> usize {
         self.records.len()
     }

@@ -74,7 +74,7 @@ pub struct ProjectedBreaks<S> {
 
 /// Takes what a walk finds. No closure: those that the compiler does not inline lose the vectors of their caller.
 pub(crate) trait Take<L: Simd, S: Real> {
-    /// The next sample.
+    /// Takes the next sample of the walk.
     fn take(&mut self, sample: usize, place: Place<L, S>);
 }
 

@@ -14,7 +14,7 @@ pub(crate) struct Accesses {
     /// Accesses of a set.
     count: u32,
     access: u64,
-    /// One word edited.
+    /// Time to edit one word (ticks).
     edit: u64,
     strobe: u64,
     /// From the first access of a set until its last word has been edited.

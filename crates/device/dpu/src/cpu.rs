@@ -27,15 +27,15 @@ pub struct CrossingTime {
 /// The processor's time, by what it was at (ticks).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct CpuTime {
-    /// Interrupts of crossings.
+    /// Time for the interrupts of crossings.
     pub interrupts: u64,
-    /// Words of crossings.
+    /// Time to move the words of crossings.
     pub words: u64,
-    /// Set-ups of sweeps.
+    /// Time for the set-ups of sweeps.
     pub set_ups: u64,
     /// Visibility and tables of the next frame.
     pub tables: u64,
-    /// Vertices of polyhedra.
+    /// Time for the vertices of polyhedra.
     pub vertices: u64,
 }
 

@@ -65,7 +65,7 @@ mod tests {
         fn tell(&mut self, _: Tick, _: ServiceEvent) {}
     }
 
-    /// Frame and sweep.
+    /// Numbers of the frame and of the sweep.
     const PLACE: (u64, u32) = (3, 7);
 
     fn timebase() -> Timebase {

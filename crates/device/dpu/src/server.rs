@@ -13,14 +13,14 @@ use crate::watch::{LineUse, Register};
 /// What a set is wanted for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Wanted {
-    /// A preload register.
+    /// The set goes to this preload register.
     Register(PreloadRegister),
     /// The register of the corner beyond both stops.
     Diagonal,
 }
 
 impl Wanted {
-    /// That register.
+    /// Returns the register for which the set is wanted.
     pub fn register(self) -> Register {
         match self {
             Self::Register(register) => Register::Preload(register),
@@ -189,7 +189,7 @@ impl<'a> Server<'a> {
 struct Opening {
     /// Rest of the instruction that the processor is at, which is the interrupted task's.
     rest: u64,
-    /// The interrupt itself.
+    /// Time of the interrupt itself (ticks).
     interrupt: u64,
     /// The order that starts the chain of an I/O processor.
     order: u64,

@@ -6,7 +6,7 @@ use sweep_program::{Colour, Fold, Load, Miss, PreloadRegister};
 /// Use of one line of the loader in one sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct LineUse {
-    /// Ticks of service.
+    /// Time of service (master ticks).
     pub busy: u64,
     /// Of these, interrupts: recognition, save, restore, pointers.
     pub interrupts: u64,
@@ -21,7 +21,7 @@ pub enum Register {
     Hold,
     /// Waits for a stop.
     Preload(PreloadRegister),
-    /// Waits for both.
+    /// Waits for a stop of X and a stop of Y.
     Diagonal,
 }
 
@@ -42,24 +42,24 @@ impl Register {
 pub struct AskedSet {
     /// The fold, counted from 0 in the sweep.
     pub crossing: u32,
-    /// Whose words.
+    /// Colour whose words were asked for.
     pub colour: Colour,
-    /// Where they go.
+    /// Register to which the words go.
     pub register: Register,
 }
 
 /// A corner that is looked up in the storage buffer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AskedCorner {
-    /// When.
+    /// Tick at which the corner is looked up.
     pub tick: Tick,
     /// The same on the clock of the sweep (samples).
     pub at: SweepTime,
     /// The fold that asked, counted from 0 in the sweep; `None` for home registers.
     pub crossing: Option<u32>,
-    /// Whose words.
+    /// Colour whose words were asked for.
     pub colour: Colour,
-    /// Where they go.
+    /// Register to which the words go.
     pub register: Register,
     /// Index in the level.
     pub corner: u32,
@@ -83,13 +83,13 @@ impl AskedCorner {
 pub enum CornerArrival {
     /// Before the frame began.
     BeforeFrame,
-    /// Within it.
+    /// At this tick within the frame.
     At(Tick),
     /// Not in this frame.
     NotInFrame,
 }
 
-/// What happens.
+/// An event in the service of the crossings.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ServiceEvent {
     /// A register is full when the sweep begins.
@@ -98,14 +98,14 @@ pub enum ServiceEvent {
     Stop {
         /// Counted from 0 in the sweep.
         crossing: u32,
-        /// The stop.
+        /// Ramp and stop of the fold.
         fold: Fold,
     },
     /// Hold of a colour takes a preload register.
     Transfer {
         /// The fold, counted from 0 in the sweep.
         crossing: u32,
-        /// Whose.
+        /// Colour that takes the register.
         colour: Colour,
         /// Which one it takes.
         register: PreloadRegister,
@@ -117,9 +117,9 @@ pub enum ServiceEvent {
     },
     /// A full set is overwritten unused.
     Wasted {
-        /// Whose.
+        /// Colour whose set is overwritten.
         colour: Colour,
-        /// Where it was.
+        /// Preload register in which the set was.
         register: PreloadRegister,
         /// Corner of its first word, as for a transfer.
         corner: u32,
@@ -138,12 +138,12 @@ pub enum ServiceEvent {
     Load(Load),
     /// A set comes whose fold has passed: ticks that were left, below 0.
     LateSet {
-        /// Ticks.
+        /// Time that was left (ticks); below 0.
         slack: i64,
     },
     /// Words missed the fold that they were meant for. Told when the sweep is over: only then is known when they came.
     Late {
-        /// The words.
+        /// Words that missed their fold.
         miss: Miss,
         /// Ground range of the sweep at that fold (m).
         range: f64,

@@ -31,7 +31,7 @@ pub struct Kink<S> {
     pub sample: usize,
     /// Part of the step, 0..=1.
     pub share: S,
-    /// Ground range (m).
+    /// Ground range of the kink (m).
     pub range: f64,
     /// Height of all drawn features there (m): continuous.
     pub height: S,
@@ -63,7 +63,7 @@ pub struct FeatureProfile<S> {
 /// Height and slopes of a group that craters are added to: one [`Lanes`] a sample.
 #[derive(Debug)]
 pub struct Surface<'a, S> {
-    /// Height (m).
+    /// Height of the surface (m).
     pub height: &'a mut [Lanes<S>],
     /// Slope along the sweep.
     pub along: &'a mut [Lanes<S>],

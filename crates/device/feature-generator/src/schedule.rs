@@ -11,7 +11,7 @@ use crate::loads::{FeatureArrival, FeatureMiss, bring};
 /// What programs are written from: the same for every sweep of a frame.
 #[derive(Debug, Clone, Copy)]
 pub struct Schedule<'a> {
-    /// All features.
+    /// All craters of the problem area.
     pub features: &'a Features,
     /// Sub-generators and their organisation.
     pub parts: FeatureParts,

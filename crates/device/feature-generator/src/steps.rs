@@ -33,7 +33,7 @@ impl Step {
         Self(u128::from(place) << 64 | u128::from(which | (from as u64) << 1 | u64::from(is_late)))
     }
 
-    /// Ground range (m).
+    /// Returns the ground range of the step (m).
     pub fn range(self) -> f64 {
         let place = (self.0 >> 64) as u64;
         f64::from_bits(if place >> 63 == 1 { place ^ 1 << 63 } else { !place })

@@ -10,9 +10,9 @@ use crate::{FeatureLoad, Surface};
 /// Part of a crater's law, from the outside inwards.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Zone {
-    /// Outside the footprint.
+    /// Outside the footprint of the crater.
     Outside,
-    /// Rim.
+    /// Rim between the outer foot and the hollow.
     Ring,
     /// Bowl, or floor and wall.
     Hollow,

@@ -45,7 +45,7 @@ pub struct AnalogParts {
     pub texture: TextureParts,
     /// Function generators of the projection processor.
     pub projection: ProjectionParts,
-    /// The sweep memory.
+    /// Parts of the sweep memory (hardware section 3.8).
     pub memory: MemoryParts,
     /// The display: video amplifier and picture tube.
     pub picture_tube: PictureTubeParts,
@@ -99,7 +99,7 @@ pub struct FunctionGeneratorParts {
     pub rounding: f64,
     /// Static error, one sigma (share).
     pub error: f64,
-    /// Bandwidth (Hz).
+    /// Bandwidth (Hz); unlimited if `None`.
     pub bandwidth: Option<f64>,
 }
 
@@ -112,7 +112,7 @@ pub struct MultiplierParts {
     pub scale_error: f64,
     /// What leaks of an input past a multiplier, at [`FEEDTHROUGH_FREQUENCY`] (share); it goes with the frequency.
     pub feedthrough: f64,
-    /// Bandwidth (Hz).
+    /// Bandwidth (Hz); unlimited if `None`.
     pub bandwidth: Option<f64>,
 }
 
@@ -234,7 +234,7 @@ pub struct TextureParts {
 pub struct ProjectionParts {
     /// Static error, one sigma (share).
     pub error: f64,
-    /// Bandwidth (Hz).
+    /// Bandwidth (Hz); unlimited if `None`.
     pub bandwidth: Option<f64>,
 }
 
@@ -261,7 +261,7 @@ pub struct MemoryParts {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum WriteCompensation {
-    /// In full.
+    /// In full: exposure does not depend on the speed.
     Exact,
     /// Within this ratio of the greatest to the least current.
     Ratio(f64),

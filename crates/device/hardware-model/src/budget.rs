@@ -30,18 +30,18 @@ pub struct GroundScale {
     pub range: f64,
 }
 
-/// The timing budget.
+/// Timing budget of one model over one ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Budget {
-    /// The ground.
+    /// Ground that the budget is for.
     pub ground: GroundScale,
-    /// The sweep.
+    /// Times of one sweep.
     pub sweep: SweepBudget,
     /// Crossings of region boundaries.
     pub crossings: CrossingBudget,
     /// The way of coefficient words.
     pub loader: LoaderBudget,
-    /// The processor.
+    /// Shares of the processor's time.
     pub cpu: CpuBudget,
     /// The drums, where there are any.
     pub drum: Option<DrumBudget>,
@@ -54,7 +54,7 @@ pub struct SweepBudget {
     pub period: f64,
     /// The part that is drawn (s).
     pub active: f64,
-    /// One sample (s).
+    /// Time of one sample (s).
     pub sample: f64,
     /// Video bandwidth that shows every sample (Hz).
     pub video_bandwidth: f64,

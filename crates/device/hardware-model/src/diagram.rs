@@ -39,7 +39,7 @@ pub struct PartCounts {
     pub registers: u32,
     /// Amplifiers of the three sums.
     pub summing_amplifiers: u32,
-    /// Pointers in hardware.
+    /// Number of pointers made of hardware.
     pub wired_pointers: u32,
     /// Banks of the storage buffer for terrain.
     pub buffer_banks: u32,
@@ -49,18 +49,18 @@ pub struct PartCounts {
     pub sub_generators: Option<u32>,
     /// Line generators of the shadow controller; none where a tube holds the boundaries.
     pub line_generators: Option<u32>,
-    /// Video switches.
+    /// Number of video switches.
     pub video_switches: u32,
     /// Comparators of the projection processor.
     pub occlusion_comparators: u32,
-    /// Its sample-and-holds.
+    /// Sample-and-holds of the projection processor.
     pub sample_holds: u32,
     /// Tubes of the sweep memory.
     pub tubes: u32,
 }
 
 impl PartCounts {
-    /// Parts of `model`.
+    /// Counts the parts of `model`.
     pub fn of(model: &HardwareModel) -> Self {
         let is_wired = model.loader.served_by == CrossingServer::WiredPointers;
         let registers = if model.loader.diagonal_register { 4 } else { 3 };

@@ -6,11 +6,11 @@ use sweep_program::{Colour, PreloadRegister};
 /// Central processor (hardware section 2.1).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Cpu {
-    /// One memory cycle.
+    /// Time of one memory cycle (ticks).
     pub memory_cycle: u64,
     /// Banks of its memory that work side by side, words dealt out to them in turn: at least 1.
     pub memory_banks: u32,
-    /// One multiplication.
+    /// Time of one multiplication (ticks).
     pub multiply: u64,
     /// Recognition of an interrupt, saving and restoring the state.
     pub interrupt: u64,
@@ -112,11 +112,11 @@ pub enum CrossingServer {
 /// The path of coefficient words from storage buffer to register (section 6.3; hardware section 4.4).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Loader {
-    /// Who answers.
+    /// Unit that answers the crossings.
     pub served_by: CrossingServer,
     /// Words of a set that one access of the storage buffer brings, 1 to 9.
     pub words_per_access: u32,
-    /// One access.
+    /// Time of one access of the storage buffer (ticks).
     pub access: u64,
     /// Pointer arithmetic of one set.
     pub pointer: u64,
@@ -193,7 +193,7 @@ pub struct LoadDelay {
 /// Data banks of one level: drums behind the storage buffer (hardware section 2.3).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Drum {
-    /// One revolution.
+    /// Time of one revolution (ticks).
     pub rotation: u64,
     /// Master ticks to transfer one 16-bit word.
     pub word: f64,

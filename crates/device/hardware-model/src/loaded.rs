@@ -11,7 +11,7 @@ use crate::{HardwareModel, ModelSource};
 /// A model and the record of its reading.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LoadedModel {
-    /// What it means.
+    /// Hardware model that the file means.
     pub model: HardwareModel,
     /// Every value that was read, in alphabetical order of keys.
     pub values: Vec<EffectiveValue>,

@@ -12,11 +12,11 @@ pub struct HardwareModel {
     pub name: String,
     /// Raster and its clocks.
     pub raster: ModelRaster,
-    /// Ground-range programme.
+    /// Ground-range programme of the sweeps.
     pub range: RangeProgramme,
     /// Master clock of the digital processing unit.
     pub master_clock: Rate,
-    /// Central processor.
+    /// Central processor of the digital side.
     pub cpu: Cpu,
     /// Delivery of coefficient words to the registers.
     pub loader: Loader,
@@ -28,26 +28,26 @@ pub struct HardwareModel {
     pub laws: Laws,
     /// Kind of sweep memory.
     pub sweep_memory: SweepMemoryKind,
-    /// Feature generator.
+    /// Sub-generators of the feature generator and their organisation.
     pub feature_generator: FeatureParts,
-    /// Shadow controller.
+    /// Variant and parts of the shadow controller.
     pub shadow_controller: ShadowParts,
-    /// Mixing unit.
+    /// Parts of the mixing unit.
     pub mixing_unit: MixingParts,
-    /// Deflection yoke.
+    /// Deflection yoke of the display.
     pub yoke: Yoke,
     /// Words a second that reach the sub-generators of the feature generator; any number if `None`.
     pub feature_words: Option<f64>,
     /// Words a second that reach the line generators of the shadow controller; any number if `None`.
     pub segment_words: Option<f64>,
-    /// The analog side.
+    /// Parts of the analog side.
     pub analog: AnalogParts,
 }
 
 /// Raster of the model and its clocks.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ModelRaster {
-    /// Sweeps a frame.
+    /// Number of sweeps a frame.
     pub sweeps: u32,
     /// Samples drawn in one sweep.
     pub samples: u32,

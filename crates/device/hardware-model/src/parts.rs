@@ -9,7 +9,7 @@ pub enum Organisation {
     Scheduled,
 }
 
-/// The feature generator.
+/// Parts of the feature generator and their organisation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FeatureParts {
     /// How features come to the sub-generators.
@@ -58,7 +58,7 @@ pub enum Gate {
     SelfKeyed,
 }
 
-/// The mixing unit.
+/// Parts of the mixing unit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MixingParts {
     /// What opens VS1 and VS3.
@@ -68,7 +68,7 @@ pub struct MixingParts {
 }
 
 impl Default for MixingParts {
-    /// A presence line.
+    /// Returns gates with a presence line, and threshold 0.
     fn default() -> Self {
         Self { gate: Gate::Presence, threshold: 0.0 }
     }
@@ -107,7 +107,7 @@ pub enum Forced {
 }
 
 impl Forced {
-    /// All of them.
+    /// All blocks and steps that can be forced.
     pub const ALL: [Self; 5] = [Self::Features, Self::Switches, Self::Mixing, Self::Breaks, Self::Bodies];
 
     /// Its name in tables.

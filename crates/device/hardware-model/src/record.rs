@@ -18,7 +18,7 @@ pub struct MachineRecord {
     pub scalar: String,
     /// Sweeps and their samples.
     pub raster: SweepRecord,
-    /// Clocks.
+    /// Clocks of the machine.
     pub clocks: ClockRecord,
     /// Ground-range programme by key.
     pub range: BTreeMap<String, Value>,
@@ -43,7 +43,7 @@ pub struct MachineRecord {
 /// Sweeps of a frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct SweepRecord {
-    /// Sweeps a frame.
+    /// Number of sweeps a frame.
     pub sweeps: u32,
     /// Samples drawn in one sweep.
     pub samples_per_sweep: u32,
@@ -54,7 +54,7 @@ pub struct SweepRecord {
 pub struct ClockRecord {
     /// Master clock of the digital side.
     pub master: String,
-    /// Samples a second.
+    /// Samples a second, as a rate in words.
     pub sample: String,
     /// Samples that are drawn in one sweep.
     pub active_samples: u32,
@@ -69,7 +69,7 @@ pub struct LoaderRecord {
     pub served_by: String,
     /// Words of a set that one access brings.
     pub words_per_access: u32,
-    /// One access.
+    /// Time of one access (ticks).
     pub access_ticks: u64,
     /// Pointer arithmetic of one set.
     pub pointer_ticks: u64,
@@ -111,15 +111,15 @@ pub struct DelayRecord {
 /// Parts of the blocks beside the terrain path.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct BlocksRecord {
-    /// Feature generator.
+    /// Parts of the feature generator.
     pub feature_generator: FeatureRecord,
-    /// Shadow controller.
+    /// Parts of the shadow controller.
     pub shadow_controller: ShadowRecord,
-    /// Mixing unit.
+    /// Parts of the mixing unit.
     pub mixing_unit: MixingRecord,
 }
 
-/// Feature generator.
+/// Parts of the feature generator.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct FeatureRecord {
     /// Which sub-generator takes which crater.
@@ -132,12 +132,12 @@ pub struct FeatureRecord {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(tag = "variant", rename_all = "kebab-case")]
 pub enum ShadowRecord {
-    /// Line generators.
+    /// Line generators make the shadow gate.
     Digital {
         /// How many; any number if `None`.
         line_generators: Option<u32>,
     },
-    /// A scan converter.
+    /// A scan converter holds the boundaries as a map.
     ScanConverter {
         /// Displacement of the reading, north and east, as a share of the map's side.
         offset_share: [f64; 2],
@@ -146,7 +146,7 @@ pub enum ShadowRecord {
     },
 }
 
-/// Mixing unit.
+/// Parts of the mixing unit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MixingRecord {
     /// What opens the first video switch.

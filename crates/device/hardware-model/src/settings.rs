@@ -18,17 +18,17 @@ use crate::{
 pub struct Settings {
     /// Raster of sweeps and of the read-out.
     pub raster: Raster,
-    /// Clocks.
+    /// Clocks of the machine, as exact ratios.
     pub timebase: Timebase,
-    /// Ground-range programme.
+    /// Ground-range programme of the sweeps.
     pub range: RangeProgramme,
-    /// Law switches.
+    /// Laws of the run.
     pub laws: Laws,
     /// Scalar type of the analog signals.
     pub scalar: Scalar,
     /// From reflectivity to grey.
     pub display: Display,
-    /// Central processor.
+    /// Central processor of the digital side.
     pub cpu: Cpu,
     /// Delivery of coefficient words.
     pub loader: Loader,
@@ -38,17 +38,17 @@ pub struct Settings {
     pub seed: u64,
     /// Kind of sweep memory.
     pub sweep_memory: SweepMemoryKind,
-    /// Feature generator.
+    /// Sub-generators of the feature generator and their organisation.
     pub feature_generator: FeatureParts,
-    /// Shadow controller.
+    /// Variant and parts of the shadow controller.
     pub shadow_controller: ShadowParts,
-    /// Mixing unit.
+    /// Parts of the mixing unit.
     pub mixing_unit: MixingParts,
     /// Words a second that reach the sub-generators of the feature generator; any number if `None`.
     pub feature_words: Option<f64>,
     /// Words a second that reach the line generators of the shadow controller; any number if `None`.
     pub segment_words: Option<f64>,
-    /// The analog side.
+    /// Parts of the analog side.
     pub analog: AnalogParts,
     /// Deflection yoke, where the display turns the picture with the vehicle's roll.
     pub yoke: Option<Yoke>,
@@ -65,7 +65,7 @@ pub struct Settings {
 /// Sweeps, samples and read-out.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Raster {
-    /// Sweeps a frame.
+    /// Number of sweeps a frame.
     pub sweeps: u32,
     /// Samples drawn in one sweep.
     pub samples: u32,
@@ -73,7 +73,7 @@ pub struct Raster {
     pub columns: u32,
     /// Lines of the read-out.
     pub lines: u32,
-    /// Field of view.
+    /// Field of view of the picture.
     pub field: FieldOfView,
     /// Pictures shown a second.
     pub refresh: Rate,
@@ -87,11 +87,11 @@ pub enum SettingsError {
     Count {
         /// Key, as in a scenario file.
         key: &'static str,
-        /// Value found.
+        /// Value that was given for the key.
         found: u32,
-        /// Least allowed.
+        /// Least value that is allowed.
         low: u32,
-        /// Most allowed.
+        /// Greatest value that is allowed.
         high: u32,
     },
     /// Refresh is not a whole multiple of update.
@@ -108,9 +108,9 @@ pub enum SettingsError {
          expected as many columns as sweeps, or sweep_memory.kind = \"scan-converter\""
     )]
     DigitalRaster {
-        /// Columns asked for.
+        /// Number of columns that was asked for.
         columns: u32,
-        /// Sweeps a frame.
+        /// Number of sweeps a frame.
         sweeps: u32,
     },
     /// Clocks out of range.

@@ -27,7 +27,7 @@ const FOLDER: &str = "hardware-models";
 /// Where a model is.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub enum ModelSource {
-    /// A file.
+    /// A file at this path.
     File(PathBuf),
     /// One of [`BUILT_IN`], by name.
     BuiltIn(String),

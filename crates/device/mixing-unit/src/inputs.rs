@@ -67,9 +67,9 @@ pub struct Inputs<'a, S> {
     pub height: &'a [Lanes<S>],
     /// Terrain reflectivity with its sign.
     pub reflectivity: &'a [Lanes<S>],
-    /// Feature generator.
+    /// Signals of the feature generator.
     pub features: Option<FeatureInput<'a, S>>,
-    /// Shadow controller.
+    /// Gates of the shadow controller, one a lane.
     pub shadow: Option<&'a [ToggleList<'a, S>; LANES]>,
     /// Texture generator: what it adds to the samples from the first to where texture ends.
     pub texture: Option<&'a [Lanes<S>]>,

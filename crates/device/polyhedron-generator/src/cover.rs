@@ -12,7 +12,7 @@ const TOGETHER: usize = 16;
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Cover {
     shares: Vec<f32>,
-    /// Share times value.
+    /// Sum of share times value, line by line.
     sums: Vec<f32>,
 }
 

@@ -46,7 +46,7 @@ pub struct Census {
     pub drawn: u64,
     /// Bodies skipped because a vertex is nearer than [`NEAREST`], or behind the eye.
     pub too_near: u64,
-    /// Vertices projected.
+    /// Number of vertices projected.
     pub vertices: u64,
     /// Meetings of faces with sweeps; each is two edges.
     pub spans: u64,

@@ -23,7 +23,7 @@ pub const SIGNALS: &[Signal] = &[
 pub struct Run {
     /// Upper end: line position from the top of the picture.
     pub top: f32,
-    /// Lower end.
+    /// Lower end: line position from the top of the picture.
     pub bottom: f32,
     /// Reflectivity of the face.
     pub reflectivity: f32,

@@ -26,7 +26,7 @@ impl<'a> Sweep<'a> {
         self.stacks.is_empty()
     }
 
-    /// Its spans.
+    /// Returns the spans of the sweep.
     pub fn spans(&self) -> &'a [Span] {
         match (self.stacks.first(), self.stacks.last()) {
             (Some(first), Some(last)) => &self.all[first.spans.start..last.spans.end],

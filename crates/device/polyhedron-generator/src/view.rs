@@ -32,7 +32,7 @@ pub struct ViewPlane {
 pub(crate) struct Place<N = f64> {
     /// To the right, over the distance of the view-plane.
     pub x: N,
-    /// Down, likewise.
+    /// Downwards, over the distance of the view-plane.
     pub y: N,
     /// Inverse distance along the view axis (1/m): linear over the picture of a plane.
     pub depth: N,

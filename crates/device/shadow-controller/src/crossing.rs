@@ -9,7 +9,7 @@ pub(crate) trait Crossing: Copy + Ord + Default + Send + Sync {
     /// `range` (m) must not be negative: only then its bits are in its order.
     fn new(range: f64, ends: bool, place: Place) -> Self;
 
-    /// Ground range (m).
+    /// Returns the ground range of the crossing (m).
     fn range(self) -> f64;
 }
 

@@ -95,7 +95,7 @@ impl<'a, F: Sighting, C: Crossing> Met<'a, F, C> {
 }
 
 impl<F, C> Met<'_, F, C> {
-    /// Number of sweeps.
+    /// Returns the number of sweeps.
     pub(crate) fn sweeps(&self) -> usize {
         self.directions.len()
     }

@@ -10,7 +10,7 @@ use crate::exposure::Target;
 /// The beams of a group, one [`Lanes`] a sample.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Aim {
-    /// Line positions.
+    /// Line positions of the beams, from the top of the picture.
     pub places: Vec<Lanes<f32>>,
     /// What drives the beams ([`Target::drive`]).
     pub drives: Vec<Lanes<f32>>,

@@ -11,7 +11,7 @@ use signal::{Comparable, LANES, Lanes, Number};
 use crate::stroke::{Stroke, centre, integral, line_mean};
 
 impl<F: Number> Stroke<F> {
-    /// Lanes that draw.
+    /// Returns the lanes that draw.
     #[inline(always)]
     pub fn draw<V: Simd>(&self) -> F::Mask
     where

@@ -35,7 +35,7 @@ impl<'a> Sweeps<'a> {
 /// Some columns of a picture.
 #[derive(Debug)]
 pub struct Tile<'a> {
-    /// Which.
+    /// Columns of the picture that the tile covers.
     pub columns: Range<usize>,
     /// All lines, from the top.
     pub rows: Vec<&'a mut [f32]>,
@@ -72,7 +72,7 @@ pub enum Memory {
 /// How a picture is read.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Reading {
-    /// From what.
+    /// Memory that the picture is read from.
     pub memory: Memory,
     /// Where its pixels lie.
     pub view: View,
@@ -80,7 +80,7 @@ pub struct Reading {
     pub cells: usize,
     /// Columns of the picture.
     pub columns: usize,
-    /// Its lines.
+    /// Lines of the picture.
     pub lines: usize,
 }
 

@@ -45,7 +45,7 @@ pub struct Beam<'a, S> {
 pub struct FarStroke {
     /// Line position of its outline, from the top.
     pub line: f32,
-    /// Its intensity, 0..=1.
+    /// Intensity of the mountain, 0..=1.
     pub intensity: f32,
 }
 

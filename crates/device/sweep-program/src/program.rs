@@ -9,9 +9,9 @@ use crate::{Colour, PreloadRegister};
 /// Axis of a ramp: X runs north, Y runs east.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum RampAxis {
-    /// North.
+    /// Axis X, which runs north.
     X,
-    /// East.
+    /// Axis Y, which runs east.
     Y,
 }
 
@@ -48,7 +48,7 @@ pub enum Stop {
 /// One of the two folded ramps at the start of a sweep (section 6.5).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ramp {
-    /// Start, 0..=1.
+    /// Value of the ramp as the sweep starts, 0..=1.
     pub start: f64,
     /// Change of the ramp a region of ground range, signed: `cos theta * s_x` or `sin theta * s_y`.
     pub rate: f64,
@@ -91,9 +91,9 @@ pub struct SweepStart {
 /// A ramp met its stop: fold, polarity and register transfer happen in this instant, wired.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fold {
-    /// Which ramp.
+    /// Ramp that folds, by its axis.
     pub axis: RampAxis,
-    /// Which stop.
+    /// Stop that the ramp meets.
     pub stop: Stop,
 }
 
@@ -116,7 +116,7 @@ impl Fold {
 pub struct WordMask(pub u16);
 
 impl WordMask {
-    /// All nine words.
+    /// All nine words of a corner.
     pub const ALL: Self = Self(0x1ff);
 
     /// Only word `3 p + q`.
@@ -170,13 +170,13 @@ pub const NO_CORNER: u32 = u32::MAX;
 /// Words arrive at the registers of a colour.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Load {
-    /// Whose registers.
+    /// Colour whose registers the words go to.
     pub colour: Colour,
-    /// Which of them.
+    /// Register of that colour that the words go to.
     pub target: Target,
     /// Index of the corner in the storage buffer; [`NO_CORNER`] brings words of 0.
     pub corner: u32,
-    /// Which words.
+    /// Words that arrive, bit `3 p + q`.
     pub words: WordMask,
 }
 
@@ -187,7 +187,7 @@ pub enum Event {
     Fold(Fold),
     /// A ramp folds and nothing is transferred: the loader is off.
     BareFold(Fold),
-    /// Words arrive.
+    /// Words arrive at the registers of a colour.
     Load(Load),
 }
 
@@ -205,7 +205,7 @@ impl Event {
 /// One event, or several of one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum StepKind {
-    /// One.
+    /// One event by itself.
     Event(Event),
     /// A ramp folds, and all that the fold asks for arrives in the same instant.
     Served(Served),
@@ -273,7 +273,7 @@ pub struct Step<K = StepKind> {
     pub range: f64,
     /// First sample that sees it.
     pub sample: usize,
-    /// What happens.
+    /// Event or events of the instant.
     pub kind: K,
 }
 
@@ -322,15 +322,15 @@ pub struct Miss {
     pub time: SweepTime,
     /// When the last of the words arrived; `None` if they were dropped before anyone fetched them.
     pub arrival: Option<SweepTime>,
-    /// Whose registers.
+    /// Colour whose registers were late.
     pub colour: Colour,
     /// Which preload register was stale.
     pub register: PreloadRegister,
     /// Index of the corner in the storage buffer.
     pub corner: u32,
-    /// Which words.
+    /// Words that came late, bit `3 p + q`.
     pub words: WordMask,
-    /// Why.
+    /// Reason why they came late.
     pub cause: MissCause,
 }
 

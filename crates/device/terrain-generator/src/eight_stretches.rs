@@ -202,7 +202,7 @@ impl<D: Copy> Expanded<D> {
 }
 
 impl<D: Copy> HeightAndSlopes<D> {
-    /// Puts both samples.
+    /// Writes both samples to height and slopes.
     #[inline(always)]
     fn put<L: Simd, S: Real<Double<L> = D>>(
         self,

@@ -23,9 +23,9 @@ mod tests;
 /// same datum.
 #[derive(Debug, Clone, Copy)]
 pub struct ModifiedTerrainGenerator<'a> {
-    /// Near ground.
+    /// Generator of the near ground, on the fine level.
     pub fine: TerrainGenerator<'a>,
-    /// Far ground.
+    /// Generator of the far ground, on the coarse level.
     pub coarse: TerrainGenerator<'a>,
     /// Length of the blend before the switch (m); 0: a video switch within one sample.
     pub blend: f64,

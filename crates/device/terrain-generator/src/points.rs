@@ -24,7 +24,7 @@ pub(crate) struct Points {
 struct Waiting<const N: usize> {
     count: usize,
     lanes: [usize; LANES],
-    /// First samples.
+    /// First sample of each stretch.
     firsts: [usize; LANES],
     /// Corners whose words are held, by place and colour; `None` where a register has words of several.
     corners: [Option<[u32; 4]>; LANES],

@@ -155,7 +155,7 @@ impl GroupRegions {
         }
     }
 
-    /// Region `number`.
+    /// Returns the region called `number`, counted from 0.
     #[cfg(test)]
     fn get(&self, number: u32) -> &Region {
         &self.regions[number as usize]

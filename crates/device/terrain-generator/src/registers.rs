@@ -122,7 +122,7 @@ impl Registers {
             [served.corners[2], served.corners[3]];
     }
 
-    /// Words arrive.
+    /// Takes words that arrive at a register; `buffer` holds them by corner.
     #[inline]
     pub fn load(&mut self, load: &Load, buffer: &[CornerWords]) {
         let register = match load.target {

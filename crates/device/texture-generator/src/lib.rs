@@ -42,7 +42,7 @@ pub const SIGNALS: &[Signal] = &[Signal::ground(
 /// The block, set for one stage.
 #[derive(Debug, Clone, Copy)]
 pub struct TextureGenerator<'a> {
-    /// The texture.
+    /// Texture that the block makes.
     pub texture: &'a Texture,
     /// Ground range of each sample (m), ascending.
     pub ranges: &'a [f64],
@@ -131,7 +131,7 @@ fn pattern<L: Simd, S: Real>(lattice: &Lattice, places: [[f64x8<L>; 2]; 2]) -> S
 struct Fading<L: Simd> {
     /// Amplitudes at range 0; 0 where there is no layer.
     amplitude: f64x8<L>,
-    /// Their ranges (m).
+    /// Ranges at which the layers have faded (m).
     range: f64x8<L>,
 }
 

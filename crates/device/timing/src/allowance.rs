@@ -18,7 +18,7 @@ pub struct Allowance {
     number: i64,
 }
 
-/// What is bounded.
+/// Total that an allowance bounds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Measure {
     LateWords,

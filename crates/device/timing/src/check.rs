@@ -16,7 +16,7 @@ const WORDS: u16 = 9;
 pub struct Fault {
     /// Keys down to the value.
     pub place: String,
-    /// What stands there.
+    /// Value that was found there.
     pub found: String,
     /// What could stand there.
     pub expected: String,

@@ -18,7 +18,7 @@ use crate::totals::Totals;
 pub struct Tolerance {
     /// Instants on the sweep clock: when a word was due, when it came (samples).
     pub(crate) samples: f64,
-    /// Ground ranges (m).
+    /// Distance that ground ranges may be apart (m).
     pub(crate) metres: f64,
 }
 
@@ -26,9 +26,9 @@ pub struct Tolerance {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[error("tolerance in {unit}: found {found}, expected a finite number of at least 0")]
 pub struct ToleranceError {
-    /// `samples` or `metres`.
+    /// Name of the unit: `samples` or `metres`.
     pub unit: &'static str,
-    /// The number given.
+    /// Number that was given as tolerance.
     pub found: f64,
 }
 
@@ -94,7 +94,7 @@ pub struct MovedEvent {
     pub found: Option<String>,
 }
 
-/// One frame.
+/// Differences of one frame.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct FrameComparison {
     /// Frame of the mission.
@@ -207,7 +207,7 @@ impl Comparison {
         }
     }
 
-    /// Whether nothing differs.
+    /// Returns whether nothing differs from the baseline.
     pub fn is_same(&self) -> bool {
         self.head.is_empty() && self.before_mission.is_empty() && self.frames_that_differ() == 0
     }

@@ -149,7 +149,7 @@ const EDGES: [i64; LAST_BIN] = [
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Slack {
-    /// Deadlines.
+    /// Number of deadlines of the kind.
     pub count: u64,
     /// Those with negative slack.
     pub missed: u64,

@@ -14,7 +14,7 @@ pub struct EventHash {
 }
 
 impl EventHash {
-    /// Of no event.
+    /// Makes the hash of an empty list.
     pub fn new() -> Self {
         Self { hasher: Hasher::new_derive_key(OF_EVENTS), count: 0 }
     }

@@ -26,7 +26,7 @@ pub enum RecordError {
     Newer {
         /// The path as given.
         path: PathBuf,
-        /// Its format.
+        /// Format number that the file states.
         found: u64,
     },
     /// An earlier lunoid wrote it.
@@ -34,7 +34,7 @@ pub enum RecordError {
     Older {
         /// The path as given.
         path: PathBuf,
-        /// Its format.
+        /// Format number that the file states.
         found: u64,
     },
     /// Not JSON, or not of this shape.
@@ -47,7 +47,7 @@ pub enum RecordError {
         path: PathBuf,
         /// Line, from 1; 0 if the file is empty.
         line: usize,
-        /// Column, from 1.
+        /// Column of the fault, from 1.
         column: usize,
         /// What is found, and what was expected.
         message: String,
@@ -57,7 +57,7 @@ pub enum RecordError {
     Faulty {
         /// The path as given.
         path: PathBuf,
-        /// Where, and what.
+        /// Fault with its place.
         fault: Fault,
     },
 }

@@ -6,11 +6,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::deadline::Deadline;
 
-/// A missed deadline.
+/// A deadline that was missed, with all that is known of it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Missed {
-    /// Of which kind.
+    /// Kind of the deadline.
     pub deadline: Deadline,
     /// Sweep of the frame, from 0 at the left.
     pub sweep: u32,
@@ -42,7 +42,7 @@ pub struct Missed {
     pub came: Option<f64>,
     /// The words concerned: bit `3 p + q` of a corner, the first 8 bits for a crater, 4 for a boundary.
     pub words: u16,
-    /// Why.
+    /// Reason why it was missed.
     pub cause: Cause,
 }
 

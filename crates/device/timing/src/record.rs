@@ -16,7 +16,7 @@ pub const FORMAT: u32 = 2;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct TimingRecord {
-    /// [`FORMAT`].
+    /// Format number of the record: [`FORMAT`].
     pub format: u32,
     /// Name of the scenario.
     pub scenario: String,
@@ -52,7 +52,7 @@ pub struct FrameTiming {
     pub sets: Sets,
     /// Words that came after the stop they were meant for.
     pub late_words: u64,
-    /// Vertices of polyhedra.
+    /// Counts of the vertices of polyhedra.
     pub vertices: Vertices,
     /// Slack of every kind of deadline that the machine has.
     pub deadlines: BTreeMap<Deadline, Slack>,
@@ -95,7 +95,7 @@ impl FrameTiming {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Sets {
-    /// Asked for.
+    /// Number of sets asked for.
     pub wanted: u64,
     /// Brought to their register.
     pub loaded: u64,

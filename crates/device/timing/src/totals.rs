@@ -12,7 +12,7 @@ use crate::task::Task;
 /// A record as a whole. Sums stay at the largest number rather than run over.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct Totals {
-    /// Frames.
+    /// Number of frames of the record.
     pub frames: u64,
     /// Their length (master ticks).
     pub ticks: u64,
@@ -22,9 +22,9 @@ pub struct Totals {
     pub sets: Sets,
     /// Words after the stop they were meant for.
     pub late_words: u64,
-    /// Vertices of polyhedra.
+    /// Counts of the vertices of polyhedra.
     pub vertices: Vertices,
-    /// Digital events.
+    /// Number of digital events.
     pub events: u64,
     /// When the tasks before the mission are done, one after another (master ticks).
     pub ready_after: u64,
@@ -34,7 +34,7 @@ pub struct Totals {
     pub units: BTreeMap<String, UnitTotals>,
     /// Tasks of the frames, each with the pieces and ticks of all of them, in the order in which they are first met.
     pub tasks: Vec<Task>,
-    /// Misses by cause.
+    /// Number of misses by cause.
     pub causes: BTreeMap<Cause, u64>,
     /// Misses by sweep: what stands in one column of the picture.
     pub sweeps: BTreeMap<u32, SweepMisses>,
@@ -43,7 +43,7 @@ pub struct Totals {
 /// One kind of deadline over all frames.
 #[derive(Debug, Clone, PartialEq, Default, Serialize)]
 pub struct DeadlineTotals {
-    /// Slack of all.
+    /// Slack of all deadlines of the kind.
     pub slack: Slack,
     /// The first frame with the least slack.
     pub worst_frame: Option<u64>,
@@ -71,7 +71,7 @@ pub struct UnitTotals {
 /// Misses of one sweep over all frames.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
 pub struct SweepMisses {
-    /// How many.
+    /// Number of misses of the sweep.
     pub misses: u64,
     /// In how many frames.
     pub frames: u64,

@@ -21,7 +21,7 @@ pub struct Blocks {
     pub texture: bool,
     /// Polyhedron generator and VS3.
     pub bodies: bool,
-    /// Second terrain generator.
+    /// Second terrain generator, for the coarse level.
     pub coarse: Option<Coarse>,
     /// Whether the mixing unit has anything to switch, add or clip.
     pub mixing: bool,

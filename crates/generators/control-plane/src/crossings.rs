@@ -17,7 +17,7 @@ pub struct Crossings<'a> {
     pub stage: &'a MachineStage,
     /// The second terrain generator, if it is there.
     pub coarse: Option<&'a Coarse>,
-    /// The ground-range programme.
+    /// Ground range of each sample, by the ground-range programme.
     pub table: &'a RangeTable,
     /// Fan, eye and sun of the frame.
     pub plan: &'a FramePlan,

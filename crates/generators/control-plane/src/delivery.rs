@@ -29,7 +29,7 @@ pub struct Delivery {
     pub gates: Vec<Gate>,
     /// Polyhedra in display-plane position.
     pub polyhedra: PolyhedronGenerator,
-    /// Bodies projected.
+    /// Number of bodies that were projected.
     pub bodies: u64,
     /// Bodies too far to be seen.
     pub left_out: LeftOut,
@@ -49,7 +49,7 @@ pub struct Supply<'a> {
     pub plan: &'a FramePlan,
     /// Raster that the sweeps write.
     pub raster: WrittenRaster,
-    /// The ground-range programme.
+    /// Ground range of each sample, by the ground-range programme.
     pub table: &'a RangeTable,
     /// Vertices that the processor has ready, if it takes any time.
     pub ready: Option<u64>,

@@ -6,7 +6,7 @@ use dpu::Register;
 use quantities::{SweepTime, Tick};
 use sweep_program::{Colour, Fold, MissCause, WordMask};
 
-/// Who does it.
+/// Unit of the digital side that an event belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DigitalUnit {
     /// The unit that sees the stops and moves the pointers.
@@ -15,7 +15,7 @@ pub enum DigitalUnit {
     Loader(Colour),
     /// One processor for all crossings.
     IoProcessor,
-    /// The central processor.
+    /// The central processor of the digital side.
     Cpu,
     /// A drum: its level, 0 fine, 1 coarse, and its number there.
     Drum(usize, u32),
@@ -64,7 +64,7 @@ impl fmt::Display for DigitalUnit {
 
 macro_rules! words {
     ($($(#[$doc:meta])* $variant:ident = $word:literal,)*) => {
-        /// What happens.
+        /// Kind of an event on the digital side.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
         pub enum EventWord {
             $($(#[$doc])* $variant,)*
@@ -74,7 +74,7 @@ macro_rules! words {
             /// All, in the order of the guide.
             pub const ALL: &'static [Self] = &[$(Self::$variant),*];
 
-            /// Word in listings.
+            /// Returns the word for the kind in listings.
             pub fn name(self) -> &'static str {
                 match self { $(Self::$variant => $word),* }
             }
@@ -136,11 +136,11 @@ words! {
 /// One event. What does not belong to it is `None`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DigitalEvent {
-    /// When.
+    /// Tick of the master clock at which it happens.
     pub tick: Tick,
-    /// What happens.
+    /// Kind of the event, as a word.
     pub event: EventWord,
-    /// Who does it.
+    /// Unit to which the event belongs.
     pub unit: DigitalUnit,
     /// Sweep that it is done for.
     pub sweep: Option<u32>,
@@ -148,17 +148,17 @@ pub struct DigitalEvent {
     pub level: Option<usize>,
     /// Fold of the sweep, from 0: the stop itself, or the one that asked.
     pub crossing: Option<u32>,
-    /// The stop.
+    /// Fold that the event is about: its ramp and its stop.
     pub fold: Option<Fold>,
-    /// Whose registers.
+    /// Colour whose registers take part.
     pub colour: Option<Colour>,
-    /// Which of them.
+    /// Register of that colour that takes part.
     pub register: Option<Register>,
     /// North and east index of the corner.
     pub corner: Option<[i64; 2]>,
     /// Which words of the set, bit 3p + q.
     pub mask: WordMask,
-    /// How many words.
+    /// Number of words that take part.
     pub words: u32,
     /// Ticks that were left; below 0 it is late.
     pub slack: Option<i64>,

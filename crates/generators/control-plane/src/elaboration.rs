@@ -34,7 +34,7 @@ pub enum Block {
     Mixing,
     /// Projection processor and write gun, which are joined by the beam's gate.
     Beam,
-    /// Storage tubes.
+    /// Storage tubes of the sweep memory.
     Memory,
     /// Video amplifier and picture tube of the display.
     PictureTube,

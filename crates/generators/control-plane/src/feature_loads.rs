@@ -14,7 +14,7 @@ use crate::frame_plan::FramePlan;
 pub struct FeatureLoads<'a> {
     /// Ground, scenery and settings.
     pub stage: &'a MachineStage,
-    /// The ground-range programme.
+    /// Ground range of each sample, by the ground-range programme.
     pub table: &'a RangeTable,
     /// Fan, eye and sun of the frame.
     pub plan: &'a FramePlan,

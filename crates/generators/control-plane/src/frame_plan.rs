@@ -15,11 +15,11 @@ use sweep_program::{Fan, SweepProgram};
 /// What the control plane works out once a frame.
 #[derive(Debug, Clone, Copy)]
 pub struct FramePlan {
-    /// Frame number.
+    /// Number of the frame, from 0.
     pub frame: u64,
     /// Azimuths of the sweeps.
     pub fan: Fan,
-    /// Heading (rad).
+    /// Heading, clockwise from north (rad).
     pub heading: f64,
     /// Cosine and sine of the heading.
     turn: [f64; 2],
@@ -31,7 +31,7 @@ pub struct FramePlan {
     pub yoke: f64,
     /// Eye: north, east, height (m).
     pub eye: [f64; 3],
-    /// The sun.
+    /// Direction of the sun in this frame.
     pub sun: Sun,
 }
 

@@ -11,9 +11,9 @@ pub(crate) enum Refusal {
          expected |pitch| + half the vertical field of view below {limit_deg:.0} deg"
     )]
     Pitch {
-        /// Pitch (deg).
+        /// Pitch of the frame (deg).
         pitch_deg: f64,
-        /// The limit (deg).
+        /// Limit for |pitch| + half the vertical field of view (deg).
         limit_deg: f64,
     },
     /// Shadow boundaries cannot be kept.

@@ -42,7 +42,7 @@ pub struct RegisterState {
     pub folds: [u32; 2],
     /// Folded ramps X, Y (regions).
     pub ramps: [f64; 2],
-    /// Ground range (m).
+    /// Ground range at that instant (m).
     pub range: f64,
 }
 

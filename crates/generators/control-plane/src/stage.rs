@@ -13,7 +13,7 @@ pub const RANGE: &str = "sweep.range";
 /// The world, and the settings of the hybrid machine that draws it; the view is part of these settings.
 #[derive(Debug, Clone)]
 pub struct MachineStage {
-    /// The ground.
+    /// Ground: terrain, craters, texture and albedo.
     pub landscape: Arc<Landscape>,
     /// Light, bodies and tracks over time.
     pub scenery: Arc<Scenery>,

@@ -70,7 +70,7 @@ const fn register(name: &'static str, meaning: &'static str) -> Signal {
 /// Instants, in samples from the start of the sweep, and values.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Changes {
-    /// Instants, ascending (samples).
+    /// Instants of the changes, ascending (samples).
     pub times: Vec<f64>,
     /// The value from each of them on.
     pub values: Vec<f64>,

@@ -13,7 +13,7 @@ pub enum Bend {
 }
 
 impl Bend {
-    /// A flat Moon.
+    /// The bend of a flat Moon: none.
     pub const FLAT: Self = Self::Parabola(0.0);
 
     /// The bend of a law.

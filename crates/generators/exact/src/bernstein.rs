@@ -92,12 +92,12 @@ fn polygon_root<const N: usize>(c: &[f64; N]) -> f64 {
     (k as f64 - c[k] / (c[k] - c[k - 1])) / (N - 1) as f64
 }
 
-/// Value at `x`.
+/// Returns the value of the polynomial at `x`.
 pub fn value<const N: usize>(c: &[f64; N], x: f64) -> f64 {
     sum(N, x, |k| c[k])
 }
 
-/// Derivative at `x`.
+/// Returns the derivative of the polynomial at `x`.
 pub fn slope<const N: usize>(c: &[f64; N], x: f64) -> f64 {
     (N - 1) as f64 * sum(N - 1, x, |k| c[k + 1] - c[k])
 }

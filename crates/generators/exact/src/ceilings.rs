@@ -57,7 +57,7 @@ impl Ceilings {
         &self.levels[index]
     }
 
-    /// Craters by place.
+    /// Returns the lists and bounds of the craters, cell by cell.
     pub fn craters(&self) -> &Craters {
         &self.craters
     }

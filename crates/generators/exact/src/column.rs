@@ -31,7 +31,7 @@ pub struct Fineness {
     pub tolerance: f64,
     /// Share of a line down to which a part that may hide a ridge is looked into.
     pub ridge_share: f64,
-    /// The smallest part.
+    /// Share of a line below which no part is divided further.
     finest_share: f64,
 }
 

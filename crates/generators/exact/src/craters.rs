@@ -19,7 +19,7 @@ pub struct Craters {
 pub struct Part {
     /// Its ends (m of range).
     pub ends: [f64; 2],
-    /// The cell.
+    /// Index of the cell; `None` where there are no craters.
     pub cell: Option<usize>,
 }
 

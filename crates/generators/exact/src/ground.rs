@@ -30,9 +30,9 @@ pub struct Zone {
 /// Where a line meets the ground.
 #[derive(Debug, Clone, Copy)]
 pub struct Met<'a> {
-    /// Range (m).
+    /// Ground range of that place (m).
     pub range: f64,
-    /// The terrain there.
+    /// Terrain along the line at that place.
     pub relief: Relief<'a>,
 }
 
@@ -64,7 +64,7 @@ impl<'a> Ground<'a> {
         Some(terrain + self.craters_at([x, y]).height)
     }
 
-    /// Levels stored.
+    /// Returns the number of levels that are stored.
     pub fn levels(&self) -> usize {
         self.landscape.bank().levels().len()
     }

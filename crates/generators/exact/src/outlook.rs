@@ -21,7 +21,7 @@ pub struct Ray {
 /// What a ray meets.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Sight {
-    /// The ground.
+    /// The ray meets the ground at this place.
     Ground(Spot),
     /// Nothing up to the far range or the edge of the problem area.
     Sky,
@@ -35,9 +35,9 @@ pub enum Sight {
 /// A visible place of the ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spot {
-    /// Ground range (m).
+    /// Ground range of the place (m).
     pub range: f64,
-    /// North, east (m).
+    /// Place on the ground: north, east (m).
     pub place: [f64; 2],
     /// Height of the terrain without craters (m).
     pub height: f64,
@@ -78,7 +78,7 @@ impl<'a> Outlook<'a> {
         Self { ground, eye, bend, near, far: far.min(bend.end()), switch, is_beside }
     }
 
-    /// The ground.
+    /// Returns the ground around the eye.
     pub fn ground(&self) -> &Ground<'a> {
         &self.ground
     }

@@ -11,7 +11,7 @@ use crate::bernstein::{DEPTH, bracketed_root, halves, slope, value};
 /// `weight * sqrt((s - nearest)^2 + miss)`: a multiple of the distance from a crater's centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Distance {
-    /// Its factor.
+    /// Factor of the distance, of either sign.
     pub weight: f64,
     /// Range at which the line is nearest to the centre (m).
     pub nearest: f64,

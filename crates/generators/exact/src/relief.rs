@@ -12,9 +12,9 @@ use crate::rings::Added;
 /// A line in the units of a level: regions from its corner.
 #[derive(Debug, Clone, Copy)]
 pub struct Track<'a> {
-    /// The level.
+    /// Level of terrain coefficients under the line.
     pub level: &'a Level,
-    /// Bounds above it.
+    /// Bounds on the heights of that level.
     pub ceilings: &'a LevelCeilings,
     /// Origin of the line.
     pub origin: [f64; 2],
@@ -105,7 +105,7 @@ impl<'a> Sheet<'a> {
 pub struct Blend {
     /// Range at which it begins (m).
     pub from: f64,
-    /// Its length (m).
+    /// Length of the blend (m).
     pub length: f64,
 }
 
@@ -123,7 +123,7 @@ impl Blend {
 /// Terrain along a stretch.
 #[derive(Debug, Clone, Copy)]
 pub enum Relief<'a> {
-    /// Of one level.
+    /// Terrain of a single level.
     One(Sheet<'a>),
     /// The fine level on its way to the coarse one.
     Two(Sheet<'a>, Sheet<'a>, Blend),

@@ -27,7 +27,7 @@ pub struct Added {
 }
 
 impl Added {
-    /// Nothing yet.
+    /// Makes it the sum of no craters, and keeps its buffer.
     pub fn clear(&mut self) {
         let distances = std::mem::take(&mut self.distances);
         *self = Self { distances, ..Self::default() };

@@ -18,12 +18,12 @@ pub struct Seen {
     pub reflectivity: [f64; 3],
     /// How it is lit.
     pub shade: Shade,
-    /// What it is.
+    /// Kind of thing that is seen.
     pub label: Label,
 }
 
 impl Seen {
-    /// Black sky.
+    /// What a ray sees in the sky: black, at no range.
     pub const SKY: Self = Self {
         light: [0.0; 3],
         range: f64::INFINITY,

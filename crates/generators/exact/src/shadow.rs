@@ -25,7 +25,7 @@ pub const LIFT: f64 = 1e-10;
 pub enum Dark {
     /// Ground or a body in front of the sun.
     Cast,
-    /// A vehicle track.
+    /// A track that the vehicle has left.
     Track,
 }
 

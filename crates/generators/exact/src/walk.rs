@@ -82,7 +82,7 @@ impl Walk {
         self.region.map(|index| index as usize)
     }
 
-    /// Range reached.
+    /// Returns the range that the walk has reached (m).
     pub fn from(&self) -> f64 {
         self.from
     }

@@ -10,7 +10,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 /// How a counter of a frame joins that of another frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Joined {
-    /// Both are added.
+    /// Both counts are added together.
     Sum,
     /// The larger one stays.
     Largest,
@@ -19,7 +19,7 @@ pub enum Joined {
 /// A counter that a generator keeps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Counter {
-    /// Name in records.
+    /// Name of the counter in records.
     pub name: &'static str,
     /// How frames are joined.
     pub joined: Joined,
@@ -30,7 +30,7 @@ pub struct Counter {
 pub struct FrameCounts(Vec<(Cow<'static, str>, u64)>);
 
 impl FrameCounts {
-    /// These counters.
+    /// Makes the counts of a frame from counters by name.
     pub fn of(named: impl IntoIterator<Item = (&'static str, u64)>) -> Self {
         Self(named.into_iter().map(|(name, count)| (Cow::Borrowed(name), count)).collect())
     }

@@ -24,7 +24,7 @@ pub enum FrameError {
     /// The eye does not see the ground from above.
     #[error("frame {frame}: the eye is {below:.3} m under the ground; expected it above the ground")]
     EyeUnderGround {
-        /// Frame number.
+        /// Number of the frame, from 0.
         frame: u64,
         /// How far below the ground (m).
         below: f64,
@@ -32,17 +32,17 @@ pub enum FrameError {
     /// The eye is outside the problem area.
     #[error("frame {frame}: the eye at x = {x:.1} m, y = {y:.1} m is outside the problem area")]
     OutsideProblemArea {
-        /// Frame number.
+        /// Number of the frame, from 0.
         frame: u64,
-        /// North (m).
+        /// Place of the eye, north (m).
         x: f64,
-        /// East (m).
+        /// Place of the eye, east (m).
         y: f64,
     },
     /// The generator cannot draw the frame for a reason of its own.
     #[error("frame {frame}: {reason}")]
     Refused {
-        /// Frame number.
+        /// Number of the frame, from 0.
         frame: u64,
         /// The reason, and what to do instead; an error of the generator's crate as text.
         reason: String,

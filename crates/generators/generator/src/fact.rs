@@ -12,7 +12,7 @@ pub struct Fact {
 }
 
 impl Fact {
-    /// A fact.
+    /// Makes a fact: the name of a quantity, and its value with the unit.
     pub fn new(what: impl Into<String>, value: impl Into<String>) -> Self {
         Self { what: what.into(), value: value.into() }
     }

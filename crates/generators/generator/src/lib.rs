@@ -39,7 +39,7 @@ pub use timed::Timed;
 /// The world and the view: everything that generators share but the pose.
 #[derive(Debug, Clone)]
 pub struct Stage {
-    /// The ground.
+    /// Ground: terrain, craters, texture and albedo.
     pub landscape: Arc<Landscape>,
     /// Light, bodies and tracks over time.
     pub scenery: Arc<Scenery>,

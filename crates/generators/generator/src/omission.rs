@@ -25,7 +25,7 @@ pub struct Omission {
 }
 
 impl Omission {
-    /// A lossless omission.
+    /// Makes an omission that leaves the picture the same to the bit.
     pub fn lossless(block: &'static str, what: impl Into<String>, why: impl Into<String>) -> Self {
         Self { block, what: what.into(), why: why.into(), weight: Weight::Lossless }
     }

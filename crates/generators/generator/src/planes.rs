@@ -38,7 +38,7 @@ pub enum PlaneKind {
 }
 
 impl PlaneKind {
-    /// All planes.
+    /// All kinds of planes, beginning with the intensity.
     pub const ALL: [Self; 13] = [
         Self::Intensity,
         Self::Range,
@@ -58,7 +58,7 @@ impl PlaneKind {
     /// The planes of a picture in colour, in the order of its codes.
     pub const COLOUR: [Self; 3] = [Self::Red, Self::Green, Self::Blue];
 
-    /// Name in files.
+    /// Returns the name of the plane in files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Intensity => "intensity",
@@ -123,7 +123,7 @@ macro_rules! codes {
                 self as u8
             }
 
-            /// Word in files.
+            /// Returns the word for the code in files.
             pub fn name(self) -> &'static str {
                 match self { $(Self::$variant => $word),* }
             }
@@ -139,7 +139,7 @@ macro_rules! codes {
 codes! {
     /// How a place is lit.
     Shade {
-        /// Lit, or sky.
+        /// The place is lit, or it is sky.
         Lit = "lit or sky",
         /// Its face is turned away from the sun.
         Local = "local shadow",
@@ -149,19 +149,19 @@ codes! {
 }
 
 codes! {
-    /// What is seen.
+    /// Kind of thing that is seen through a pixel.
     Label {
-        /// Nothing.
+        /// Nothing but sky is seen.
         Sky = "sky",
-        /// Stored terrain.
+        /// Terrain of the stored area.
         Terrain = "terrain",
         /// A crater of the feature list.
         Feature = "feature",
-        /// A rock.
+        /// A rock on the ground.
         Rock = "rock",
-        /// A man-made thing.
+        /// A man-made object, or a part of one.
         Culture = "culture",
-        /// A vehicle track.
+        /// A track that the vehicle has left.
         Track = "vehicle track",
         /// A far silhouette, beyond the end of the sweeps.
         Silhouette = "far silhouette",
@@ -171,7 +171,7 @@ codes! {
 /// One plane, row by row from the top left.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plane {
-    /// What it holds.
+    /// Kind of values in the plane.
     pub kind: PlaneKind,
     /// `lines * columns` values.
     pub values: Vec<f32>,
@@ -197,7 +197,7 @@ impl Planes {
         self.columns
     }
 
-    /// Rows.
+    /// Returns the number of lines (rows).
     pub fn lines(&self) -> usize {
         self.lines
     }

@@ -16,7 +16,7 @@ const WORDS: u32 = 9;
 /// A drum as the seed drew it (master ticks).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct DrumFigures {
-    /// One revolution.
+    /// Time of one revolution (ticks).
     pub rotation: u64,
     /// Reading one record over its channel.
     pub transfer: u64,

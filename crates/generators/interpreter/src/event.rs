@@ -9,7 +9,7 @@ pub enum Register {
     XFirst,
     /// Waits for a stop of Y.
     YFirst,
-    /// Waits for both.
+    /// Waits for a stop of X and a stop of Y.
     Diagonal,
 }
 
@@ -18,20 +18,20 @@ pub enum Register {
 pub struct AskedFor {
     /// Yellow, green, black, red.
     pub colour: usize,
-    /// Where it goes.
+    /// Register for which the set is meant.
     pub register: Register,
     /// The stop, counted from 0 in the sweep.
     pub crossing: u32,
 }
 
-/// What happens.
+/// Kind of an event, with all that belongs to it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Happening {
     /// A register is full as the sweep begins.
     Home {
         /// Yellow, green, black, red.
         colour: usize,
-        /// Which.
+        /// Register of that colour that is full.
         register: Register,
         /// Corner of its words: north, east.
         corner: [i64; 2],
@@ -60,7 +60,7 @@ pub enum Happening {
     Wasted {
         /// Yellow, green, black, red.
         colour: usize,
-        /// Where it was.
+        /// Register in which the set was.
         register: Register,
         /// Corner of its first word; none for words of 0.
         corner: Option<[i64; 2]>,
@@ -73,32 +73,32 @@ pub enum Happening {
     Diagonal {
         /// Whose, where to, at which stop.
         set: AskedFor,
-        /// The corner.
+        /// Corner of the words: north, east.
         corner: [i64; 2],
     },
     /// The first access of a set begins.
     Access {
         /// Whose, where to, asked at which stop.
         set: AskedFor,
-        /// The corner.
+        /// Corner of the words: north, east.
         corner: [i64; 2],
     },
     /// The storage buffer has not the corner: its words are 0.
     Absent {
         /// Yellow, green, black, red.
         colour: usize,
-        /// Where they go.
+        /// Register to which the words go.
         register: Register,
         /// The stop that asked; none as the sweep begins.
         crossing: Option<u32>,
-        /// The corner.
+        /// Corner that is absent: north, east.
         corner: [i64; 2],
     },
     /// Words arrive at a register.
     Load {
         /// Yellow, green, black, red.
         colour: usize,
-        /// Where they go.
+        /// Register to which the words go.
         register: Register,
         /// Corner that they belong to: north, east; none for words of 0.
         corner: Option<[i64; 2]>,
@@ -118,7 +118,7 @@ pub enum Happening {
     },
     /// Words of a crater or of a shadow boundary come to the part that waits for them, or do not.
     Words {
-        /// What waits.
+        /// Part that waits for the words.
         part: Part,
         /// Whether they come in time.
         outcome: Outcome,
@@ -127,21 +127,21 @@ pub enum Happening {
     },
     /// The processor begins with the program of a sweep.
     SetUpBegins {
-        /// The sweep.
+        /// Sweep whose program the processor begins with.
         sweep: u32,
     },
     /// The program of a sweep is ready.
     SetUp {
-        /// The sweep.
+        /// Sweep whose program is ready.
         sweep: u32,
         /// Ticks until it begins; below 0 it has begun.
         slack: i64,
     },
     /// A sweep begins with the program of another.
     OldSetUp {
-        /// The sweep.
+        /// Sweep that begins, counted from 0 in the frame.
         sweep: u32,
-        /// The other one.
+        /// Sweep whose program is used.
         drawn: u32,
     },
     /// Tables and polyhedra of the next frame are ready, or the frame ends before they are.
@@ -174,7 +174,7 @@ pub enum Part {
         /// Number of the sub-generator; none if all were taken.
         sub_generator: Option<u32>,
     },
-    /// A line generator.
+    /// A line generator of the shadow controller.
     Segment {
         /// Its number; none if all were taken, and where loads take no time.
         line_generator: Option<u32>,
@@ -186,14 +186,14 @@ pub enum Part {
 pub enum Outcome {
     /// They are there when they are wanted.
     InTime,
-    /// They come later.
+    /// They come after they are wanted.
     Late,
     /// No part is free for them, or they could not set out in time.
     Dropped,
 }
 
 impl Happening {
-    /// Word in tables.
+    /// Returns the word for the kind in tables.
     pub fn name(&self) -> &'static str {
         match self {
             Self::Home { .. } => "home",
@@ -232,13 +232,13 @@ impl Outcome {
     }
 }
 
-/// One event.
+/// One event of the digital side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Event {
     /// Master tick since the start of the mission.
     pub tick: i64,
     /// Level of terrain: 0 fine, 1 coarse; none for what belongs to neither.
     pub level: Option<usize>,
-    /// What happens.
+    /// Kind of the event, with all that belongs to it.
     pub what: Happening,
 }

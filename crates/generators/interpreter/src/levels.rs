@@ -15,7 +15,7 @@ use crate::walk::{ARRAYS, Course, Walk, walk};
 /// Terrain at one sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GroundSample {
-    /// Height (m).
+    /// Height of the terrain (m).
     pub height: f64,
     /// Slopes to the north and to the east.
     pub slopes: [f64; 2],
@@ -24,7 +24,7 @@ pub struct GroundSample {
 /// Both generators of a sweep, and what they make together.
 #[derive(Debug, Clone)]
 pub struct Terrain {
-    /// The fine one.
+    /// Walk of the fine generator.
     pub fine: Walk,
     /// The coarse one, where there is one.
     pub coarse: Option<Walk>,

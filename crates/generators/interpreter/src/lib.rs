@@ -57,4 +57,4 @@ pub use frame::{Frame, FrameGiven, frame};
 pub use given::Given;
 pub use scene::SceneData;
 pub use shadows::ShadowLine;
-pub use sweep::{Record, interpret};
+pub use sweep::{Record, array, interpret};

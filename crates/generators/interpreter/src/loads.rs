@@ -52,7 +52,7 @@ pub struct Loads {
 /// A load that a sweep asks for, in the order in which it comes to need them.
 #[derive(Debug, Clone, Copy)]
 pub struct Request {
-    /// What is loaded.
+    /// Part that the words are loaded into.
     pub part: Part,
     /// Which parts can take it: each kind has its own.
     pub pool: usize,

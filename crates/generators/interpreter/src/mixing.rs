@@ -9,26 +9,26 @@ use crate::scene::SceneData;
 /// What comes into the unit at one sample; reflectivities with their sign.
 #[derive(Debug, Clone, Copy)]
 pub struct Inputs {
-    /// Of the terrain.
+    /// Reflectivity of the terrain, with its sign.
     pub terrain: f64,
     /// Of the surface that features make.
     pub features: f64,
-    /// Within a footprint.
+    /// Whether the sample lies within the footprint of a feature.
     pub present: bool,
-    /// In remote shadow.
+    /// Whether the sample lies in remote shadow.
     pub shadow: bool,
     /// What texture adds; `None` beyond its reach.
     pub texture: Option<f64>,
 }
 
-/// What leaves it.
+/// Signals that leave the mixing unit at one sample.
 #[derive(Debug, Clone, Copy)]
 pub struct Mixed {
     /// Reflectivity as a probe sees it, 0 to 1.
     pub reflectivity: f64,
     /// The same with its sign, as it leaves the unit.
     pub signed: f64,
-    /// Gate of VS1.
+    /// Whether the gate of video switch VS1 is open.
     pub vs1: bool,
 }
 

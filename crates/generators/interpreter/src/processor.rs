@@ -37,7 +37,7 @@ struct Processor<'a> {
 /// What the processor does in a frame.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Processed {
-    /// Set-ups and tables.
+    /// Events of the set-ups and tables.
     pub events: Vec<Event>,
     /// The sweep whose set-up each sweep is drawn with: its own where the processor takes no time.
     pub set_ups: Vec<u32>,

@@ -22,7 +22,7 @@ pub fn elevation(h: f64, eye: f64, z: f64, curvature: Curvature) -> f64 {
 /// A rim that the sweep crosses between samples `step - 1` and `step`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Rim {
-    /// The step.
+    /// Number of the sample at which the step ends.
     pub step: usize,
     /// Part of it, 0..=1.
     pub share: f64,
@@ -72,9 +72,9 @@ fn summit((a, left): (f64, f64), middle: f64, (c, right): (f64, f64)) -> f64 {
 pub struct Circuit {
     law: Occlusion,
     before: Option<f64>,
-    /// Sample-and-hold.
+    /// Elevation in the sample-and-hold, as a tangent.
     pub held: f64,
-    /// Video is blanked.
+    /// Whether the video is blanked.
     pub blank: bool,
 }
 

@@ -72,7 +72,7 @@ pub struct Start<'a> {
     pub rising: [Option<bool>; 2],
     /// Where the processor serves the crossings, what stands before the sets of each.
     pub interrupts: Interrupts<'a>,
-    /// Level of terrain.
+    /// Level of terrain: 0 fine, 1 coarse.
     pub level: usize,
 }
 
@@ -81,7 +81,7 @@ pub struct Start<'a> {
 pub struct Registers<'a> {
     /// What feeds the D/A multipliers: `[colour][3 p + q]`.
     pub hold: [[f64; 9]; 4],
-    /// What has happened.
+    /// Events of the registers so far.
     pub events: Vec<Event>,
     /// Folds and arrivals of words, in order.
     pub changes: Vec<Change>,
@@ -104,7 +104,7 @@ pub struct Registers<'a> {
 }
 
 impl<'a> Registers<'a> {
-    /// All registers full.
+    /// Makes the registers as a sweep begins: all of them full.
     pub fn at_start(
         (level, missing): (&'a Level, &'a Arrivals),
         loader: &'a Loader,
@@ -245,18 +245,26 @@ impl<'a> Registers<'a> {
             self.changes.push(Change { time, fold: Some((axis, at_one)), hold: self.hold });
             return;
         }
+        self.transfer(axis, at_one, time);
         for colour in colours {
-            let Set { corner, words } = self.first[axis][colour];
-            self.hold[colour] = words;
+            let Set { corner, .. } = self.first[axis][colour];
             self.note(seen, Happening::Transfer { colour, register: PRELOADS[axis], crossing, corner });
             self.overwrite(colour, axis, seen);
             self.sort_out(colour, axis, seen, crossing);
             self.corner[colour][axis] += 2 * self.start.heading[axis];
         }
-        self.changes.push(Change { time, fold: Some((axis, at_one)), hold: self.hold });
         for colour in colours {
             self.renew(axis, colour, crossing, seen);
         }
+    }
+
+    /// Hold takes what waits for a stop of `axis`. The stop at which the stored ground ends does so too, though it is nobody's event:
+    /// parts that run ahead of the beam see it.
+    pub fn transfer(&mut self, axis: usize, at_one: bool, time: f64) {
+        for colour in colours_at(axis, at_one) {
+            self.hold[colour] = self.first[axis][colour].words;
+        }
+        self.changes.push(Change { time, fold: Some((axis, at_one)), hold: self.hold });
     }
 
     /// What waits in the other preload register of a colour that moves is of no use, full or not.

@@ -17,7 +17,7 @@ pub struct SceneData<'a> {
     pub eye: [f64; 3],
     /// Clockwise from north (rad).
     pub heading: f64,
-    /// Nose up (rad).
+    /// Pitch, positive with the nose up (rad).
     pub pitch: f64,
     /// Number of the frame.
     pub frame: u64,
@@ -26,7 +26,7 @@ pub struct SceneData<'a> {
 }
 
 impl SceneData<'_> {
-    /// The finest level.
+    /// Returns the finest level of the terrain.
     pub(crate) fn fine(&self) -> &Level {
         self.landscape.level()
     }

@@ -7,7 +7,7 @@ use crate::event::{AskedFor, Register};
 /// Which register a set is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Wanted {
-    /// A preload register.
+    /// The set goes to this preload register.
     Preload(Register),
     /// The corner beyond both stops.
     Diagonal,
@@ -22,7 +22,7 @@ pub struct Asked {
     pub crossing: u32,
     /// Yellow, green, black, red.
     pub colour: usize,
-    /// Where it goes.
+    /// Register for which the set is meant.
     pub wanted: Wanted,
     /// Corner that it is of.
     pub corner: [i64; 2],
@@ -46,7 +46,7 @@ impl Asked {
 /// A set on its way.
 #[derive(Debug, Clone, Copy)]
 pub struct Fetched {
-    /// The set.
+    /// The set that was asked for.
     pub asked: Asked,
     /// Tick at which its first access begins.
     pub begins: i64,
@@ -57,11 +57,11 @@ pub struct Fetched {
 /// What stands before the first set of a stop where the processor serves the crossings.
 #[derive(Debug, Clone, Copy)]
 pub struct Interrupts<'a> {
-    /// The processor.
+    /// Processor that serves the crossings.
     pub cpu: &'a Cpu,
     /// Tick until which it is at a set-up that no interrupt breaks; none if it is at none.
     pub held: Option<i64>,
-    /// Frame and sweep.
+    /// Numbers of the frame and of the sweep.
     pub place: (u64, u32),
     /// The share of the longest instruction that is left at an interrupt: drawn by frame, sweep and stop.
     pub draw: fn(u64, [u64; 3]) -> f64,

@@ -18,7 +18,7 @@ pub type ShadowLine = [[f64; 2]; 2];
 /// Where the sweep crosses a line of shadow.
 #[derive(Debug, Clone, Copy)]
 struct Crossing {
-    /// Ground range (m).
+    /// Ground range of the crossing (m).
     range: f64,
     /// 1 where a shadow begins, -1 where one ends.
     step: i32,

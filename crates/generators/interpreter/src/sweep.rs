@@ -14,7 +14,7 @@ use crate::light::Light;
 use crate::loads::{Loads, Passing, craters};
 use crate::mixing::{Inputs, mix, texture};
 use crate::output_amplifiers::OutputAmplifiers;
-use crate::parts::ReflectivityStage;
+use crate::parts::{Array, ReflectivityStage};
 use crate::projector::{Circuit, Deflection, Rim, elevation, shown};
 use crate::scene::SceneData;
 use crate::shadows::segments;
@@ -42,6 +42,9 @@ pub struct Record {
     pub loads_undecided: bool,
     /// Instants of the stops of the fine level, in accumulator steps from the first sample, with axis (0 is X).
     pub stops: Vec<(f64, usize)>,
+    /// How near the accumulators of either level came to another word of a converter, by sample, as far back as parts remember (full
+    /// scales).
+    pub stairs: Vec<f64>,
     /// Samples within the stored ground.
     pub samples: usize,
     /// Whether the sweep left the stored ground before its end.
@@ -84,6 +87,13 @@ pub fn interpret(scene: &SceneData<'_>, sweep: u32, given: &Given<'_>) -> Record
     // The gate of another sweep's set-up comes with the times of that sweep.
     let lines = if set_up == sweep { given.lines } else { &[] };
     walker.finish(terrain, [craters(scene, &passing), segments(scene, &passing, lines)])
+}
+
+/// The array of real parts of a level (0 fine, 1 coarse) as sweep `sweep` drives it; none where the level or its parts are not there.
+pub fn array(scene: &SceneData<'_>, sweep: u32, given: &Given<'_>, level: usize) -> Option<Array> {
+    let direction = direction(scene, given.frame.set_ups[sweep as usize]);
+    let Terrain { fine, coarse, .. } = terrain(scene, sweep, direction, given);
+    [Some(fine), coarse].into_iter().nth(level)??.array
 }
 
 /// Height and slopes of the terrain behind their amplifiers.
@@ -129,6 +139,12 @@ impl Walker<'_> {
         for (name, walk, level) in levels {
             let region_size = level.map_or(1.0, Level::region_size);
             self.record.signals.extend(wires::of(name, &walk.samples, region_size));
+            let stairs = &mut self.record.stairs;
+            stairs.resize(stairs.len().max(walk.samples.len()), f64::INFINITY);
+            stairs
+                .iter_mut()
+                .zip(&walk.samples)
+                .for_each(|(least, sample)| *least = least.min(sample.stairs));
         }
     }
 

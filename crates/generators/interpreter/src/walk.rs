@@ -6,7 +6,7 @@ use landscape::Level;
 use crate::clock::Clock;
 use crate::drums::Arrivals;
 use crate::event::Event;
-use crate::parts::{Drawn, Figures, Sweep, pass};
+use crate::parts::{Array, Drawn, Figures, Sweep};
 use crate::ramp::Ramp;
 use crate::registers::{Registers, Start};
 use crate::scene::SceneData;
@@ -22,19 +22,22 @@ const SAME_PLACE: f64 = 1e-12;
 /// Names of the arrays of both levels, by which their parts are drawn.
 pub const ARRAYS: [&str; 2] = ["tg", "mtg"];
 
-/// One sample.
+/// Signals of a terrain generator at one sample.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sample {
-    /// Triangles in the accumulators.
+    /// Triangles in the accumulators (regions, 0..=1).
     pub accumulators: [f64; 2],
-    /// Folded ramps, behind converter and smoother where there are any.
+    /// Folded ramps X and Y (regions, 0..=1), behind converter and smoother where there are any.
     pub ramps: [f64; 2],
     /// What the array gives.
     pub sums: Sums,
-    /// Height (m).
+    /// Height of the terrain (m).
     pub height: f64,
     /// Slopes to the north and to the east.
     pub slopes: [f64; 2],
+    /// How near the accumulators came to where a converter takes another word, as far back as the parts remember (full scales);
+    /// infinite without converters.
+    pub stairs: f64,
 }
 
 /// A walk up to the end of the ground asked for, or of the stored area.
@@ -42,7 +45,7 @@ pub struct Sample {
 pub struct Walk {
     /// Samples on the way.
     pub samples: Vec<Sample>,
-    /// Event list.
+    /// Events of the registers on the way.
     pub events: Vec<Event>,
     /// Instants of the stops, in accumulator steps from the first sample, with axis (0 is X).
     pub stops: Vec<(f64, usize)>,
@@ -52,18 +55,20 @@ pub struct Walk {
     pub undecided: Vec<i64>,
     /// The last tick of the walk.
     pub last_tick: i64,
+    /// The array of real parts as the sweep drives it, where there is one.
+    pub array: Option<Array>,
 }
 
 /// Which generator, and how far.
 #[derive(Debug, Clone, Copy)]
 pub struct Course<'a> {
-    /// Its ground.
+    /// Level of terrain that the generator walks over.
     pub level: &'a Level,
     /// Corners that its storage buffer has not when the frame begins.
     pub missing: &'a Arrivals,
     /// 0 fine, 1 coarse.
     pub number: usize,
-    /// How words come.
+    /// Loader that brings the words.
     pub loader: &'a Loader,
     /// Cosine and sine of the azimuth.
     pub direction: [f64; 2],
@@ -123,7 +128,9 @@ pub fn walk(scene: &SceneData<'_>, course: &Course<'_>, ranges: &[f64]) -> Walk 
             changes: &changes,
             number: scene.frame * sweeps + u64::from(course.sweep),
         };
-        pass(&sweep, figures, &mut found.samples);
+        let array = Array::of(&sweep, figures, found.samples.len());
+        array.pass(&sweep, &mut found.samples);
+        found.array = Some(array);
     }
     found
 }
@@ -151,6 +158,7 @@ impl Walker<'_> {
             let at_one = self.ramps[axis].fold();
             if self.is_outside() {
                 self.found.edge = Some(range);
+                self.registers.transfer(axis, at_one, time);
                 // The stop at the edge, and all that the same tick sees, is nobody's.
                 self.found.last_tick = self.found.last_tick.min(self.clock.seen(time) - 1);
                 return false;
@@ -163,6 +171,8 @@ impl Walker<'_> {
             self.found.stops.push((time, axis));
         }
         if to > self.course.until {
+            // Parts run ahead of the beam: they see what still comes before the end of the ground asked for.
+            self.registers.receive(start + (self.course.until - from) / (to - from));
             return false;
         }
         self.registers.receive(start + 1.0);
@@ -183,7 +193,14 @@ impl Walker<'_> {
         let sums = sums(&self.registers.hold, ramps, polarity);
         let [height, h_u, h_v] = sums.ground;
         let d = self.course.level.region_size();
-        let sample = Sample { accumulators: ramps, ramps, sums, height, slopes: [h_u / d, h_v / d] };
+        let sample = Sample {
+            accumulators: ramps,
+            ramps,
+            sums,
+            height,
+            slopes: [h_u / d, h_v / d],
+            stairs: f64::INFINITY,
+        };
         self.found.samples.push(sample);
     }
 }

@@ -48,9 +48,9 @@ pub(crate) const PLANES: &[PlaneKind] = &[
 pub(crate) struct Film<'a> {
     /// What is seen where; no point is seen without a grid.
     pub plot: &'a Plot,
-    /// The ground.
+    /// Ground grid that the picture shows.
     pub grid: &'a Grid,
-    /// Its light.
+    /// Light at each point of the grid.
     pub light: &'a [Lit],
     /// Whose picture it is.
     pub observer: &'a Observer,

@@ -16,7 +16,7 @@ const EDGE: f64 = 1e-6;
 pub(crate) enum Cover {
     /// Beyond the map: a turned grid reaches over its corners.
     Nothing,
-    /// Ground.
+    /// Ground outside all craters.
     Terrain,
     /// Ground inside a crater.
     Crater,
@@ -31,7 +31,7 @@ pub(crate) struct Grid {
     pub steps: [f64; 2],
     /// Heights above the tangent plane of the observer's foot point, the drop taken off (m).
     pub heights: Vec<f64>,
-    /// What lies there.
+    /// Cover at each point of the grid.
     pub covers: Vec<Cover>,
     /// Whose drop is taken off.
     pub curvature: Curvature,

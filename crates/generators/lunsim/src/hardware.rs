@@ -13,13 +13,13 @@ const SECOND: f64 = 1e9;
 /// of them are exact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Hardware {
-    /// Addition, subtraction.
+    /// Time of an addition or a subtraction (ns).
     pub add: u64,
-    /// Multiplication.
+    /// Time of a multiplication (ns).
     pub multiply: u64,
-    /// Division.
+    /// Time of a division (ns).
     pub divide: u64,
-    /// Square root.
+    /// Time of a square root (ns).
     pub root: u64,
     /// Any other instruction: fetch, compare, store, branch, shift.
     pub instruction: u64,

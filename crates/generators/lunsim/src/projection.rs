@@ -40,7 +40,7 @@ impl Plot {
         half_field.map(|half| ((POSITIONS as f64 * half / longer).round() as usize).max(1))
     }
 
-    /// Nothing but sky.
+    /// Makes a plot of nothing but sky.
     pub fn blank(observer: &Observer) -> Self {
         let size = Self::size(observer.half_field);
         Self { size, seen: vec![SKY; size[0] * size[1]], projected: 0, written: 0 }

@@ -13,7 +13,7 @@ const LARGEST_GRID: u32 = crate::projection::POSITIONS as u32;
 /// An angle nearer than this (rad) to where it has to be is there: paths are written in degrees.
 const TOLERANCE: f64 = 1e-9;
 
-/// What lifts them.
+/// Advice at the end of the message: how to lift the restrictions.
 const REMEDY: &str =
     "change the scenario, or lift what the program could not do with --set lunsim.restrictions=false";
 
@@ -104,7 +104,7 @@ struct Lack {
     what: &'static str,
     /// Where a scenario asks for it.
     place: &'static str,
-    /// The report's reason.
+    /// Reason that the report gives.
     why: &'static str,
 }
 

@@ -20,7 +20,7 @@ use crate::{Hardware, NAME, Parameters, Program, restrictions, rows};
 /// The program of the report's appendix; see the crate's data sheet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Lunsim {
-    /// Run parameters.
+    /// Run parameters of the program.
     pub parameters: Parameters,
     /// The machines it ran on.
     pub hardware: Hardware,
@@ -144,7 +144,7 @@ impl Session {
         Ok(Self { stage, parameters, heights })
     }
 
-    /// Its run parameters.
+    /// Returns the run parameters of the session.
     pub fn parameters(&self) -> &Parameters {
         &self.parameters
     }

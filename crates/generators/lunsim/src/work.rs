@@ -32,7 +32,7 @@ impl Operations {
         Self { adds, multiplications, divisions, roots, others }
     }
 
-    /// Their time (ns).
+    /// Returns the time of these operations (ns).
     fn time(&self, hardware: &Hardware) -> u64 {
         self.adds * hardware.add
             + self.multiplications * hardware.multiply

@@ -36,13 +36,13 @@ macro_rules! counters {
 }
 
 counters! {
-    /// Sweeps drawn.
+    /// Number of sweeps drawn.
     sweeps,
     /// Samples of all sweeps.
     samples,
     /// Stored regions that the frame can show: what a data bank must have ready.
     regions,
-    /// Region crossings.
+    /// Number of crossings of region boundaries.
     folds,
     /// Sets of words that arrived at registers.
     loads,
@@ -56,7 +56,7 @@ counters! {
     shadow_toggles,
     /// Boundary segments that found no line generator, summed over the sweeps.
     dropped_segments,
-    /// Bodies drawn.
+    /// Number of bodies drawn.
     bodies,
     /// Spans of sweeps that bodies cover.
     spans,

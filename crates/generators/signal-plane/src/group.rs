@@ -27,7 +27,7 @@ pub struct Group<'a, S> {
     pub stage: &'a MachineStage,
     /// Blocks that are there.
     pub blocks: &'a Blocks,
-    /// The ground-range programme.
+    /// Ground range of each sample, by the ground-range programme.
     pub table: &'a RangeTable,
     /// Inverse range of each sample (1/m).
     pub near: &'a NearTable,
@@ -72,7 +72,7 @@ impl<S: Real> Group<'_, S> {
         array::from_fn(|lane| self.digital.drawn((first + lane as u32).min(last)))
     }
 
-    /// Light on each.
+    /// Returns the light in the axes of each sweep.
     pub fn light(&self, sweeps: &[u32; LANES]) -> [SweepLight; LANES] {
         let (landscape, sun) = (&self.stage.landscape, &self.plan.sun);
         sweeps.map(|sweep| {

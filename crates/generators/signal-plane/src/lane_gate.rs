@@ -20,7 +20,7 @@ impl<S: Real> LaneGate<S> {
         self.toggles.extend(edges[passed..].iter().map_while(|edge| toggle_at(ranges, edge)));
     }
 
-    /// Never open.
+    /// Closes the gate for the whole sweep.
     pub fn close(&mut self) {
         self.open_at_start = false;
         self.toggles.clear();

@@ -27,13 +27,13 @@ pub struct RealParts<S> {
     pub lines: Option<PartsLines>,
     /// Converter and filter of the texture generator.
     pub texture: Option<PartsTexture<S>>,
-    /// Third video switch.
+    /// Third video switch (VS3), for bodies.
     pub bodies: Option<PartsSwitch>,
-    /// Mixing unit.
+    /// Mixing unit made of parts.
     pub mixer: Option<PartsMixer<S>>,
     /// Projection processor and write gun, which are joined by the beam's gate.
     pub beam: Option<BeamParts<S>>,
-    /// Storage tubes.
+    /// Storage tubes of the sweep memory.
     pub tube: Option<Tube>,
     /// Video amplifier and picture tube of the display.
     pub picture_tube: Option<PictureTube>,

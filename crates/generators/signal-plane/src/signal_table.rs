@@ -15,7 +15,7 @@ const YOKE: &[Signal] = &[Signal::digital(
     "section 12",
 )];
 
-/// The ground-range programme.
+/// Signal of the ground-range programme.
 const RANGES: &[Signal] = &[Signal::ground(RANGE, Unit::Metre, "ground range", "section 6.2")];
 
 /// Every signal that the machine can record, in the order of the figure.

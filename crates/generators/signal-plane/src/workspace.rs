@@ -33,13 +33,13 @@ pub struct Workspace<S> {
     pub arrays: [ArrayState<S>; 2],
     /// Buffers of the terrain generators made of ideal parts, the fine level's first.
     pub polynomials: [Polynomials<S>; 2],
-    /// Terrain profiles.
+    /// Height and slopes of the terrain, sample by sample.
     pub profile: Profile<S>,
     /// Both levels where they blend.
     pub overlap: Overlap<S>,
     /// Largest difference of the levels at the switch (m).
     pub step: f64,
-    /// What features add.
+    /// Height and slopes that features add, sample by sample.
     pub feature_profile: FeatureProfile<S>,
     /// Sub-generators of parts, and where their craters are lit.
     pub chains: ChainScratch<S>,
@@ -59,7 +59,7 @@ pub struct Workspace<S> {
     pub fades: SwitchScratch<S>,
     /// Projection processor of parts.
     pub chain: Scratch<S>,
-    /// What it drives.
+    /// Signals that the projection processor of parts sends on.
     pub driven: Driven<S>,
     /// Write gun of parts.
     pub gun: GunWork,
@@ -67,7 +67,7 @@ pub struct Workspace<S> {
     pub amplifiers: AmplifierScratch<S>,
     /// Composite profiles; not used where terrain is alone.
     pub mixed: Mixed<S>,
-    /// Projected profiles.
+    /// Profiles after projection, with occlusion and deflection.
     pub projected: Projected<S>,
     /// What is seen of them, where the machine draws a preview.
     pub sight: PreviewSight<S>,
@@ -75,7 +75,7 @@ pub struct Workspace<S> {
     pub far: [Vec<FarStroke>; LANES],
     /// Lines of the ideal write beam while they are written.
     pub lines: Vec<Lanes<f32>>,
-    /// Third video switch.
+    /// Buffers of the third video switch (VS3), for bodies.
     pub overlay: Overlay,
     /// The same of parts.
     pub body_fade: BodyFade,

@@ -26,6 +26,14 @@ pub fn of(scalar: Scalar) -> f64 {
     }
 }
 
+/// Accumulators nearer than this to where a converter takes another word: rounding says which it takes (full scales).
+pub fn between_words(scalar: Scalar) -> f64 {
+    match scalar {
+        Scalar::F64 => 1e-12,
+        Scalar::F32 => 1e-7,
+    }
+}
+
 /// The bound behind real parts.
 pub fn of_parts(scalar: Scalar) -> f64 {
     of(scalar).max(OF_PARTS)

@@ -194,7 +194,10 @@ impl Sides<'_> {
             ("dpp.blank" | "sm.video", Scalar::F32) => 4.0 * bounds::F32,
             (_, scalar) => bounds::undecided(scalar),
         };
-        margin.is_some_and(|&margin| margin < limit)
+        let stairs = self.record.stairs.get(sample).is_some_and(|&stairs| {
+            stairs < bounds::between_words(self.scene.settings.scalar) && name != "sweep.range"
+        });
+        stairs || margin.is_some_and(|&margin| margin < limit)
     }
 }
 

@@ -99,7 +99,7 @@ impl Engines {
                 draw: |seed, words| unit_interval(seed, &words),
                 lines: &lines,
                 shadow: values("sc.or"),
-                parts: self.drawn(),
+                parts: drawn(self.stage.settings.seed, &self.broken_lines),
                 full_scales: &full_scales,
             };
             let record = interpret(&scene, sweep, &given);
@@ -127,18 +127,6 @@ impl Engines {
         Ok(seen)
     }
 
-    /// What the seed of the model drew for its parts.
-    fn drawn(&self) -> Drawn<'_> {
-        Drawn {
-            seed: self.stage.settings.seed,
-            deviate: |seed, part, number| Spread::new(seed).deviate(part, number),
-            noise: |seed, (source, number), [sweep, sample]| {
-                NoiseSource::new(seed, source, number).normal(sweep, sample)
-            },
-            broken_lines: &self.broken_lines,
-        }
-    }
-
     /// The digital side of a frame as the interpreter sees it.
     fn frame(&self, scene: &SceneData<'_>, digital: &FrameSweeps<'_>) -> Frame {
         let drums =
@@ -164,6 +152,18 @@ impl Engines {
         let mut sum = Report::default();
         self.run(frame, pose, sweeps, &|_| {})?.into_iter().for_each(|seen| sum.add(seen.report));
         Ok(sum)
+    }
+}
+
+/// What a seed draws for the parts of a model with these broken lines ([`terrain_generator::broken_lines`]), for the interpreter.
+pub fn drawn(seed: u64, broken_lines: &[Vec<f64>]) -> Drawn<'_> {
+    Drawn {
+        seed,
+        deviate: |seed, part, number| Spread::new(seed).deviate(part, number),
+        noise: |seed, (source, number), [sweep, sample]| {
+            NoiseSource::new(seed, source, number).normal(sweep, sample)
+        },
+        broken_lines,
     }
 }
 

@@ -7,7 +7,7 @@ use std::fmt;
 pub enum Shape {
     /// Type 1: a paraboloid that meets the ground at `r1`.
     Bowl {
-        /// Rim radius.
+        /// Radius at which the bowl meets the ground (m).
         r1: f64,
     },
     /// Type 2: a paraboloid with a rim between `r1` and `r2`.
@@ -37,9 +37,9 @@ pub enum CraterError {
     /// Depth or rim height out of range.
     #[error("{what} {found} m: expected 0 m to 1e5 m")]
     Height {
-        /// Which.
+        /// Name of the height at fault: `depth` or `rim`.
         what: &'static str,
-        /// Value found (m).
+        /// Depth or rim height that was given (m).
         found: f64,
     },
     /// Centre that is no place.
@@ -110,7 +110,7 @@ impl Crater {
         self.centre
     }
 
-    /// Radii.
+    /// Returns the type of the crater with its radii (m).
     pub fn shape(&self) -> Shape {
         let [r1, r2, r3] = self.radii;
         if r3 > 0.0 {

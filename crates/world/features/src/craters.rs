@@ -31,7 +31,7 @@ impl Craters {
         Self { short: Vec::with_capacity(count), others: Vec::new() }
     }
 
-    /// Number of craters.
+    /// Returns the number of craters.
     pub fn len(&self) -> usize {
         self.short.len()
     }
@@ -41,7 +41,7 @@ impl Craters {
         self.short.is_empty()
     }
 
-    /// Crater number `index`.
+    /// Returns crater number `index`, counted from 0.
     #[inline]
     pub fn get(&self, index: u32) -> Crater {
         let [north, east, foot, depth, rim] = self.short[index as usize];
@@ -60,7 +60,7 @@ impl Craters {
         ([north, east], outer)
     }
 
-    /// All craters.
+    /// Goes through all craters, in the order of their numbers.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = Crater> {
         (0..self.short.len() as u32).map(|index| self.get(index))
     }

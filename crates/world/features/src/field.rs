@@ -11,7 +11,7 @@ use crate::tier::Tier;
 /// What features add to the ground at a point.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Rise {
-    /// Height (m).
+    /// Height above the terrain (m); negative inside a bowl.
     pub height: f64,
     /// Slopes to the north and to the east.
     pub slopes: [f64; 2],
@@ -43,7 +43,7 @@ impl Features {
         Self { index: Index::new(&craters), craters }
     }
 
-    /// All craters.
+    /// Returns all craters of the problem area.
     pub fn craters(&self) -> &Craters {
         &self.craters
     }
@@ -136,7 +136,7 @@ impl Features {
         self.index.tiers()
     }
 
-    /// Crater number `index`.
+    /// Returns crater number `index`, counted from 0.
     #[inline]
     pub fn crater(&self, index: u32) -> Crater {
         self.craters.get(index)

@@ -42,7 +42,7 @@ impl Index {
         self.tiers.iter().flat_map(move |tier| tier.near_fan(fan))
     }
 
-    /// The tiers.
+    /// Returns the tiers of the index.
     pub fn tiers(&self) -> &[Tier] {
         &self.tiers
     }

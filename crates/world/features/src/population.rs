@@ -37,13 +37,13 @@ use secondaries::Throw;
 pub struct SizeLaw {
     /// Craters a square metre larger than `reference`.
     pub density: f64,
-    /// Diameter D0 (m).
+    /// Diameter at which `density` is given (m).
     pub reference: f64,
-    /// Exponent, positive.
+    /// Exponent of the law without its sign; positive.
     pub slope: f64,
-    /// Smallest radius (m).
+    /// Smallest crater radius drawn (m).
     pub smallest: f64,
-    /// Largest radius (m).
+    /// Largest crater radius drawn (m).
     pub largest: f64,
 }
 
@@ -85,13 +85,13 @@ pub enum PopulationError {
     /// A number out of range.
     #[error("{what} {found}: expected {low} to {high}")]
     Range {
-        /// Which.
+        /// Name of the number that is out of range.
         what: &'static str,
-        /// Value found.
+        /// Value that was given.
         found: f64,
-        /// Least allowed.
+        /// Least value that is allowed.
         low: f64,
-        /// Most allowed.
+        /// Greatest value that is allowed.
         high: f64,
     },
     /// The largest crater does not fit the area.
@@ -99,7 +99,7 @@ pub enum PopulationError {
         "largest radius {radius} m: its rim reaches {outer} m, expected less than half of {side} m, the side of the area"
     )]
     TooLarge {
-        /// Largest radius (m).
+        /// Largest crater radius that was asked for (m).
         radius: f64,
         /// Outer foot of its rim (m).
         outer: f64,
@@ -116,7 +116,7 @@ pub enum PopulationError {
         /// What the law comes to.
         found: f64,
     },
-    /// Secondaries of nothing.
+    /// Secondary craters were asked for without a primary crater.
     #[error("secondaries without primaries: expected at least one")]
     NoPrimaries,
     /// Secondaries that find no room.

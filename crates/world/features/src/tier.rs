@@ -16,7 +16,7 @@ pub(crate) struct Tier {
     corner: [f64; 2],
     /// Side of a cell (m).
     side: f64,
-    /// Its inverse (1/m).
+    /// Inverse of the side of a cell (1/m).
     cells_a_metre: f64,
     /// Cells to the north and to the east.
     cells: [usize; 2],

@@ -28,7 +28,7 @@ pub enum AlbedoMapError {
     /// Not as many texels as the size says.
     #[error("{found} texels: expected {columns} x {lines}, both 1 or more")]
     Count {
-        /// Texels.
+        /// Number of texels that were given.
         found: usize,
         /// Texels from west to east.
         columns: usize,
@@ -40,7 +40,7 @@ pub enum AlbedoMapError {
     Albedo {
         /// Which, from 0, line by line.
         texel: usize,
-        /// Found.
+        /// Albedo that was found there.
         albedo: f32,
     },
 }
@@ -75,7 +75,7 @@ impl AlbedoMap {
         self.size
     }
 
-    /// Its texels.
+    /// Returns the texels of the map, grey or coloured.
     pub fn texels(&self) -> &Texels {
         &self.texels
     }

@@ -10,9 +10,9 @@ use quantities::sin_cos;
 /// to starboard.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Attitude {
-    /// About U'.
+    /// Roll about U' (rad); positive with starboard down.
     pub roll: f64,
-    /// About V'.
+    /// Pitch about V' (rad); positive with the nose up.
     pub pitch: f64,
     /// About W, clockwise from north.
     pub heading: f64,

@@ -26,7 +26,7 @@ pub enum BankError {
     /// The number of corners is not what the shape says.
     #[error("{found} corners: expected {expected} for the given shape")]
     CornerCount {
-        /// Corners given.
+        /// Number of corners that were given.
         found: usize,
         /// Corners that the shape needs.
         expected: usize,
@@ -42,7 +42,7 @@ pub enum BankError {
         east: usize,
         /// Word index, `3 p + q`.
         word: usize,
-        /// The value found.
+        /// Value of the word that was found.
         value: f64,
     },
     /// A region without data that is not in the bank.
@@ -63,7 +63,7 @@ pub enum BankError {
 
 /// Lengths (m) between which corners stay apart and their squares stay finite, in f64.
 const REGION_SIZES: RangeInclusive<f64> = 1e-3..=1e9;
-/// Farthest origin (m).
+/// Farthest origin of a level from that of the terrain axes, on either axis (m).
 const FARTHEST: f64 = 1e9;
 /// Largest word (m): slopes and their squares stay finite in f32.
 const LARGEST_WORD: f64 = 1e12;
@@ -295,7 +295,7 @@ impl Bank {
         &self.levels
     }
 
-    /// The finest level.
+    /// Returns the level with the smallest regions.
     pub fn finest(&self) -> &Level {
         &self.levels[0]
     }

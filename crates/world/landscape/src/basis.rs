@@ -63,7 +63,7 @@ pub fn second_derivatives(z: f64) -> [f64; 6] {
 mod tests {
     use super::{FAR, NEAR, derivatives, second_derivatives, values};
 
-    /// Check table 23.1.
+    /// Check values of table 23.1: z, the six values, the six derivatives.
     const TABLE: [(f64, [f64; 6], [f64; 6]); 3] = [
         (
             0.25,

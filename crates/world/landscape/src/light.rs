@@ -51,11 +51,11 @@ pub struct SweepLight {
     pub along: f64,
     /// Across it, to the right, times albedo.
     pub across: f64,
-    /// Up, times albedo.
+    /// Component of the sun vector upwards, times albedo.
     pub up: f64,
     /// Share of the light that is returned, 0..=1.
     pub albedo: f64,
-    /// Law of reflection.
+    /// Law by which the ground reflects light.
     pub photometry: Photometry,
 }
 

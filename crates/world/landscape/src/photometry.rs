@@ -92,7 +92,7 @@ fn within_one<T: Number>(value: T) -> T {
     -(-value.at_least(zero)).at_least(-one)
 }
 
-/// `base^exponent` by squaring.
+/// Returns `base^exponent`, by repeated squaring; `one` is the number 1 of that type.
 #[inline(always)]
 fn power<T: Number>(base: T, one: T, exponent: u32) -> T {
     let (mut result, mut square, mut left) = (one, base, exponent);

@@ -60,12 +60,12 @@ impl Landscape {
         Self { silhouettes, ..self }
     }
 
-    /// Terrain coefficients.
+    /// Returns the terrain coefficients, all levels of them.
     pub fn bank(&self) -> &Bank {
         &self.bank
     }
 
-    /// The finest level.
+    /// Returns the finest level of the terrain coefficients.
     pub fn level(&self) -> &Level {
         self.bank.finest()
     }
@@ -86,7 +86,7 @@ impl Landscape {
         mapped.unwrap_or([self.albedo; 3])
     }
 
-    /// Craters.
+    /// Returns the craters that lie on the terrain.
     pub fn features(&self) -> &Features {
         &self.features
     }
@@ -96,7 +96,7 @@ impl Landscape {
         self.texture.as_ref()
     }
 
-    /// Law of reflection.
+    /// Returns the law by which the ground reflects light.
     pub fn photometry(&self) -> &Photometry {
         &self.photometry
     }

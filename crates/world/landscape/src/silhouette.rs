@@ -17,7 +17,7 @@ pub enum SilhouetteError {
     Point {
         /// Which, counted from 0.
         index: usize,
-        /// Its azimuth (rad).
+        /// Azimuth of the point (rad).
         azimuth: f64,
         /// Its tangent of elevation.
         tangent: f64,

@@ -33,7 +33,7 @@ pub enum TextureError {
     Amplitude {
         /// Which, counted from 0.
         layer: usize,
-        /// What was given.
+        /// Amplitude that was given for the layer.
         amplitude: f64,
     },
     /// Range out of range.
@@ -57,7 +57,7 @@ pub enum TextureError {
 /// Most layers of a texture.
 pub const MOST_LAYERS: usize = 8;
 
-/// One grain size.
+/// Texture of one grain size.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Layer {
     /// Distance between lattice points (m).
@@ -101,9 +101,9 @@ pub enum Source {
 /// Lattice values of a layer.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Lattice {
-    /// Of variant 1.
+    /// Lattice of variant 1: values stored for one region.
     Stored(Stored),
-    /// Of variant 2.
+    /// Lattice of variant 2: values hashed from their place, over the whole ground.
     Hashed(Hashed),
 }
 
@@ -120,7 +120,7 @@ impl Grain {
         &self.layer
     }
 
-    /// The pattern.
+    /// Returns the lattice values of the pattern.
     pub fn lattice(&self) -> &Lattice {
         &self.lattice
     }

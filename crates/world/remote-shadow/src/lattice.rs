@@ -12,7 +12,7 @@ const ALONG: f64 = (1 << 25) as f64;
 pub(crate) struct Corner {
     /// Away from the sun.
     pub(crate) along: i32,
-    /// Across.
+    /// Steps across the direction of the sun.
     pub(crate) across: i16,
 }
 
@@ -86,7 +86,7 @@ impl TileCorners {
         Self { lattice, along: along.into(), across: across.into() }
     }
 
-    /// Number of corners.
+    /// Returns the number of corners.
     #[inline]
     pub fn len(&self) -> usize {
         self.along.len()
@@ -109,7 +109,7 @@ impl TileCorners {
         [0, 1].map(|axis| self.lattice.place(axis, corner))
     }
 
-    /// See [`Corners::some`](crate::Corners::some).
+    /// Returns several corners from `first` on; see [`Corners::some`](crate::Corners::some).
     #[inline(always)]
     pub(crate) fn some<const COUNT: usize>(&self, first: usize) -> [[f64; COUNT]; 2] {
         let (along, across): ([i32; COUNT], [i16; COUNT]) =

@@ -7,7 +7,7 @@ use std::ops::Range;
 pub(crate) struct Numbers {
     /// Bits of one after those of the other, the least first; at the end so much more that each can be read as a whole word.
     bytes: Vec<u8>,
-    /// Bits of each.
+    /// Number of bits of each number.
     width: usize,
     count: usize,
 }
@@ -41,7 +41,7 @@ impl Numbers {
         self.bytes[first..first + WORD].copy_from_slice(&word.to_le_bytes());
     }
 
-    /// Number `at`.
+    /// Returns the number at place `at`, counted from 0.
     #[inline]
     pub(crate) fn get(&self, at: usize) -> u32 {
         let (first, shift) = self.place(at);

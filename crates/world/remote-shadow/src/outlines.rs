@@ -7,7 +7,7 @@ use crate::lattice::{Corner, GroundLattice, TileCorners, some_of};
 /// Closed outlines of shadow on the ground (11.2), as chains of corners whose last is the first again.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Outlines {
-    /// Chain after chain.
+    /// Corners of all chains, chain after chain.
     corners: Corners,
     /// Last corner of each chain but the last one, ascending: from there to the next corner there is no segment.
     ends: Box<[u32]>,
@@ -29,7 +29,7 @@ impl Default for Corners {
 }
 
 impl Corners {
-    /// Their number.
+    /// Returns the number of corners.
     #[inline]
     pub fn len(&self) -> usize {
         match self {
@@ -69,7 +69,7 @@ impl Corners {
         }
     }
 
-    /// All of them.
+    /// Goes through the places of all corners: north, east (m).
     pub fn iter(&self) -> impl ExactSizeIterator<Item = [f64; 2]> {
         (0..self.len()).map(|number| self.get(number))
     }
@@ -112,7 +112,7 @@ impl Outlines {
         Self { corners, ends: ends.as_slice().into() }
     }
 
-    /// All corners.
+    /// Returns the corners of all outlines, chain after chain.
     pub fn corners(&self) -> &Corners {
         &self.corners
     }
@@ -133,7 +133,7 @@ impl Outlines {
         Segment { from: self.corners.get(number), to: self.corners.get(number + 1) }
     }
 
-    /// All segments.
+    /// Goes through the segments of all outlines.
     pub fn segments(&self) -> impl Iterator<Item = Segment> {
         let mut ends = self.ends.iter().peekable();
         let numbers = 0..self.corners.len().saturating_sub(1);

@@ -37,7 +37,7 @@ pub(crate) struct Sheet {
 #[derive(Debug)]
 struct Layer {
     counts: [usize; 2],
-    /// Numbers of steps.
+    /// Ceiling of each square as a number of steps; see [`Steps`].
     ceilings: Vec<u16>,
 }
 

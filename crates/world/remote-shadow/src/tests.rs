@@ -1,4 +1,4 @@
-//! Grounds for tests.
+//! Landscapes that the tests of this crate share.
 
 use features::{Crater, Features, Shape};
 use landscape::relief::{Relief, Undulation};

@@ -18,9 +18,9 @@ pub struct CraterWishes {
 /// Craters of a file, in its order.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CraterList {
-    /// The file.
+    /// Path of the file that lists the craters.
     pub file: PathBuf,
-    /// Its craters.
+    /// Craters that the file lists, in its order.
     pub craters: Arc<Craters>,
 }
 

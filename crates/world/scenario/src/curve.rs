@@ -19,7 +19,7 @@ impl Curve {
         Self { times, values, slopes }
     }
 
-    /// Value at `time`.
+    /// Returns the value of the curve at `time`.
     pub fn at(&self, time: f64) -> f64 {
         let Some((index, step, s)) = self.locate(time) else { return self.end_value(time) };
         let [v0, v1] = [self.values[index], self.values[index + 1]];

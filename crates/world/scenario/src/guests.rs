@@ -23,7 +23,7 @@ pub struct Moves {
 /// Where an object is at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MoveStation {
-    /// When (s).
+    /// Time since the start of the mission (s).
     pub time: f64,
     /// Foot point and attitude.
     pub stance: Stance,
@@ -34,24 +34,24 @@ pub struct MoveStation {
 /// A foot point and an attitude in space at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
-    /// When (s).
+    /// Time since the start of the mission (s).
     pub time: f64,
     /// North, east, up (m).
     pub foot: DVec3,
-    /// Roll, pitch, heading.
+    /// Roll, pitch and heading at that time (rad).
     pub attitude: Attitude,
 }
 
 /// A part of an object that moves, or that is open. Its place is a function of time.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Guest {
-    /// First time (s).
+    /// First time at which it stands (s).
     pub from: f64,
     /// Time from which on it is gone (s); infinite if it stays.
     pub until: f64,
     /// Number of its object.
     pub object: u32,
-    /// Its shape.
+    /// Shape of the part, in body axes.
     pub solid: Arc<Solid>,
     /// How many times as large as its shape.
     pub scale: f64,
@@ -59,9 +59,9 @@ pub struct Guest {
     pub frames: Vec<Frame>,
     /// Rate at which its heading turns (rad/s).
     pub spin: f64,
-    /// As a body's.
+    /// Priority where two things are equally near, as in [`Body::priority`].
     pub priority: i8,
-    /// As a body's.
+    /// Number of its group, as in [`Body::group`].
     pub group: Option<NonZeroU16>,
 }
 

@@ -17,7 +17,7 @@ pub enum Projection {
 /// The lunoid's drop below its tangent plane (section 15.4).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Curvature {
-    /// A flat Moon.
+    /// A flat Moon: no drop at any range.
     None,
     /// `h - s^2 / 2R`.
     Parabolic,
@@ -94,7 +94,7 @@ pub enum TextureInShadow {
 /// The laws of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Laws {
-    /// Elevation to view-plane.
+    /// Law from elevation to the view-plane.
     pub projection: Projection,
     /// Shape of the lunoid.
     pub curvature: Curvature,
@@ -102,7 +102,7 @@ pub struct Laws {
     pub occlusion: Occlusion,
     /// From a line to a pixel.
     pub pixel_rule: PixelRule,
-    /// Light of features.
+    /// Law for the light of features.
     pub feature_light: FeatureLight,
     /// When bodies are seen.
     pub body_visibility: BodyVisibility,
@@ -131,7 +131,7 @@ impl Default for Laws {
 /// The laws that a scenario asks for; what it leaves open is the model's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct LawWishes {
-    /// Elevation to view-plane.
+    /// Law from elevation to the view-plane.
     pub projection: Option<Projection>,
     /// Shape of the lunoid.
     pub curvature: Option<Curvature>,
@@ -139,7 +139,7 @@ pub struct LawWishes {
     pub occlusion: Option<Occlusion>,
     /// From a line to a pixel.
     pub pixel_rule: Option<PixelRule>,
-    /// Light of features.
+    /// Law for the light of features.
     pub feature_light: Option<FeatureLight>,
     /// When bodies are seen.
     pub body_visibility: Option<BodyVisibility>,

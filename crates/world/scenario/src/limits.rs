@@ -22,13 +22,13 @@ pub enum Limit {
 /// One stretch of frames beyond a limit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LimitReport {
-    /// Which limit.
+    /// Limit that the vehicle exceeds.
     pub what: Limit,
-    /// The whole stretch.
+    /// Frames of the whole stretch.
     pub frames: Range<u64>,
     /// The worst frame of the stretch.
     pub frame: u64,
-    /// Its time (s).
+    /// Time of the worst frame (s).
     pub time: f64,
     /// What was found there, in the unit of `what`.
     pub found: f64,

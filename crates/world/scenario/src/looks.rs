@@ -9,9 +9,9 @@ use landscape::{Layer, Source, Texture, TextureError};
 pub struct TextureWish {
     /// Where it comes from.
     pub source: Source,
-    /// Names the pattern.
+    /// Seed that names the pattern: the same seed, the same pattern.
     pub seed: u64,
-    /// Its grain sizes.
+    /// Layers of the texture, one per grain size.
     pub layers: Vec<Layer>,
 }
 
@@ -72,6 +72,6 @@ pub enum MapCurve {
     /// By the curve of sRGB, as pictures that say nothing else.
     #[default]
     Srgb,
-    /// In proportion.
+    /// Light is in proportion to the code.
     Linear,
 }

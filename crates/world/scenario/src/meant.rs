@@ -15,7 +15,7 @@ use crate::{
 /// What happens: ground, light, vehicle, path, and how it is to be seen.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scenario {
-    /// A few words.
+    /// Title of the scenario in a few words, for people.
     pub title: String,
     /// One sentence: what it shows.
     pub shows: String,
@@ -61,11 +61,11 @@ pub struct Scenario {
     pub vehicle_shape: Option<VehicleShape>,
     /// File of that shape, where it has one of its own.
     pub vehicle_file: Option<PathBuf>,
-    /// Where it drives.
+    /// Path that the vehicle drives.
     pub path: Path,
     /// File of the path, where it has one of its own.
     pub path_file: Option<PathBuf>,
-    /// Raster asked for.
+    /// Raster that the scenario asks for.
     pub raster: RasterWishes,
     /// What the driver sees.
     pub field: FieldOfView,
@@ -75,7 +75,7 @@ pub struct Scenario {
     pub levels: Option<LevelSwitch>,
     /// What the display does about roll.
     pub roll: RollDisplay,
-    /// Laws asked for.
+    /// Laws that the scenario asks for.
     pub laws: LawWishes,
     /// From reflectivity to grey.
     pub display: Display,
@@ -88,7 +88,7 @@ pub struct Scenario {
 pub enum Length {
     /// A number of frames, at whatever update rate.
     Frames(u64),
-    /// Seconds, above 0.
+    /// Number of seconds, above 0.
     Seconds(f64),
 }
 
@@ -97,7 +97,7 @@ pub enum Length {
 pub enum GroundSource {
     /// A coefficient bank in a file, in the scenario's folder or below.
     Bank(PathBuf),
-    /// A seeded landscape.
+    /// A landscape that is generated from a seed.
     Generated(Relief),
 }
 

@@ -55,15 +55,15 @@ impl Stance {
 /// Something that happens to an object.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Event {
-    /// When (s).
+    /// Time since the start of the mission (s).
     pub time: f64,
     /// Index of the object.
     pub object: usize,
-    /// What.
+    /// Change that happens to the object.
     pub action: Action,
 }
 
-/// What happens.
+/// Change that an event makes to an object.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Action {
     /// It stands elsewhere from now on.

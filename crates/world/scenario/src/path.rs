@@ -12,30 +12,30 @@ use crate::curve::Curve;
 pub struct Waypoint {
     /// Seconds since the start of the mission.
     pub time: f64,
-    /// North, east (m).
+    /// Place of the vehicle: north, east (m).
     pub at: [f64; 2],
     /// Clockwise from north (rad); the direction of travel if open.
     pub heading: Option<f64>,
     /// Height of the eye above the lunoid's tangent plane (m).
     pub eye_height: Option<f64>,
-    /// Nose up (rad).
+    /// Pitch, positive with the nose up (rad).
     pub pitch: Option<f64>,
-    /// Starboard down (rad).
+    /// Roll, positive with starboard down (rad).
     pub roll: Option<f64>,
 }
 
 /// Where the path is at one time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Station {
-    /// North, east (m).
+    /// Place of the vehicle: north, east (m).
     pub at: [f64; 2],
-    /// North, east (m/s).
+    /// Velocity over the ground: north, east (m/s).
     pub velocity: [f64; 2],
     /// Clockwise from north, in `[0, 2 pi)` (rad).
     pub heading: f64,
     /// Height of the eye above the lunoid's tangent plane (m), where the path says it.
     pub eye_height: Option<f64>,
-    /// Its rate (m/s).
+    /// Rate of change of the eye height (m/s), where the path gives the height.
     pub climb: Option<f64>,
     /// Nose up (rad), where the path says it.
     pub pitch: Option<f64>,
@@ -68,15 +68,15 @@ pub enum PathError {
     /// A number is NaN or infinite.
     #[error("waypoint {index}: expected finite numbers")]
     NotFinite {
-        /// Which waypoint.
+        /// Index of the waypoint, from 0.
         index: usize,
     },
     /// Time does not rise.
     #[error("waypoint {index}: t = {time} s after {before} s; expected ascending times")]
     Time {
-        /// Which waypoint.
+        /// Index of the waypoint, from 0.
         index: usize,
-        /// Its time (s).
+        /// Time of that waypoint (s).
         time: f64,
         /// Time of the one before (s).
         before: f64,
@@ -84,7 +84,7 @@ pub enum PathError {
     /// Height, pitch or roll is given for some waypoints only.
     #[error("{what} is given for some waypoints only; expected for all or for none")]
     Partly {
-        /// Which quantity.
+        /// Name of the quantity that is missing for some waypoints.
         what: &'static str,
     },
 }

@@ -31,9 +31,9 @@ pub enum PoseFault {
     },
     /// Pitch or roll that no vehicle has.
     Tilt {
-        /// "pitch" or "roll".
+        /// Name of the angle: "pitch" or "roll".
         what: &'static str,
-        /// Found (rad).
+        /// Angle that the vehicle would have (rad).
         found: f64,
         /// Allowed, either way (rad).
         allowed: f64,
@@ -43,9 +43,9 @@ pub enum PoseFault {
 /// One stretch of frames with one kind of fault; the numbers are those of its first frame.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PathProblem {
-    /// What is wrong.
+    /// Fault that makes the path impossible to drive.
     pub fault: PoseFault,
-    /// The whole stretch.
+    /// Frames of the whole stretch.
     pub frames: Range<u64>,
     /// Time of the first frame (s).
     pub time: f64,

@@ -28,7 +28,7 @@ const MAX_FLOWN_ROLL_DEG: f64 = 180.000_001;
 pub struct PoseRow {
     /// Frame, counted at the update rate.
     pub frame: u64,
-    /// Time, eye, attitude.
+    /// Time, eye and attitude in that frame.
     pub pose: Pose,
     /// Speed along the ground (m/s).
     pub speed: f64,

@@ -21,7 +21,7 @@ pub enum RangeLaw {
 /// Law and ends of a ground-range programme.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RangeProgramme {
-    /// How range grows.
+    /// Law by which range grows from sample to sample.
     pub law: RangeLaw,
     /// Range of the first sample (m); `ConstantRate` and `TwoRate` start at one step instead.
     pub start: f64,

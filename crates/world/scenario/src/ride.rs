@@ -10,7 +10,7 @@ use crate::{Path, SceneryProblem};
 pub(crate) struct Instant {
     /// Seconds since the start of the mission.
     pub time: f64,
-    /// North, east (m).
+    /// Place of the vehicle: north, east (m).
     pub at: [f64; 2],
     /// Clockwise from north (rad).
     pub heading: f64,

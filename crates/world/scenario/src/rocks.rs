@@ -18,11 +18,11 @@ pub struct Rocks {
     pub seed: u64,
     /// How many of which size.
     pub law: SizeLaw,
-    /// Where.
+    /// Area in which the rocks lie.
     pub area: RockArea,
 }
 
-/// Where rocks lie.
+/// Area in which rocks lie.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RockArea {
     /// In a box: south, west, north, east edge (m).

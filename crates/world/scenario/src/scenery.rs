@@ -10,11 +10,11 @@ use crate::{Group, Guest, Pose, VehicleShape};
 /// A body that stands from one time to another.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Standing {
-    /// First time (s).
+    /// First time at which it stands (s).
     pub from: f64,
     /// Time from which on it is gone (s); infinite if it stays.
     pub until: f64,
-    /// The body.
+    /// Body that stands there in that time.
     pub body: Body,
 }
 
@@ -98,7 +98,7 @@ impl Scenery {
         Some(group.sun?.at(time))
     }
 
-    /// Groups of objects.
+    /// Returns the groups of objects.
     pub fn groups(&self) -> &[Group] {
         &self.groups
     }

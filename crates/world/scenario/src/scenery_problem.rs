@@ -15,13 +15,13 @@ pub enum SceneryProblem {
         extent[0], extent[2], extent[1], extent[3]
     )]
     ObjectOutside {
-        /// Which.
+        /// Name (`id`) of the object.
         id: String,
-        /// Since when (s).
+        /// Time from which on it stands there (s).
         time: f64,
-        /// North (m).
+        /// Place of the object, north (m).
         x: f64,
-        /// East (m).
+        /// Place of the object, east (m).
         y: f64,
         /// South, west, north, east edge of the area (m).
         extent: [f64; 4],
@@ -49,7 +49,7 @@ pub enum SceneryProblem {
         advice = Limit::Patches
     )]
     TooManyPatches {
-        /// Asked for (m).
+        /// Spacing of the patches that was asked for (m).
         spacing: f64,
     },
     /// A path too long to be walked along.

@@ -11,7 +11,7 @@ use crate::{Path, SceneryProblem, TrackPatch, Vehicle};
 pub struct Tracks {
     /// Along the way (m).
     pub length: f64,
-    /// Across it (m).
+    /// Width of a patch across the way (m).
     pub width: f64,
     /// From the middle of one patch to that of the next (m).
     pub spacing: f64,

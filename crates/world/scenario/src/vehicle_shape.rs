@@ -10,7 +10,7 @@ use solids::{Body, Kind, Solid};
 /// straight above it and never sees them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct VehicleShape {
-    /// The parts.
+    /// Convex parts that together make the shape.
     pub parts: Vec<Arc<Solid>>,
     /// Of the eye above the foot point (m).
     pub eye_height: f64,

@@ -11,7 +11,7 @@ pub struct View {
     pub columns: u32,
     /// Lines of the picture, 1..=8192.
     pub lines: u32,
-    /// Field of view.
+    /// Field of view that the picture shows.
     pub field: FieldOfView,
     /// Pictures computed a second.
     pub update: Rate,

@@ -14,7 +14,7 @@ pub fn model_name<'a>(table: &Reader<'a>, key: &str) -> Field<'a, String> {
     table.string(key).must("a name of letters, digits and dashes", is_name)
 }
 
-/// The projection law.
+/// Reads the key `projection`: the projection law.
 pub fn projection<'a>(table: &Reader<'a>) -> Field<'a, Projection> {
     use Projection::{AsReported, Corrected, Exact};
     table.one_of("projection", &[("as-reported", AsReported), ("corrected", Corrected), ("exact", Exact)])

@@ -15,7 +15,7 @@ use parts::{SecondOrder, SecondOrderState};
 pub struct Yoke {
     /// Angle of a step (rad); 0 is a servo without steps.
     pub step: f64,
-    /// Fastest turn (rad/s).
+    /// Fastest turn of the motor (rad/s).
     pub rate: f64,
     /// Whole travel, from stop to stop (rad): half of it either way.
     pub travel: f64,

@@ -10,9 +10,9 @@ use crate::Solid;
 /// What a body is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
-    /// A rock.
+    /// A rock on the ground.
     Rock,
-    /// Man-made.
+    /// A man-made object, or a part of one.
     Culture,
 }
 
@@ -22,7 +22,7 @@ pub enum Kind {
 pub struct Body {
     /// Names the object that it is a part of; stable over a mission.
     pub object: u32,
-    /// What it is.
+    /// Kind of thing that the body is.
     pub kind: Kind,
     /// Where two bodies, or a body and the ground, are equally near, the higher priority is seen. The ground has priority 0.
     pub priority: i8,

@@ -4,10 +4,10 @@ use std::collections::BTreeMap;
 
 use crate::Face;
 
-/// An edge.
+/// An edge of a solid, between two faces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Edge {
-    /// Its two corners.
+    /// Indices of its two corners among the vertices.
     corners: [u32; 2],
     /// The face along whose outline it runs from the first corner to the second, and the one along whose outline it runs back.
     faces: [u32; 2],

@@ -15,14 +15,14 @@ type Eight = [[f64; TOGETHER]; 3];
 pub struct Eights {
     /// Vertices; the last one stands in for those that are not there.
     pub vertices: Box<[Eight]>,
-    /// Faces.
+    /// Faces, in groups of eight.
     pub faces: Box<[EightFaces]>,
 }
 
 /// Eight faces; those that are not there look nowhere.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct EightFaces {
-    /// Unit normals, outwards.
+    /// Unit normals of the faces, outwards.
     pub normals: Eight,
     /// How far from the foot point, along its normal, the plane of each lies: a face looks at what lies farther.
     pub distances: [f64; TOGETHER],

@@ -6,9 +6,9 @@ pub enum SolidError {
     /// Too little of it.
     #[error("{vertices} vertices and {faces} faces: expected at least 4 of each")]
     TooSmall {
-        /// Vertices found.
+        /// Number of vertices that were given.
         vertices: usize,
-        /// Faces found.
+        /// Number of faces that were given.
         faces: usize,
     },
     /// Too much of it.
@@ -16,7 +16,7 @@ pub enum SolidError {
     TooLarge {
         /// Vertices, faces or points.
         what: &'static str,
-        /// How many.
+        /// Number of them that were given.
         found: usize,
         /// How many there may be.
         most: usize,
@@ -38,9 +38,9 @@ pub enum SolidError {
     NoVertex {
         /// Face, counted from 0.
         face: usize,
-        /// Vertex named.
+        /// Index of the vertex that the face names.
         vertex: u32,
-        /// Last vertex.
+        /// Index of the last vertex that there is.
         last: usize,
     },
     /// An albedo that is none.
@@ -48,7 +48,7 @@ pub enum SolidError {
     BadAlbedo {
         /// Face, counted from 0.
         face: usize,
-        /// Found.
+        /// Albedo that was given for the face.
         albedo: f64,
     },
     /// A face without an area, or whose corners are not in a plane.
@@ -59,7 +59,7 @@ pub enum SolidError {
         /// What is wrong with it.
         what: &'static str,
     },
-    /// No volume.
+    /// The vertices lie in one plane and enclose no volume.
     #[error("all vertices lie in one plane: expected a solid with a volume")]
     Flat,
     /// A vertex lies outside a face.

@@ -23,9 +23,9 @@ const FIELD: u64 = u64::from_be_bytes(*b"rock-fld");
 /// How many rocks of which size.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SizeLaw {
-    /// Smallest size (m).
+    /// Smallest rock size in the field (m).
     pub smallest: f64,
-    /// Largest size (m).
+    /// Largest rock size in the field (m).
     pub largest: f64,
     /// Rocks of 1 m or more a square metre, if the law went on without end.
     pub density: f64,
@@ -63,9 +63,9 @@ pub enum RockFieldError {
     /// A law that is none.
     #[error("{what} {found}: expected {expected}")]
     Law {
-        /// Which number.
+        /// Name of the number at fault: `density` or `slope`.
         what: &'static str,
-        /// What it is.
+        /// Value that was given for that number.
         found: f64,
         /// What it may be.
         expected: &'static str,

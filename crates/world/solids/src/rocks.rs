@@ -12,7 +12,7 @@ use quantities::{sin_cos, unit_interval};
 
 use crate::{Solid, SolidError};
 
-/// Number of shapes.
+/// Number of rock shapes of one seed.
 pub const SHAPES: usize = 12;
 
 /// The [`SHAPES`] shapes of a seed.

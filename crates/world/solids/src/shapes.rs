@@ -1,4 +1,4 @@
-//! Common convex parts.
+//! Common convex solids, such as a box.
 
 use std::f64::consts::TAU;
 

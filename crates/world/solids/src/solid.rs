@@ -1,4 +1,4 @@
-//! One convex polyhedron.
+//! A single polyhedron, convex if it is closed.
 
 use glam::DVec3;
 
@@ -11,7 +11,7 @@ use crate::{EdgeWords, Eights, SolidError};
 pub struct Face {
     /// Corners, counter-clockwise seen from outside.
     pub corners: Vec<u32>,
-    /// Unit normal, outwards.
+    /// Unit normal of the face, outwards.
     pub normal: DVec3,
     /// Share of the light that is returned, 0..=1.
     pub albedo: f64,
@@ -88,12 +88,12 @@ impl Solid {
         self.is_open
     }
 
-    /// Vertices.
+    /// Returns the vertices in body axes (m).
     pub fn vertices(&self) -> &[DVec3] {
         &self.vertices
     }
 
-    /// Faces.
+    /// Returns the faces of the solid.
     pub fn faces(&self) -> &[Face] {
         &self.faces
     }

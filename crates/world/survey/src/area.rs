@@ -16,20 +16,20 @@ pub enum Area {
     Whole,
     /// Edges in the file's own projected metres.
     Metres {
-        /// South edge.
+        /// South edge of the area (m).
         south: f64,
-        /// West edge.
+        /// West edge of the area (m).
         west: f64,
-        /// North edge.
+        /// North edge of the area (m).
         north: f64,
-        /// East edge.
+        /// East edge of the area (m).
         east: f64,
     },
     /// A rectangle around a point of the Moon.
     Centred {
-        /// Latitude (rad).
+        /// Latitude of the centre (rad).
         latitude: f64,
-        /// Longitude (rad, east).
+        /// Longitude of the centre, positive east (rad).
         longitude: f64,
         /// Size to the north and to the east (m).
         size: [f64; 2],

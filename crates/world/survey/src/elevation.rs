@@ -30,7 +30,7 @@ pub struct Affine {
 pub struct Elevation {
     /// Lines, from the first stored.
     pub lines: usize,
-    /// Samples a line.
+    /// Number of samples a line.
     pub columns: usize,
     /// Place of the samples.
     pub affine: Affine,
@@ -38,7 +38,7 @@ pub struct Elevation {
     pub frame: Frame,
     /// What the heights are, for people.
     pub title: String,
-    /// Files read.
+    /// Paths of the files that were read.
     pub sources: Vec<PathBuf>,
     /// What the reader had to assume.
     pub notes: Vec<String>,

@@ -11,7 +11,7 @@ pub enum SurveyError {
     /// The file cannot be opened or read.
     #[error("{path}: cannot be read ({source}); expected an elevation file; check the name and permissions", path = .path.display())]
     Read {
-        /// File.
+        /// Path of the file.
         path: PathBuf,
         /// What the system says.
         source: io::Error,
@@ -22,15 +22,15 @@ pub enum SurveyError {
     /// None of the formats read here.
     #[error("{path}: starts with {found}; expected a TIFF, a PDS3 label or a NumPy array; convert it with gdal_translate -of GTiff", path = .path.display())]
     UnknownFormat {
-        /// File.
+        /// Path of the file.
         path: PathBuf,
-        /// First bytes.
+        /// First bytes of the file, as text for the message.
         found: String,
     },
     /// The TIFF decoder gives up.
     #[error("{path}, {place}: {source}; expected a whole TIFF of a kind that is read here; if the file is complete, convert it with gdal_translate -of GTiff -co COMPRESS=DEFLATE", path = .path.display())]
     Tiff {
-        /// File.
+        /// Path of the file.
         path: PathBuf,
         /// Part of the file.
         place: String,
@@ -40,55 +40,55 @@ pub enum SurveyError {
     /// A field of a header has an unusable value.
     #[error("{path}, {place}: found {found}; expected {expected}; {advice}", path = .path.display())]
     Field {
-        /// File.
+        /// Path of the file.
         path: PathBuf,
         /// Tag, key or label line and keyword.
         place: String,
-        /// What stands there.
+        /// Value that the field has.
         found: String,
         /// What could stand there.
         expected: String,
-        /// What to do.
+        /// Advice: what the user can do.
         advice: String,
     },
     /// The file has fewer bytes than its header asks for.
     #[error("{path}, {place}: the file has {found} bytes; expected at least {expected}; it is truncated, or its header is wrong: fetch it again", path = .path.display())]
     Truncated {
-        /// File.
+        /// Path of the file.
         path: PathBuf,
         /// What needs the bytes.
         place: String,
-        /// Bytes present.
+        /// Number of bytes in the file.
         found: u64,
-        /// Bytes needed.
+        /// Number of bytes that its header asks for.
         expected: u64,
     },
-    /// No samples.
+    /// Raster with fewer than 2 lines or 2 columns.
     #[error("{path}: the raster has {lines} lines of {columns} samples; expected at least 2 x 2; it holds no ground", path = .path.display())]
     Empty {
-        /// File.
+        /// Path of the file.
         path: PathBuf,
-        /// Lines.
+        /// Number of lines in the raster.
         lines: u64,
-        /// Samples a line.
+        /// Number of samples a line.
         columns: u64,
     },
     /// Several bands and none chosen.
     #[error("{path}: has {count} bands, none chosen: {list}; expected the number of the band with heights; give --band N", path = .path.display())]
     BandNotChosen {
-        /// File.
+        /// Path of the file.
         path: PathBuf,
         /// Bands in the file.
         count: usize,
         /// Number and description of each.
         list: String,
     },
-    /// No such band.
+    /// A band was chosen that the file does not have.
     #[error("{path}: band {chosen} chosen; expected 1 to {count}: {list}", path = .path.display())]
     NoSuchBand {
-        /// File.
+        /// Path of the file.
         path: PathBuf,
-        /// Band asked for.
+        /// Number of the band that was asked for.
         chosen: usize,
         /// Bands in the file.
         count: usize,
@@ -98,23 +98,23 @@ pub enum SurveyError {
     /// Sample that is no height on the Moon and not the no-data value.
     #[error("{path}, line {line}, column {column} (from 0): found {value:?}; expected a height within a lunar radius of the lunoid or the no-data value; if it marks voids, give --no-data {value:?}", path = .path.display())]
     NotFinite {
-        /// File.
+        /// Path of the file.
         path: PathBuf,
-        /// Line, from 0.
+        /// Line of the sample, counted from 0.
         line: usize,
-        /// Column, from 0.
+        /// Column of the sample, counted from 0.
         column: usize,
-        /// Value found.
+        /// Value of the sample that was found.
         value: f64,
     },
-    /// Nothing but voids.
+    /// All samples of a file or an area are voids.
     #[error(
         "{what}: all {count} samples are void; expected heights; check the no-data value, the band and the area"
     )]
     AllVoid {
-        /// File or area.
+        /// Name of the file or the area.
         what: String,
-        /// Samples.
+        /// Number of samples in it.
         count: usize,
     },
     /// The spacing of a file without one was not given.
@@ -125,7 +125,7 @@ pub enum SurveyError {
     Option {
         /// Name of the option.
         option: &'static str,
-        /// Value given.
+        /// Value that the option was given.
         found: String,
         /// Values that can be.
         expected: String,
@@ -135,7 +135,7 @@ pub enum SurveyError {
         "area {found}: expected it inside {extent} of the file; give a smaller area or one in the file's own coordinates"
     )]
     AreaOutside {
-        /// Area asked for.
+        /// Area that was asked for, as text.
         found: String,
         /// Extent of the file.
         extent: String,
@@ -143,11 +143,11 @@ pub enum SurveyError {
     /// The kind of area does not go with the file.
     #[error("area {found}: {reason}; {advice}")]
     AreaKind {
-        /// Kind of area.
+        /// Kind of area that was asked for.
         found: &'static str,
-        /// Why not.
+        /// Reason why that kind does not go with the file.
         reason: &'static str,
-        /// What to do.
+        /// Advice: what the user can do.
         advice: &'static str,
     },
     /// Far more words than samples.
@@ -155,13 +155,13 @@ pub enum SurveyError {
         "region size {size} m: {coefficients} coefficients for {samples} samples; expected at most {most}; give larger regions"
     )]
     TooManyRegions {
-        /// Region size (m).
+        /// Side of a region that was asked for (m).
         size: f64,
         /// Words of the level.
         coefficients: usize,
         /// Samples in the area.
         samples: usize,
-        /// Limit.
+        /// Most coefficients that are allowed for so many samples.
         most: usize,
     },
     /// A `.npy` file is missing, damaged or too large.

@@ -68,7 +68,7 @@ struct Line {
     corners: Vec<[f64; 3]>,
     slopes: Vec<[f64; 3]>,
     heights: Vec<f64>,
-    /// Rise over run.
+    /// Steepness at each sample, rise over run.
     steepness: Vec<f64>,
 }
 

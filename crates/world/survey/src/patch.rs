@@ -7,7 +7,7 @@ pub struct Patch {
     pub first: [f64; 2],
     /// From line to line and from column to column (m), above 0.
     pub step: [f64; 2],
-    /// Lines and columns.
+    /// Numbers of lines and columns.
     pub count: [usize; 2],
     /// Heights (m), line by line; NaN marks a void, also places that the file does not hold.
     pub heights: Vec<f64>,

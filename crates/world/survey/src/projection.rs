@@ -22,7 +22,7 @@ pub enum Method {
 /// A projection with its constants. Plane coordinates are north, east (m).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Projection {
-    /// Closed form.
+    /// Kind of map projection, in closed form.
     pub method: Method,
     /// Latitude of the centre (rad); for [`Method::PolarStereographic`] a pole.
     pub latitude: f64,

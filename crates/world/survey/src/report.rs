@@ -18,7 +18,7 @@ pub struct Worst {
 /// region with one. Taken at the places of the missing samples.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VoidBounds {
-    /// Regions looked at.
+    /// Number of regions without data that were looked at.
     pub regions: usize,
     /// Lowest and highest ground (m).
     pub height: [f64; 2],
@@ -26,7 +26,7 @@ pub struct VoidBounds {
     pub slope: f64,
 }
 
-/// One level.
+/// Figures of one fitted level.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LevelReport {
     /// Side of a region (m).
@@ -76,7 +76,7 @@ impl LevelReport {
 /// A whole survey. Holds no times: two runs on the same input give equal reports.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SurveyReport {
-    /// What was surveyed.
+    /// Title of what was surveyed, for people.
     pub title: String,
     /// Area: south, west, north, east in the coordinates of the file (m, or rad where geographic); in metres about
     /// the centre where a geographic file was laid onto an orthographic plane.
@@ -89,7 +89,7 @@ pub struct SurveyReport {
     pub height: [f64; 2],
     /// Direction of true north at the centre, clockwise from the bank's north axis (rad), where it is known.
     pub true_north: Option<f64>,
-    /// Levels, finest first.
+    /// Figures of each level, the finest first.
     pub levels: Vec<LevelReport>,
     /// What the user should know.
     pub warnings: Vec<String>,

@@ -16,7 +16,7 @@ use crate::report::{LevelReport, SurveyReport};
 /// What to survey and how.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SurveyOptions {
-    /// The ground.
+    /// Area of the file that becomes the bank.
     pub area: Area,
     /// Side of a region of the finest level (m).
     pub region_size: f64,
@@ -96,12 +96,12 @@ pub struct Grid {
     pub values: Vec<f64>,
 }
 
-/// A finished survey.
+/// Result of a finished survey.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Survey {
-    /// The ground.
+    /// Terrain coefficients that were fitted, all levels of them.
     pub bank: Bank,
-    /// Its figures.
+    /// Figures of the survey, for people and tools.
     pub report: SurveyReport,
     /// Fitted heights (m) of the finest level, in voids too.
     pub fitted: Grid,
@@ -114,7 +114,7 @@ pub struct Survey {
 pub struct Step {
     /// Level being fitted, from 0, the finest.
     pub level: usize,
-    /// Iterations so far.
+    /// Number of iterations made so far on this level.
     pub iteration: usize,
     /// Relative residual now; the fit ends at [`SurveyOptions::tolerance`].
     pub residual: f64,

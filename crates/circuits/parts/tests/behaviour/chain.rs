@@ -23,7 +23,7 @@ struct Seen {
     m: f64,
     /// When the comparator trips (s).
     trip: f64,
-    /// What is held.
+    /// Value that the sample-and-hold holds.
     held: f64,
 }
 

@@ -72,7 +72,7 @@ impl<S: Real> Derivative<S> {
 enum Memory<S> {
     /// Beam on: the tracked value.
     Open(S),
-    /// Beam off.
+    /// Beam off: the held value, and the comparator that turns the beam on again.
     Blanked(Held<S>, ComparatorState),
 }
 

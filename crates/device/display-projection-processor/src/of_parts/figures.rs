@@ -67,7 +67,7 @@ impl Figures<'_> {
         NoiseSource::new(self.seed, part, 0)
     }
 
-    /// The sample-and-hold.
+    /// Draws the figures of the sample-and-hold called `part`.
     pub fn sample_hold(&self, part: &str) -> SampleHoldLaw {
         let (figures, full_scale) = (&self.parts.sample_hold, self.parts.full_scale);
         SampleHoldLaw {

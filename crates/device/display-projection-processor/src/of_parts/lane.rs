@@ -82,7 +82,7 @@ const ROUNDING: f64 = 1e-9;
 pub(crate) struct Held<S> {
     /// Tracked value that it took.
     pub taken: S,
-    /// When.
+    /// Instant at which it took the value (steps).
     pub since: f64,
 }
 

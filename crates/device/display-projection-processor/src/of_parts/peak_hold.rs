@@ -61,7 +61,7 @@ impl<S: Real> PeakHold<S> {
 enum Memory<S> {
     /// Beam on: the highest tracked value.
     Open(S),
-    /// Beam off.
+    /// Beam off: the held value.
     Blanked(Held<S>),
 }
 

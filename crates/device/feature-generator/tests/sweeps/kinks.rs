@@ -1,4 +1,4 @@
-//! Kinks along sweeps.
+//! Tests of the kinks that sweeps cross.
 
 use crate::common::{Sweep, bowl, expected, nearest_kink, ranges, rimmed, run, scene, sweeps};
 use feature_generator::{FeatureProfile, Kink};

@@ -21,23 +21,23 @@ impl SweepParts {
 }
 
 impl FunctionGeneratorParts {
-    /// The function itself.
+    /// A generator that gives the function itself.
     pub const IDEAL: Self = Self { segments: None, rounding: 0.0, error: 0.0, bandwidth: None };
 }
 
 impl MultiplierParts {
-    /// The product itself.
+    /// A multiplier that gives the product itself.
     pub const IDEAL: Self = Self { error: 0.0, scale_error: 0.0, feedthrough: 0.0, bandwidth: None };
 }
 
 impl MultiplyingDacParts {
-    /// The product itself.
+    /// A multiplier that gives the product itself.
     pub const IDEAL: Self =
         Self { bits: None, gain_error: 0.0, bandwidth: None, glitch: 0.0, switching: 0.0, feedthrough: 0.0 };
 }
 
 impl AmplifierParts {
-    /// A wire.
+    /// An amplifier that does what a wire does.
     pub const IDEAL: Self =
         Self { gain_bandwidth: None, slew: None, noise: 0.0, saturation: None, recovery: 0.0 };
 }
@@ -74,12 +74,12 @@ impl ShadowLineParts {
 }
 
 impl TextureParts {
-    /// The pattern itself.
+    /// A converter and a filter that leave the pattern as it is.
     pub const IDEAL: Self = Self { bits: None, bandwidth: None };
 }
 
 impl ProjectionParts {
-    /// The functions themselves.
+    /// Generators that give the functions themselves.
     pub const IDEAL: Self = Self { error: 0.0, bandwidth: None };
 }
 

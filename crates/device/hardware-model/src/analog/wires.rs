@@ -20,7 +20,7 @@ pub const MAIN_WIRES: [&str; 10] = [
 /// The amplifier that drives a main wire.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct WireParts {
-    /// Bandwidth (Hz).
+    /// Bandwidth (Hz); unlimited if `None`.
     pub bandwidth: Option<f64>,
     /// Fastest change of the output (V/s).
     pub slew: Option<f64>,
@@ -29,7 +29,7 @@ pub struct WireParts {
 }
 
 impl WireParts {
-    /// Wires alone.
+    /// Amplifiers that do what wires do.
     pub const IDEAL: Self = Self { bandwidth: None, slew: None, driven: [true; MAIN_WIRES.len()] };
 
     /// Whether no wire has an amplifier that can be told from none.

@@ -96,7 +96,7 @@ fn unbroken(cpu: &Cpu) -> u64 {
 /// Shares of the processor's time (hardware section 4.6).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CpuBudget {
-    /// Setting up sweeps.
+    /// Share for the set-up of sweeps.
     pub sweep_setup: f64,
     /// Visibility and tables of frames.
     pub frame_tables: f64,
@@ -106,7 +106,7 @@ pub struct CpuBudget {
     pub interrupts: f64,
     /// Words of crossings: moved by its program, or memory cycles that others take from it for them.
     pub loads: f64,
-    /// All of these.
+    /// Sum of the shares `sweep_setup`, `frame_tables`, `interrupts` and `loads`.
     pub total: f64,
     /// A hundred vertices of polyhedra, beside them.
     pub hundred_vertices: f64,
@@ -145,7 +145,7 @@ impl CpuBudget {
 pub struct DrumBudget {
     /// Corners of the regions that the field of view touches.
     pub corners: f64,
-    /// Their words.
+    /// Words of these corners: nine each.
     pub words: f64,
     /// Time to transfer them all, after a snap turn (s), without latency.
     pub fill: f64,

@@ -9,9 +9,9 @@ use super::{Budget, CpuBudget, CrossingBudget, DrumBudget, GroundScale, LoaderBu
 pub struct BudgetLine {
     /// Name with the unit, as `sweep_period_us`.
     pub key: &'static str,
-    /// What it is.
+    /// Meaning of the figure, in words.
     pub meaning: &'static str,
-    /// In `unit`.
+    /// Value of the figure, in `unit`.
     pub value: f64,
     /// Unit of the value.
     pub unit: &'static str,

@@ -75,7 +75,7 @@ fn signed_nanoseconds<'a>(table: &Reader<'a>, key: &str) -> Field<'a, f64> {
     table.f64(key).between(-1e6, 1e6).unit("ns").map(|time| 1e-9 * time)
 }
 
-/// Millivolts; volts inside.
+/// Reads a key in millivolts, 0 to 1e6; the value is in volts.
 fn millivolts<'a>(table: &Reader<'a>, key: &str) -> Field<'a, f64> {
     table.f64(key).between(0.0, 1e6).unit("mV").map(|voltage| 1e-3 * voltage)
 }

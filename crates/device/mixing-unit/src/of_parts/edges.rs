@@ -10,7 +10,7 @@ use crate::{FeatureInput, ToggleList};
 #[derive(Debug, Clone, Default)]
 pub(crate) struct GateEdges {
     pub open_at_start: bool,
-    /// Ascending.
+    /// Instants of the changes, ascending (steps).
     pub edges: Vec<f64>,
 }
 

@@ -12,7 +12,7 @@ use crate::of_parts::mixer::Figures;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct FadingSwitch<S> {
     pub part: Switch<S>,
-    /// Transition (steps).
+    /// Length of the transition (steps).
     pub transition: f64,
     /// Delay of S against C.
     pub late: Option<Delay>,

@@ -12,7 +12,7 @@ use super::{PartsMixer, SwitchScratch};
 use crate::{FeatureInput, Inputs, Kink, Mixed, MixingUnit, Toggle, ToggleList};
 
 const SAMPLES: usize = 60;
-/// A sample (s).
+/// Time of one sample (s).
 const H: f64 = 50e-9;
 
 const PRESENCE: MixingParts = MixingParts { gate: Gate::Presence, threshold: 0.0 };

@@ -24,7 +24,7 @@ use crate::Run;
 #[derive(Debug, Clone, Copy)]
 pub struct PartsSwitch {
     part: Switch<f64>,
-    /// In lines.
+    /// Length of the transition (lines).
     transition: f64,
     late: f64,
 }

@@ -52,14 +52,14 @@ pub struct AxisState<S> {
 /// What the generators of an axis are fed with.
 #[derive(Debug, Clone, Copy)]
 pub struct Fed<S> {
-    /// Ramp and complement.
+    /// Values of the ramp and of its complement.
     ends: Both<S>,
     /// Where they fall in broken lines.
     places: [BankPlace<S>; 2],
 }
 
 impl<S: Real> Fed<S> {
-    /// The ramp.
+    /// Returns the values of the ramp.
     pub fn ramp(&self) -> Lanes<S> {
         self.ends.wire(0)
     }

@@ -21,11 +21,11 @@ pub(super) struct Block<S> {
     pub(super) fed: [[Fed<S>; BLOCK]; 2],
     /// Function generators with their signs, a curve at both ends side by side: X.
     pub(super) x: [Factor<S>; CURVES],
-    /// And Y.
+    /// Function generators with their signs, a curve at both ends side by side: Y.
     pub(super) y: [BothRow<S>; CURVES],
     /// What meets at the amplifiers of the first stages, sum by sum.
     pub(super) partial: Vec<Row<S>>,
-    /// Height and slopes.
+    /// The three sums: height and both slopes.
     pub(super) sums: [Row<S>; 3],
 }
 

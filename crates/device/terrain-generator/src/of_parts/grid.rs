@@ -68,7 +68,7 @@ pub(super) struct RowInputs<'a, S> {
 }
 
 impl<'a, S: Real> RowInputs<'a, S> {
-    /// Of row `row`.
+    /// Picks the inputs of row `row` from the block.
     #[inline(always)]
     pub(super) fn of(row: usize, block: (&'a [Factor<S>], &'a [BothRow<S>])) -> Self {
         let [[a, end], [b, _]] = factors(ROW * row / TERMS, ROW * row % TERMS).map(side_by_side);

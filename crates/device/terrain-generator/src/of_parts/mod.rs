@@ -61,9 +61,9 @@ use crate::{Method, Profile, TerrainGenerator};
 /// Real parts: the waveform of every wire.
 #[derive(Debug)]
 pub struct PartsTerrain<'a, S> {
-    /// The parts.
+    /// Parts of the array.
     pub array: &'a PartsArray<S>,
-    /// Their state.
+    /// State of these parts for the group of sweeps.
     pub state: &'a mut ArrayState<S>,
     /// Number of the first sweep of the group over all frames: noise goes by it.
     pub address: u64,

@@ -61,7 +61,7 @@ pub(super) struct Coded {
 }
 
 impl Coded {
-    /// Of no corner.
+    /// The set that belongs to no corner.
     pub(super) const NONE: Self = Self { words: [f64::NAN; 9], numbers: [0; 9], shares: [0.0; 9] };
 }
 

@@ -26,7 +26,7 @@ pub(super) struct Strobed {
 }
 
 impl Strobed {
-    /// No words.
+    /// No words strobed in any lane.
     const NONE: Self = Self {
         at: [[NEVER; LANES]; 2],
         shares: [[[0.0; LANES]; 2]; WORDS],

@@ -90,7 +90,7 @@ impl<S: Real> Summer<S> {
         Self { inputs, delay: tau * stages.len() as f64, stages, quiet, slowest }
     }
 
-    /// Nominal delay (s).
+    /// Returns the nominal delay of the tree (s).
     pub fn delay(&self) -> f64 {
         self.delay
     }

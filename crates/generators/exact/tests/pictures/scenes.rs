@@ -81,7 +81,7 @@ pub fn pose(eye: [f64; 3], pitch: f64, heading: f64) -> Pose {
     Pose { time: 0.0, eye, attitude, yoke: 0.0 }
 }
 
-/// `exact` made ready.
+/// Prepares `exact` for a stage under one still sun.
 pub fn prepare(landscape: Arc<Landscape>, sun: Sun, settings: &Settings) -> Box<dyn Session> {
     Exact.prepare(Stage { landscape, scenery: Arc::new(Scenery::still(sun)), view: settings.view() }).unwrap()
 }

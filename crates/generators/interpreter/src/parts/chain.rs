@@ -1,106 +1,16 @@
 //! All parts of an array along one sweep, one after the other, sample by sample.
 
-use landscape::Level;
+use std::collections::{BTreeSet, VecDeque};
 
-use super::drawn::Drawn;
+use super::array::Sweep;
 use super::figures::{CellFigures, Figures, PEAKS, TERMS};
 use super::functions::FunctionCircuits;
 use super::ramp::RampCircuit;
 use super::series::LagMap;
 use super::tree::TreeCircuit;
 use super::words::{Taken, Words};
-use crate::ramp::Ramp;
-use crate::registers::Change;
 use crate::terrain::{Sums, sums};
 use crate::walk::Sample;
-
-/// What an array is swept with.
-#[derive(Debug, Clone, Copy)]
-pub struct Sweep<'a> {
-    /// Its ground.
-    pub level: &'a Level,
-    /// Name of the array in draws: `tg` or `mtg`.
-    pub name: &'a str,
-    /// What the seed drew.
-    pub drawn: &'a Drawn<'a>,
-    /// Cosine and sine of the azimuth.
-    pub direction: [f64; 2],
-    /// Ground range of the samples (m).
-    pub ranges: &'a [f64],
-    /// Both ramps as the sweep begins.
-    pub ramps: &'a [Ramp; 2],
-    /// Words in hold as the sweep begins.
-    pub hold: [[f64; 9]; 4],
-    /// What changes on the digital side.
-    pub changes: &'a [Change],
-    /// Number of the sweep over all frames.
-    pub number: u64,
-}
-
-/// Puts what the parts make of a sweep into `samples`, which have what ideal parts make of it.
-pub fn pass(sweep: &Sweep<'_>, figures: &Figures, samples: &mut [Sample]) {
-    if samples.is_empty() {
-        return;
-    }
-    let words = Words::of(sweep, figures);
-    let lead = figures.lead / figures.step;
-    // The accumulators leave the eye's foot a sample before the first, and the beam is behind them.
-    let foot = -(1.0 + lead).ceil() as i64;
-    let mut accumulators = Accumulators::new(sweep);
-    let begins = if figures.preset { f64::NEG_INFINITY } else { foot as f64 };
-    let at_eye = (begins, accumulators.at(0.0));
-    let at_foot = Chain::at_rest(sweep, figures, &words, at_eye);
-    let trim = at_foot.right(&words, at_eye) - at_foot.height();
-    let range = |sample: i64| accumulated(sweep.ranges, sample as f64 + lead, figures.preset);
-    let mut before = accumulators.at(range(foot));
-    let mut chain =
-        if figures.preset { Chain::at_rest(sweep, figures, &words, (foot as f64, before)) } else { at_foot };
-    for number in foot + 1..samples.len() as i64 {
-        let now = accumulators.at(range(number));
-        chain.step(number, before, now);
-        before = now;
-        if number >= 0 {
-            chain.put(number as u64, trim, now, &mut samples[number as usize]);
-        }
-    }
-}
-
-/// Ground range in the accumulators, as time goes for them (steps).
-fn accumulated(ranges: &[f64], time: f64, preset: bool) -> f64 {
-    let time = if preset { time.max(0.0) } else { time };
-    if time <= 0.0 {
-        return ranges[0] * (1.0 + time).max(0.0);
-    }
-    let before = (time.floor() as usize).min(ranges.len() - 2);
-    ranges[before] + (ranges[before + 1] - ranges[before]) * (time - before as f64)
-}
-
-/// The triangle in both accumulators, up to the last fold of the sweep; then they stop.
-struct Accumulators {
-    ramps: [Ramp; 2],
-    folds: [usize; 2],
-}
-
-impl Accumulators {
-    fn new(sweep: &Sweep<'_>) -> Self {
-        let of = |axis: usize| {
-            let of_axis = |change: &&Change| change.fold.is_some_and(|(folded, _)| folded == axis);
-            sweep.changes.iter().filter(of_axis).count()
-        };
-        Self { ramps: sweep.ramps.clone(), folds: [of(0), of(1)] }
-    }
-
-    fn at(&mut self, range: f64) -> [f64; 2] {
-        let Self { ramps, folds } = self;
-        std::array::from_fn(|axis| {
-            while folds[axis] > 0 && ramps[axis].stop() <= range {
-                ramps[axis].fold();
-                folds[axis] -= 1;
-            }
-            ramps[axis].value(range).clamp(0.0, 1.0)
-        })
-    }
-}
 
 /// A multiplier with its D/A.
 #[derive(Debug, Clone)]
@@ -181,10 +91,11 @@ impl CellFigures {
 }
 
 /// The parts of an array at one instant.
-struct Chain<'a> {
+pub struct Chain<'a> {
     sweep: &'a Sweep<'a>,
     figures: &'a Figures,
     turns: &'a [(f64, usize)],
+    ties: &'a BTreeSet<i64>,
     polarity: [f64; 2],
     ramps: [RampCircuit; 2],
     ramp: [f64; 2],
@@ -194,11 +105,13 @@ struct Chain<'a> {
     cells: [Vec<CellCircuit<'a>>; 3],
     trees: [TreeCircuit; 3],
     sums: [f64; 3],
+    /// How near the accumulators were to another word of their converters, in the steps that the parts remember.
+    stairs: VecDeque<f64>,
 }
 
 impl<'a> Chain<'a> {
     /// Everything at rest under accumulators that stand, with all that acts by sample `by`.
-    fn at_rest(
+    pub fn at_rest(
         sweep: &'a Sweep<'a>,
         figures: &'a Figures,
         words: &'a Words,
@@ -226,27 +139,47 @@ impl<'a> Chain<'a> {
             tree
         });
         let turns = &words.turns[turned..];
-        Self { sweep, figures, turns, polarity, ramps, ramp, functions, signed, cells, trees, sums }
+        let stairs = VecDeque::from(vec![f64::INFINITY; figures.memory()]);
+        let ties = &words.ties;
+        Self {
+            sweep,
+            figures,
+            turns,
+            ties,
+            polarity,
+            ramps,
+            ramp,
+            functions,
+            signed,
+            cells,
+            trees,
+            sums,
+            stairs,
+        }
     }
 
     /// Height on the wire (m).
-    fn height(&self) -> f64 {
+    pub fn height(&self) -> f64 {
         self.sums[0] * self.figures.scales.height + self.figures.scales.datum
     }
 
     /// The right height at ramps that stand, with all that acts by sample `by` (m).
-    fn right(&self, words: &Words, (by, ramps): (f64, [f64; 2])) -> f64 {
+    pub fn right(&self, words: &Words, (by, ramps): (f64, [f64; 2])) -> f64 {
         let held = words.held.iter().take_while(|(at, _)| *at <= by).last();
         sums(held.map_or(&self.sweep.hold, |(_, hold)| hold), ramps, self.polarity).ground[0]
     }
 
     /// A step to `sample`, over which the accumulators went from `before` to `now`.
-    fn step(&mut self, sample: i64, before: [f64; 2], now: [f64; 2]) {
+    pub fn step(&mut self, sample: i64, before: [f64; 2], now: [f64; 2]) {
         while let Some(&(_, axis)) = self.turns.first().filter(|(at, _)| *at <= sample as f64) {
             self.polarity[axis] = -self.polarity[axis];
             self.turns = &self.turns[1..];
         }
         let was = self.signed;
+        let to_the_next = |axis: usize| self.ramps[axis].to_the_next_word(before[axis]);
+        let stairs = if self.ties.contains(&sample) { 0.0 } else { to_the_next(0).min(to_the_next(1)) };
+        self.stairs.pop_front();
+        self.stairs.push_back(stairs);
         for axis in 0..2 {
             self.ramp[axis] = self.ramps[axis].step(before[axis], now[axis]);
             self.functions[axis].step(self.ramp[axis]);
@@ -266,7 +199,7 @@ impl<'a> Chain<'a> {
     }
 
     /// Writes the wires into a sample; the datum is trimmed by `trim` (m).
-    fn put(&self, number: u64, trim: f64, accumulators: [f64; 2], sample: &mut Sample) {
+    pub fn put(&self, number: u64, trim: f64, accumulators: [f64; 2], sample: &mut Sample) {
         let Sweep { level, name, drawn, .. } = self.sweep;
         let (scales, source) = (&self.figures.scales, format!("{name}.noise"));
         let noise = |sum: usize| {
@@ -285,6 +218,7 @@ impl<'a> Chain<'a> {
             sums: self.wires(),
             height: height * scales.height + scales.datum + trim,
             slopes: [u * scales.slope / d, v * scales.slope / d],
+            stairs: self.stairs.iter().copied().fold(f64::INFINITY, f64::min),
         };
     }
 
@@ -339,7 +273,7 @@ fn with_signs(outputs: &[f64; 12], polarity: f64) -> [f64; 12] {
 }
 
 /// Units of X and of Y that a term of a sum multiplies.
-fn units(sum: usize, term: usize) -> [usize; 2] {
+pub fn units(sum: usize, term: usize) -> [usize; 2] {
     let [p, q] = [term / 6, term % 6];
     [if sum == 1 { 6 + p } else { p }, if sum == 2 { 6 + q } else { q }]
 }

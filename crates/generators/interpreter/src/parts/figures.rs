@@ -211,6 +211,18 @@ pub fn figures(step: f64, level: &Level, parts: &AnalogParts, drawn: &Drawn<'_>,
     }
 }
 
+impl Figures {
+    /// Steps for which parts remember a change, down to e^-20 of it.
+    pub fn memory(&self) -> usize {
+        let ramps = self.ramps.iter().flat_map(|ramp| [ramp.settle, ramp.smoother]);
+        let functions = self.functions.iter().flatten().map(|function| function.tau);
+        let cells = self.cells.iter().flatten().flat_map(|cell| [cell.tau, cell.converter_tau]);
+        let amplifiers = self.trees.iter().flatten().flatten().map(|amplifier| amplifier.tau);
+        let slowest = ramps.chain(functions).chain(cells).chain(amplifiers).fold(0.0, f64::max);
+        ((20.0 * slowest + self.lead) / self.step).ceil() as usize + 1
+    }
+}
+
 impl RampFigures {
     /// How late the ramp is behind its accumulator (s): a staircase by half a step more.
     pub fn delay(&self, step: f64) -> f64 {

@@ -16,10 +16,12 @@
 //! begins, polarity at a sample, and the word of a multiplying D/A at its own instant within a step.
 //!
 //! Files: [`drawn`] (what a seed gives), [`figures`] (of every part), [`series`], [`ramp`], [`functions`], [`words`] (what D/As
-//! take, and when), [`amplifier`], [`tree`], [`chain`] (all of them along a sweep),
+//! take, and when), [`amplifier`], [`tree`], [`chain`] (all of them, step by step),
+//! [`array`](mod@array) (what a sweep drives them by),
 //! [`reflectivity`] (the stage behind them).
 
 pub mod amplifier;
+pub mod array;
 pub mod chain;
 pub mod drawn;
 pub mod figures;
@@ -30,7 +32,7 @@ pub mod series;
 pub mod tree;
 pub mod words;
 
-pub use chain::{Sweep, pass};
+pub use array::{Array, Sweep};
 pub use drawn::Drawn;
 pub use figures::Figures;
 pub use reflectivity::ReflectivityStage;

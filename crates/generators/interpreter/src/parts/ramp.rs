@@ -61,6 +61,14 @@ impl RampCircuit {
         self.smoothed([if is_stairs { self.converted } else { before }, self.converted])
     }
 
+    /// How far an accumulator is from where the converter takes another word (full scales); infinite without a converter.
+    pub fn to_the_next_word(&self, accumulator: f64) -> f64 {
+        let Some(bits) = self.figures.bits else { return f64::INFINITY };
+        let words = f64::from(1_u32 << bits);
+        let place = accumulator * words - 0.5;
+        (place - place.round()).abs() / words
+    }
+
     fn smoothed(&mut self, input: [f64; 2]) -> f64 {
         let Some(smoother) = &self.smoother else { return input[1] };
         self.smooth = smoother.step(self.smooth, input);

@@ -1,12 +1,16 @@
 //! What multiplying D/As take, and when; and when the polarity turns.
 
-use super::chain::Sweep;
+use std::collections::BTreeSet;
+
+use super::array::Sweep;
 use super::figures::{Figures, PEAKS, StopFigures, TERMS};
 use super::ramp::carry;
 use crate::registers::Change;
 
 /// What lies before the first range has acted in retrace, if the accumulators are preset to it.
 const IN_RETRACE: f64 = -1e12;
+/// Nearer to a sample than this (steps) is on it.
+const TIE: f64 = 1e-9;
 /// A ramp flatter than this counts as one of this slope (full scales a second).
 const FLATTEST: f64 = 1e3;
 
@@ -28,6 +32,8 @@ pub struct Words {
     pub taken: [Vec<Vec<Taken>>; 3],
     /// When the polarity of an axis turns, in steps from the first sample.
     pub turns: Vec<(f64, usize)>,
+    /// Samples that a word or a turn falls on: rounding says which step has it.
+    pub ties: BTreeSet<i64>,
     /// Words in hold, and when a nominal D/A has them.
     pub held: Vec<(f64, [[f64; 9]; 4])>,
 }
@@ -46,8 +52,12 @@ impl Words {
             }
         }
         let of_term = |sum: usize, term: usize| taken(&held, figures, sum, term);
-        let taken = [0, 1, 2].map(|sum| (0..TERMS).map(|term| of_term(sum, term)).collect());
-        Self { taken, turns, held }
+        let taken: [Vec<Vec<Taken>>; 3] =
+            [0, 1, 2].map(|sum| (0..TERMS).map(|term| of_term(sum, term)).collect());
+        let words = taken.iter().flatten().flatten().map(|word| word.at);
+        let instants = words.chain(turns.iter().map(|(at, _)| *at)).filter(|at| at.is_finite());
+        let ties = instants.filter(|at| (at - at.round()).abs() < TIE).map(|at| at.round() as i64).collect();
+        Self { taken, turns, ties, held }
     }
 }
 

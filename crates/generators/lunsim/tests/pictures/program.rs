@@ -42,7 +42,7 @@ fn timed(stage: Scene, pose: &Pose) -> FrameTiming {
     Program::new(stage.stage(), &stage.program()).unwrap().frame(3, pose).unwrap()
 }
 
-/// Pieces by task.
+/// Returns the number of pieces of each task, by the name of the task.
 fn pieces(frame: &FrameTiming) -> BTreeMap<&str, u64> {
     frame.tasks.iter().map(|task| (task.task.as_str(), task.pieces)).collect()
 }

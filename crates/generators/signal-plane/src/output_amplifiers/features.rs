@@ -84,7 +84,7 @@ fn take_jumps<S: Real, K>(kinks: &[Vec<K>; LANES], jumps: &mut Jumps, of: impl F
     }
 }
 
-/// What jumps now.
+/// Writes the values on both sides of each jump back to its kink.
 fn put_back<S: Real, K>(jumps: &Jumps, kinks: &mut [Vec<K>; LANES], put: impl Fn(&mut K, [S; 2])) {
     for (jumps, kinks) in jumps.lists.iter().zip(kinks) {
         for (jump, kink) in jumps.iter().zip(kinks) {

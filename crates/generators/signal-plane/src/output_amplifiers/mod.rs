@@ -187,7 +187,7 @@ impl<S: Real> Axes<S> {
         }
     }
 
-    /// Back again.
+    /// Turns slopes from north and east back to along and across.
     fn to_sweep(self, north: &mut [Lanes<S>], east: &mut [Lanes<S>]) {
         Self { sin: Lanes::default() - self.sin, ..self }.to_map(north, east);
     }

@@ -24,7 +24,7 @@ use crate::group::Group;
 use crate::workspace::Workspace;
 
 impl<S: Real> Group<'_, S> {
-    /// As [`run`](Self::run).
+    /// Runs a group as [`run`](Self::run) does, but with signals at the samples alone.
     pub fn run_preview(&self, first: u32, work: &mut Workspace<S>, rows: &mut [f32]) {
         let sweeps = self.sweeps(first);
         let deflection = sweeps.map(|sweep| self.deflection(sweep));

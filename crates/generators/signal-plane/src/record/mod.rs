@@ -17,7 +17,7 @@ use crate::workspace::Workspace;
 
 /// A group that has run, ready to be looked at.
 pub struct Recorded<'a, S> {
-    /// The group.
+    /// Group of sweeps that has run.
     pub group: &'a Group<'a, S>,
     /// Its programs and signals.
     pub work: &'a Workspace<S>,

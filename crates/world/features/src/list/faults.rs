@@ -20,7 +20,7 @@ impl Faults {
         self.list.is_empty()
     }
 
-    /// Records a fault.
+    /// Records a fault at the bytes `span`: what is wrong, and what was expected.
     pub fn push(&mut self, span: Range<usize>, title: String, expected: &str) {
         let found = self.source.text[span.clone()].trim_matches('"').to_owned();
         let place = Place { source: self.source.clone(), span };

@@ -1,4 +1,4 @@
-//! Draws by name.
+//! Repeatable random numbers of a population, each addressed by its purpose.
 
 use quantities::unit_interval;
 
@@ -40,7 +40,7 @@ impl Draw {
         Self { seed: population.seed, kind, number }
     }
 
-    /// In `[0, 1)`.
+    /// Returns a number in `[0, 1)`, always the same for one purpose.
     pub fn unit(&self, purpose: Purpose) -> f64 {
         self.again(purpose, 0)
     }
@@ -50,7 +50,7 @@ impl Draw {
         unit_interval(self.seed, &[self.kind, self.number, purpose as u64, attempt])
     }
 
-    /// Between two values.
+    /// Returns a number from `low` up to `high`, spread evenly.
     pub fn between(&self, purpose: Purpose, low: f64, high: f64) -> f64 {
         low + self.unit(purpose) * (high - low)
     }

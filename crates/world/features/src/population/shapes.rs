@@ -35,7 +35,7 @@ pub(super) fn draw(kind: &Kind, radius: f64, draw: &Draw) -> (Shape, f64, f64) {
     }
 }
 
-/// Outer radius (m).
+/// Returns the outer radius of a shape (m).
 pub(super) fn outer(shape: &Shape) -> f64 {
     match *shape {
         Shape::Bowl { r1 } => r1,

@@ -9,13 +9,13 @@ pub enum CornersError {
     /// The shape is not [north, east, 9].
     #[error("array of shape {found:?}: expected [corners north, corners east, 9 words], words fastest")]
     Shape {
-        /// The shape found.
+        /// Shape of the array that was found.
         found: Vec<usize>,
     },
     /// The values are not f64.
     #[error("array of type {found}: expected f64, as fourth derivatives need its digits; save it as float64")]
     Type {
-        /// The type found.
+        /// Name of the number type that was found.
         found: &'static str,
     },
     /// The corners do not make a level.

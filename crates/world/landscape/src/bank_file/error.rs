@@ -8,7 +8,7 @@ use std::path::PathBuf;
 /// A bank file that could not be read or written.
 #[derive(Debug, thiserror::Error)]
 pub enum BankFileError {
-    /// The file.
+    /// The file could not be read or written.
     #[error(transparent)]
     File(#[from] FileError),
     /// What is in it.
@@ -16,7 +16,7 @@ pub enum BankFileError {
     Format {
         /// The path as given.
         path: PathBuf,
-        /// What is wrong.
+        /// Fault in the contents of the file.
         source: BankFormatError,
     },
 }
@@ -54,7 +54,7 @@ pub enum BankFormatError {
     /// The file ends too early, or something was appended.
     #[error("the file has {found} bytes, expected {expected}; copy it again")]
     FileLength {
-        /// Bytes there.
+        /// Number of bytes in the file.
         found: u64,
         /// Bytes that the header, or the table, needs.
         expected: u64,
@@ -72,19 +72,19 @@ pub enum BankFormatError {
     /// A section does not begin on a multiple of 64 bytes.
     #[error("{section}: begins at byte {offset}, expected a multiple of 64")]
     Misaligned {
-        /// Which.
+        /// Section that begins at a wrong byte.
         section: SectionName,
-        /// Where it begins.
+        /// Byte of the file at which the section begins.
         offset: u64,
     },
     /// A section lies outside the file, or in the header or the table.
     #[error("{section}: {length} bytes from byte {offset} on, expected within bytes {first} to {end}")]
     Outside {
-        /// Which.
+        /// Section that lies outside its limits.
         section: SectionName,
-        /// Where it begins.
+        /// Byte of the file at which the section begins.
         offset: u64,
-        /// Its bytes.
+        /// Length of the section in bytes.
         length: u64,
         /// End of the table.
         first: u64,
@@ -94,11 +94,11 @@ pub enum BankFormatError {
     /// Two sections share bytes.
     #[error("{section}: begins at byte {offset}, inside {other}, expected byte {expected} or later")]
     Overlap {
-        /// Which.
+        /// Section that begins too early.
         section: SectionName,
-        /// Where it begins.
+        /// Byte of the file at which the section begins.
         offset: u64,
-        /// The one before.
+        /// Section before it, whose bytes it shares.
         other: SectionName,
         /// End of the one before.
         expected: u64,
@@ -106,9 +106,9 @@ pub enum BankFormatError {
     /// A section is damaged.
     #[error("{section}, byte {offset}: checksum {found}, expected {expected}; copy the file again")]
     Checksum {
-        /// Which.
+        /// Section with the wrong checksum.
         section: SectionName,
-        /// Where it begins.
+        /// Byte of the file at which the section begins.
         offset: u64,
         /// Of the bytes there.
         found: String,
@@ -118,11 +118,11 @@ pub enum BankFormatError {
     /// The length of a section is not what its kind or its corner counts need.
     #[error("{section}, byte {offset}: {found} bytes, expected {expected}")]
     SectionLength {
-        /// Which.
+        /// Section with the wrong length.
         section: SectionName,
-        /// Where it begins.
+        /// Byte of the file at which the section begins.
         offset: u64,
-        /// Bytes there.
+        /// Number of bytes in the section.
         found: u64,
         /// Bytes needed, in words.
         expected: String,
@@ -130,11 +130,11 @@ pub enum BankFormatError {
     /// A value is out of its range.
     #[error("{section}, byte {offset}: {found}, expected {expected}")]
     Value {
-        /// Which.
+        /// Section that holds the value.
         section: SectionName,
         /// Where the value stands.
         offset: u64,
-        /// The value.
+        /// Value that was found, as text.
         found: String,
         /// Its range and meaning.
         expected: String,
@@ -142,19 +142,19 @@ pub enum BankFormatError {
     /// A kind of which there can be one stands twice.
     #[error("{section}, byte {offset}: found a second one, expected at most one")]
     Repeated {
-        /// The second.
+        /// Second section of the kind.
         section: SectionName,
-        /// Where it begins.
+        /// Byte of the file at which the second section begins.
         offset: u64,
     },
     /// A level that cannot be.
     #[error("{section}, byte {offset}: {source}")]
     Level {
-        /// Which.
+        /// Section that holds the level.
         section: SectionName,
-        /// Where it begins.
+        /// Byte of the file at which the section begins.
         offset: u64,
-        /// What is wrong.
+        /// Fault that the level was refused for.
         source: BankError,
     },
     /// The levels do not make a bank.

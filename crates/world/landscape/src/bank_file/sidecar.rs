@@ -6,7 +6,7 @@ use quantities::degrees;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-/// `NAME.bank.toml` beside `NAME.bank`.
+/// Returns the path of the text beside a bank: `NAME.bank.toml` for `NAME.bank`.
 pub fn sidecar_path(bank: &Path) -> PathBuf {
     bank.with_extension("bank.toml")
 }

@@ -19,7 +19,7 @@ const LEAST_REGIONS: f64 = 1.5;
 pub struct Craters {
     /// Smallest radius of the rim crest (m), at least 1.5 regions.
     pub smallest_radius: f64,
-    /// Largest radius (m).
+    /// Largest radius of the rim crest (m).
     pub largest_radius: f64,
     /// 0..=1; the Moon's small craters are in equilibrium at about 0.08 (Trask 1966: `10^-1.1 D^-2`).
     pub density: f64,

@@ -12,7 +12,7 @@ pub enum ReliefError {
     Parameter {
         /// Which, as a path from the relief: `massifs[2].height`.
         name: String,
-        /// The value found.
+        /// Value that was given for the parameter.
         value: f64,
         /// The range, in words.
         expected: String,

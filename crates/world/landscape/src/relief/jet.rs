@@ -54,7 +54,7 @@ impl Jet {
         ((inner * rest).plus(c1) * rest).plus(c0)
     }
 
-    /// `exp(field)`.
+    /// Returns the series of `exp(field)`.
     pub fn exp(self) -> Self {
         let e = libm::exp(self.value());
         self.compose([e, e, e / 2.0, e / 6.0, e / 24.0])
@@ -66,7 +66,7 @@ impl Jet {
         self.compose([s, c, -s / 2.0, -c / 6.0, s / 24.0])
     }
 
-    /// The field squared.
+    /// Returns the series of the field squared.
     pub fn square(self) -> Self {
         self * self
     }

@@ -16,9 +16,9 @@ pub const MAX_WAVES: usize = 20_000;
 pub struct Undulation {
     /// Root mean square of the height (m), 0 or more.
     pub rms_height: f64,
-    /// Hurst exponent, 0..=1.
+    /// Hurst exponent of the spectrum, 0..=1.
     pub hurst: f64,
-    /// Longest wavelength (m).
+    /// Longest wavelength of the spectrum (m).
     pub longest: f64,
     /// Shortest wavelength (m), at least 3 regions, so that the lattice resolves it.
     pub shortest: f64,

@@ -18,15 +18,15 @@ pub(super) const REGIONS_A_WAVE: f64 = 3.0;
 /// Variance per octave goes as k^-2H, hence the power density of a profile as k^-(2H+1).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Spectrum {
-    /// Longest wavelength (m).
+    /// Longest wavelength of the spectrum (m).
     pub longest: f64,
-    /// Shortest wavelength (m).
+    /// Shortest wavelength of the spectrum (m).
     pub shortest: f64,
-    /// Hurst exponent H.
+    /// Hurst exponent H of the spectrum.
     pub hurst: f64,
     /// Root mean square of the field (m).
     pub rms: f64,
-    /// Number of waves.
+    /// Number of plane waves in the sum.
     pub count: usize,
 }
 
@@ -76,7 +76,7 @@ struct Wave {
     /// To the north and east (rad/m).
     vector: [f64; 2],
     phase: f64,
-    /// Wavelength (m).
+    /// Wavelength of the wave (m).
     length: f64,
 }
 

@@ -114,7 +114,7 @@ impl Hashed {
 struct Cells<L: Simd> {
     /// Lattice lines before the places, plus [`ROUND`].
     lines: [f64x8<L>; 2],
-    /// Ways from them.
+    /// Ways from those lattice lines to the places (cells, 0..=1).
     ways: [f64x8<L>; 2],
 }
 

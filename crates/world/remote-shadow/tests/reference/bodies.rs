@@ -1,4 +1,4 @@
-//! Shadows of bodies.
+//! Tests of the shadows that bodies cast on the ground.
 
 use crate::common::{cratered, crossing, flat, landscape};
 use glam::{DMat3, DVec3};

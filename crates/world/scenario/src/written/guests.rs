@@ -116,7 +116,7 @@ fn station(table: &Reader, usual: Attitude) -> Option<MoveStation> {
     Some(MoveStation { time: time?, stance: Stance { at: at?, attitude }, above: above? })
 }
 
-/// Times ascend.
+/// Returns the stations if their times ascend, and reports the first time that does not.
 fn ascending(tables: &[Reader], stations: Vec<MoveStation>) -> Option<Vec<MoveStation>> {
     let Some(at) = stations.windows(2).position(|pair| pair[1].time <= pair[0].time) else {
         return Some(stations);

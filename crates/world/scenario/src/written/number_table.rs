@@ -29,7 +29,7 @@ impl<'p> NumberTable<'p> {
         Place { source: self.source.clone(), span: span.clone() }
     }
 
-    /// Records a fault.
+    /// Records a fault at the bytes `span`: what is wrong, and what was expected.
     pub fn fault(&mut self, span: &Range<usize>, title: String, expected: &str) {
         let found = self.source.text[span.clone()].to_owned();
         let problem = Problem::at(&self.place(span), title).found(found).expected(expected);

@@ -167,7 +167,7 @@ pub(super) fn stance(table: &Reader) -> Option<Stance> {
     Some(Stance { at: at?, attitude: Attitude { roll: roll?, pitch: pitch?, heading: heading? } })
 }
 
-/// `x_m` and `y_m`.
+/// Reads the keys `x_m` and `y_m`: a place, north and east (m).
 pub(super) fn place(table: &Reader) -> Option<[f64; 2]> {
     let metres = |key: &str| table.f64(key).between(-MAX_COORDINATE, MAX_COORDINATE).unit("m").required();
     let (x, y) = (metres("x_m"), metres("y_m"));

@@ -12,7 +12,7 @@ pub(super) struct Faults {
 }
 
 impl Faults {
-    /// None yet.
+    /// Makes an empty list of faults for the text `source`.
     pub fn new(source: Arc<Source>) -> Self {
         let list = LongList::new(source.name.clone());
         Self { source, list }

@@ -13,7 +13,7 @@ pub(super) struct Written {
     pub parts: Vec<Part>,
 }
 
-/// A `v`.
+/// A vertex: one `v` line.
 pub(super) struct Vertex {
     /// In body axes (m).
     pub place: DVec3,
@@ -29,7 +29,7 @@ pub(super) struct Part {
     pub faces: Vec<Face>,
 }
 
-/// An `f`.
+/// A face: one `f` line.
 pub(super) struct Face {
     pub corners: Vec<Corner>,
     /// Bytes of the text.

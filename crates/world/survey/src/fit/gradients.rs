@@ -6,12 +6,12 @@ use rayon::prelude::*;
 use super::normal::Normal;
 use super::precondition::Preconditioner;
 
-/// When to stop.
+/// Conditions under which the iteration stops: the first one met ends it.
 #[derive(Debug, Clone, Copy)]
 pub struct Stop {
     /// Residual of the normal equations against the right-hand side, in the norm of the preconditioner.
     pub tolerance: f64,
-    /// Most iterations.
+    /// Greatest number of iterations.
     pub iterations: usize,
 }
 
@@ -20,7 +20,7 @@ pub struct Stop {
 pub struct Solution {
     /// Nine words a corner.
     pub words: Vec<CornerWords>,
-    /// Iterations made.
+    /// Number of iterations that were made.
     pub iterations: usize,
     /// Last relative residual, as in [`Stop::tolerance`].
     pub residual: f64,

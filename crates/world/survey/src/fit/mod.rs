@@ -42,11 +42,11 @@ impl Default for Stiffness {
 /// A fitted level and how the solution went.
 #[derive(Debug)]
 pub struct Fit {
-    /// The ground.
+    /// Level of terrain coefficients that was fitted.
     pub level: Level,
     /// Samples to the north and to the east, by region.
     pub axes: [Axis; 2],
-    /// Iterations made.
+    /// Number of iterations that the solution took.
     pub iterations: usize,
     /// Last relative residual of the normal equations.
     pub relative_residual: f64,

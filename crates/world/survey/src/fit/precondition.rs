@@ -75,7 +75,7 @@ impl AxisFactor {
     }
 }
 
-/// Both factors.
+/// The preconditioner as its two factors, one per axis.
 #[derive(Debug)]
 pub struct Preconditioner {
     north: AxisFactor,

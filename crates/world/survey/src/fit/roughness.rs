@@ -107,7 +107,7 @@ fn split(words: &RegionWords) -> [[f64; 9]; 4] {
     out
 }
 
-/// Adjoint of [`split`].
+/// Puts the four blocks back together: the adjoint of [`split`].
 fn join(blocks: &[[f64; 9]; 4]) -> RegionWords {
     let mut out = [[0.0; 6]; 6];
     for p in 0..3 {

@@ -14,15 +14,15 @@ use crate::projection::{Method, Projection};
 /// The tags as they stand in the file.
 #[derive(Debug, Default, Clone)]
 pub struct GeoTags {
-    /// ModelPixelScaleTag.
+    /// Values of the tag ModelPixelScaleTag, if it is there.
     pub pixel_scale: Option<Vec<f64>>,
-    /// ModelTiepointTag.
+    /// Values of the tag ModelTiepointTag, if it is there.
     pub tie_point: Option<Vec<f64>>,
-    /// ModelTransformationTag.
+    /// Values of the tag ModelTransformationTag, if it is there.
     pub transformation: Option<Vec<f64>>,
-    /// GeoKeyDirectoryTag.
+    /// Values of the tag GeoKeyDirectoryTag: a header of four words, then four words a key.
     pub directory: Vec<u16>,
-    /// GeoDoubleParamsTag.
+    /// Values of the tag GeoDoubleParamsTag, to which keys point.
     pub numbers: Vec<f64>,
 }
 

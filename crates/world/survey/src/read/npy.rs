@@ -1,4 +1,4 @@
-//! Two-dimensional `.npy` arrays.
+//! Reads two-dimensional `.npy` arrays as elevations.
 
 use std::path::Path;
 

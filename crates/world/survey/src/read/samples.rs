@@ -12,9 +12,9 @@ use crate::error::SurveyError;
 pub struct Conversion {
     /// Stored numbers that mark a void, rounded to the stored type.
     pub voids: Vec<f64>,
-    /// Metres a unit.
+    /// Height of one stored unit (m); not 0.
     pub scale: f64,
-    /// Metres added.
+    /// Height of the stored number 0 above the lunoid (m).
     pub offset: f64,
 }
 

@@ -21,13 +21,13 @@ use signal::{LANES, Lanes, Real};
 pub const RISE: f64 = 2e-6;
 /// How much later than the one before each triangle begins (s).
 const LATER: f64 = 0.25e-6;
-/// The constant input.
+/// Value of the constant input.
 pub const B: f64 = 0.9;
-/// The smoother.
+/// Law of the smoother, a second-order lag.
 pub const SMOOTHER: SecondOrder = SecondOrder { natural: 1.6 / 40e-9, damping: 0.8 };
 /// Time constant behind the multiplier (s).
 pub const TAU_M: f64 = 20e-9;
-/// The multiplier.
+/// Law of the multiplier.
 pub const MULTIPLIER: MultiplierLaw =
     MultiplierLaw { gain: 0.002, feed_a: 0.003, feed_b: -0.002, offset: 0.001, nonlinearity: 0.0025 };
 /// Of the comparator, which has no hysteresis.
@@ -48,7 +48,7 @@ fn triangle(chain: usize, time: f64) -> f64 {
     if phase <= 1.0 { phase } else { 2.0 - phase }
 }
 
-/// The chains, stepped.
+/// Eight chains that are stepped side by side.
 #[derive(Debug)]
 pub struct Stepped<S> {
     h: f64,

@@ -12,7 +12,7 @@ use signal::{Breaks, LANES, Lanes};
 use super::{Driven, PartsProcessor, Scratch};
 use crate::Deflection;
 
-/// A sample (s).
+/// Time of one sample (s).
 const H: f64 = 50e-9;
 /// Lines of the picture; its field is +-0.25.
 const LINES: f64 = 500.0;

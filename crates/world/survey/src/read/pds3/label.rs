@@ -7,21 +7,21 @@ pub enum Value {
     Plain {
         /// Characters without quotes; white space of quoted text joined.
         text: String,
-        /// Characters of `<unit>`.
+        /// Unit of the value: the characters between `<` and `>`.
         unit: Option<String>,
     },
     /// `(a, b)` or `{a, b}`.
     List(Vec<Value>),
 }
 
-/// One statement.
+/// One statement of a label: keyword = value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Statement {
     /// Innermost OBJECT or GROUP around it, empty at the top.
     pub object: String,
     /// Keyword in capitals, pointers with `^`.
     pub keyword: String,
-    /// Its value.
+    /// Value that stands after the equals sign.
     pub value: Value,
     /// Line of the keyword, from 1.
     pub line: usize,
@@ -30,11 +30,11 @@ pub struct Statement {
 /// What is wrong with the text of a label.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LabelFault {
-    /// Line, from 1.
+    /// Line of the fault in the label, from 1.
     pub line: usize,
-    /// What stands there.
+    /// Text that stands there, for the message.
     pub found: String,
-    /// What should.
+    /// Text or syntax that was expected there.
     pub expected: &'static str,
 }
 
