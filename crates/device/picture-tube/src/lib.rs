@@ -6,9 +6,9 @@
 //! ```
 //!
 //! **Law.** Reflectivity w, as it is read, is corrected to the video `w^(1 / correction)`. The video amplifier is a lag along
-//! the line; noise of the same band joins the video. Contrast is set so that `display.white` drives the tube to white, which is
-//! 1. A drive v gives the light `((v - c) / (1 - c))^gamma` of white's, none up to the cut-off c. So noise in black stays dark,
-//! and noise in white is brightest.
+//! the line; noise of the same band joins the video. Contrast is set so that `display.white` drives the tube to 1. A drive v
+//! gives the light `((v - c) / (1 - c))^gamma` of white's, none up to the cut-off c. So noise in black stays dark, and noise in
+//! white is brightest.
 //! **Noise.** n shades of grey that can be told apart between black and full video (`sweep_memory.grey`) are a deviation of
 //! `1 / 6n` in the band. Along a line it is correlated as `e^(-dt / tau)`; two lines and two fields have nothing in common. Its
 //! address is field and line, so a field can be made alone, by any number of threads.

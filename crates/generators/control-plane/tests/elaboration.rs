@@ -145,11 +145,13 @@ fn another_law_of_reflection_needs_the_clip_of_the_mixing_unit() {
 #[test]
 fn a_figure_of_a_part_brings_the_parts_of_its_block_alone() {
     type Change = fn(&mut Settings);
-    let cases: [(Change, Block); 4] = [
+    let cases: [(Change, Block); 6] = [
         (|settings| settings.analog.multiplier.bandwidth = Some(6e4), Block::Terrain),
         (|settings| settings.analog.wires.bandwidth = Some(1e5), Block::Amplifiers),
         (|settings| settings.analog.video_switch.time = 1e-6, Block::Mixing),
         (|settings| settings.analog.memory.erase_residual = 0.1, Block::Memory),
+        (|settings| settings.analog.memory.grey = Some(8), Block::PictureTube),
+        (|settings| settings.analog.picture_tube.gamma = 2.2, Block::PictureTube),
     ];
     for (change, block) in cases {
         let list = with_settings(change);
