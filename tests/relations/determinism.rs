@@ -33,6 +33,10 @@ fn frame(session: &dyn Session, scene: &ComparedScene, number: u64, probed: bool
     assert_eq!(probed, !probe.waveforms.is_empty());
     let picture = planes.get(PlaneKind::Intensity).unwrap();
     let bits: Vec<u32> = picture.iter().map(|value| value.to_bits()).collect();
+    // A frame has one showing here, which is what is kept of it.
+    session.repeat(number, &pose, 0, &mut planes).unwrap();
+    let again = planes.get(PlaneKind::Intensity).unwrap();
+    assert!(again.iter().map(|value| value.to_bits()).eq(bits.iter().copied()));
     format!("{counts:?} {bits:?}")
 }
 
@@ -76,7 +80,9 @@ fn one_outcome_of_every_way() {
         let settings = Settings { analog: nominal.analog.clone(), ..ideal.settings.clone() };
         let mut slow = ideal.clone();
         slow.settings.analog.wires = WireParts { bandwidth: Some(2e4), slew: Some(2e4), ..WireParts::IDEAL };
-        let nominal = MachineStage { settings, ..ideal.clone() };
+        let mut nominal = MachineStage { settings, ..ideal.clone() };
+        // Slow enough for every frame to show those before.
+        nominal.settings.analog.picture_tube.phosphor = 0.1;
         for (what, stage) in [("ideal", ideal), ("slow wires", slow), ("parts of pra-nominal", nominal)] {
             let outcomes = all_ways(&scene, &stage);
             let ways: Vec<_> = outcomes.values().collect();

@@ -47,6 +47,8 @@ pub struct AnalogParts {
     pub projection: ProjectionParts,
     /// Parts of the sweep memory (hardware section 3.8).
     pub memory: MemoryParts,
+    /// The display: video amplifier and picture tube.
+    pub picture_tube: PictureTubeParts,
     /// Bandwidth of the video behind the mixing unit (Hz); none is lost if `None`.
     pub video_bandwidth: Option<f64>,
     /// Output amplifiers of the main signals.
@@ -267,6 +269,25 @@ pub enum WriteCompensation {
     Off,
 }
 
+/// Video amplifier and picture tube of the display (hardware section 3.9).
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct PictureTubeParts {
+    /// Bandwidth of the video amplifier (Hz); none is lost if `None`.
+    pub bandwidth: Option<f64>,
+    /// Exponent of the tube for which the video is corrected: it is `w^(1 / correction)`; 1: it is not.
+    pub correction: f64,
+    /// Exponent of the tube's law; 1: light is as the drive.
+    pub gamma: f64,
+    /// Video at which the beam is cut off (share of what drives white); 0: at black.
+    pub cut_off: f64,
+    /// Decay of the phosphor to a tenth (s); 0: at once.
+    pub phosphor: f64,
+    /// Resolution (TV lines a picture height, at 50 % response); as fine as the raster if `None`.
+    pub tv_lines: Option<u32>,
+    /// Fields of a picture: with 2 each showing scans every other line.
+    pub fields: u32,
+}
+
 impl AnalogParts {
     /// Every part does its algebra: full scale 1 V, nothing else is there.
     pub const fn ideal() -> Self {
@@ -288,6 +309,7 @@ impl AnalogParts {
             texture: TextureParts::IDEAL,
             projection: ProjectionParts::IDEAL,
             memory: MemoryParts::IDEAL,
+            picture_tube: PictureTubeParts::IDEAL,
             video_bandwidth: None,
             wires: WireParts::IDEAL,
         }

@@ -141,7 +141,7 @@ impl fmt::Display for PartCounts {
 
 impl PartCounts {
     /// Lines of the diagram: blocks with the way of the signals, and their parts.
-    fn blocks(&self) -> [(&'static str, String); 21] {
+    fn blocks(&self) -> [(&'static str, String); 23] {
         let wires = |line| (line, String::new());
         [
             ("data banks", format!("{} of each level", plural(self.drums, "drum"))),
@@ -165,6 +165,8 @@ impl PartCounts {
             wires("  └──▶ polyhedron generator"),
             wires("         ▼"),
             ("       sweep memory", plural(self.tubes, "tube")),
+            wires("         ▼ video"),
+            ("       display", "video amplifier, picture tube".into()),
         ]
     }
 

@@ -28,8 +28,9 @@ mod written;
 pub use analog::{
     AmplifierParts, AnalogParts, CROSSTALK_FREQUENCY, ComparatorParts, FEEDTHROUGH_FREQUENCY,
     FeatureChainParts, FoldDetect, FunctionGeneratorParts, MAIN_WIRES, MemoryParts, MultiplierParts,
-    MultiplyingDacParts, ProjectionParts, ReflectivityParts, SMOOTHER_DAMPING, SampleHoldParts,
-    ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts, WireParts, WriteCompensation,
+    MultiplyingDacParts, PictureTubeParts, ProjectionParts, ReflectivityParts, SMOOTHER_DAMPING,
+    SampleHoldParts, ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts, WireParts,
+    WriteCompensation,
 };
 pub use budget::{
     Budget, BudgetLine, CpuBudget, CrossingBudget, DrumBudget, GroundScale, LoaderBudget, SweepBudget,

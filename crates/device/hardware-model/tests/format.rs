@@ -149,7 +149,7 @@ fn digital_changes() -> impl Iterator<Item = (&'static str, Option<Setting>, Str
     of_the_drum.chain(others.into_iter().map(|(key, value)| (key, None, value.to_owned())))
 }
 
-fn analog_changes() -> [(&'static str, &'static str); 68] {
+fn analog_changes() -> [(&'static str, &'static str); 75] {
     [
         ("analog.full_scale_v", "10"),
         ("spread.parts", "on"),
@@ -199,6 +199,13 @@ fn analog_changes() -> [(&'static str, &'static str); 68] {
         ("sweep_memory.write_compensation", "100"),
         ("sweep_memory.write_compensation", "off"),
         ("sweep_memory.deflection_mhz", "3"),
+        ("picture_tube.bandwidth_mhz", "10"),
+        ("picture_tube.correction", "2.2"),
+        ("picture_tube.gamma", "2.2"),
+        ("picture_tube.cut_off_pct", "5"),
+        ("picture_tube.phosphor_ms", "0.04"),
+        ("picture_tube.tv_lines", "800"),
+        ("picture_tube.fields", "2"),
         ("feature_generator.load_words_us", "10"),
         ("sweep.nonlinearity_pct", "0.05"),
         ("function_generator.rounding_mv", "50"),

@@ -51,7 +51,7 @@ fn a_side_leaves_the_other_alone() {
     );
     assert_eq!((&analog.loader, analog.cpu, analog.data_banks), (&own.loader, own.cpu, own.data_banks));
     assert_eq!(analog.feature_words, own.feature_words);
-    assert!(digital.loader.is_wired_through() && analog.analog.memory.is_ideal());
+    assert!(digital.loader.is_wired_through() && analog.analog.tubes_are_ideal());
 }
 
 /// The line generators are digital; a map on a tube is read by analog means.

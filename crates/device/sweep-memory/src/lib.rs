@@ -7,7 +7,7 @@
 //!
 //! of real parts:
 //! position ─▶ deflection ─┐
-//! intensity ─▶ current ───┴▶ charge ─▶ store ─▶ + residue ─▶ spot, registration ─▶ read-out ─▶ + noise ─▶ video
+//! intensity ─▶ current ───┴▶ charge ─▶ store ─▶ + residue ─▶ spot, registration ─▶ read-out ─▶ video
 //! stretches ─▶ on, off ───┘                     of earlier pictures
 //! ```
 //!
@@ -47,7 +47,8 @@
 //! **Tube** ([`Tube`]). The k-th picture before this one in the same tube is left with `rho^k`. The spot is Gaussian,
 //! `0.375 / n` of the picture's height, for half response at `n / 2` cycles a height: that of both guns together. A tube
 //! reads with a displacement and a scale of its own, along and across; where there are two, every second frame has the
-//! other. n shades that can be told apart are noise of `1 / 6n`, in the video.
+//! other. n shades that can be told
+//! apart are noise in the video, which the display adds (crate `picture-tube`).
 //! **Elaboration.** Exact compensation, no deflection, no spot, no residue: each is a stage that is not there. Charge
 //! and levels are two guns, chosen once a group.
 //! **Our choices.** Linear spot; the outermost sweeps serve pixels beyond them by at most half a sweep; a turned screen
@@ -62,7 +63,6 @@ mod cubic;
 mod curve;
 mod deflection;
 mod exposure;
-mod gather;
 mod read_out;
 mod side_by_side;
 mod stroke;

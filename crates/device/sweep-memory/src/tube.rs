@@ -1,26 +1,19 @@
-//! The storage tube between writing and reading: what is left of earlier pictures, spot, registration, noise.
+//! The storage tube between writing and reading: what is left of earlier pictures, spot, registration.
 
 use std::iter::successors;
 
 use hardware_model::MemoryParts;
-use parts::{NoiseSource, Spread};
+use parts::{Spot, Spread, spot_sigma};
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::{ParallelSlice, ParallelSliceMut};
 
 use crate::exposure::SATURATED;
-use crate::gather::Gather;
-
-/// Deviation of the Gaussian spot, times TV lines a picture height: half response at `n / 2` cycles a height.
-const SPOT: f64 = 0.375;
 
 /// Pictures that a tube remembers at most.
 const MOST_FRAMES: usize = 16;
 
 /// Residue that nobody sees: half a grey level of 255.
 const UNSEEN: f64 = 0.5 / 255.0;
-
-/// Sigmas of noise in the step between two shades that can be told apart.
-const APART: f64 = 6.0;
 
 /// What is written on the target.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,14 +34,7 @@ pub struct Tube {
     residual: f64,
     memory_frames: usize,
     /// Across sweeps and along lines, of each tube; empty where reading is where writing was, and as fine.
-    optics: Vec<[Gather; 2]>,
-    noise: Option<ReadNoise>,
-}
-
-#[derive(Debug, Clone, Copy)]
-struct ReadNoise {
-    source: NoiseSource,
-    sigma: f32,
+    optics: Vec<[Spot; 2]>,
 }
 
 impl Tube {
@@ -63,10 +49,6 @@ impl Tube {
             residual: parts.erase_residual,
             memory_frames: memory_frames(parts.erase_residual),
             optics: (0..tubes).filter(|_| !is_sharp).map(optics).collect(),
-            noise: parts.grey.map(|shades| ReadNoise {
-                source: NoiseSource::new(seed, "sweep-memory.read", 0),
-                sigma: (1.0 / (APART * f64::from(shades.max(1)))) as f32,
-            }),
         }
     }
 
@@ -106,19 +88,6 @@ impl Tube {
         rows.for_each(|(out, row)| along.along(row, out));
         let rows = store.par_chunks_exact_mut(lines).enumerate();
         rows.for_each(|(sweep, row)| across.across(sweep, scratch, row));
-    }
-
-    /// Adds the noise of the reading to the picture that was read, `columns` wide; `scratch` holds nothing after.
-    pub fn add_noise(&self, frame: u64, columns: usize, picture: &mut [f32], scratch: &mut Vec<f32>) {
-        let Some(ReadNoise { source, sigma }) = self.noise else { return };
-        let first = frame.wrapping_mul((picture.len() / columns) as u64);
-        scratch.resize(picture.len(), 0.0);
-        let rows = picture.par_chunks_exact_mut(columns).zip(scratch.par_chunks_exact_mut(columns));
-        rows.enumerate().for_each(|(line, (row, deviates))| {
-            source.fill(first.wrapping_add(line as u64), deviates);
-            // No light is less than none.
-            row.iter_mut().zip(deviates).for_each(|(value, n)| *value = (*value + sigma * *n).max(0.0));
-        });
     }
 }
 
@@ -160,11 +129,11 @@ impl Registration {
 }
 
 /// Spot and registration of a tube.
-fn optics(parts: &MemoryParts, raster: &TubeRaster, spread: &Spread, tube: u64) -> [Gather; 2] {
-    let spot = parts.tv_lines.map_or(0.0, |lines| SPOT / f64::from(lines));
+fn optics(parts: &MemoryParts, raster: &TubeRaster, spread: &Spread, tube: u64) -> [Spot; 2] {
+    let spot = parts.tv_lines.map_or(0.0, spot_sigma);
     let [across, along] = Registration::of(parts, raster, spread, tube);
     let axis = |cells: usize, heights: f64, registration: Registration| {
-        Gather::new(cells, spot * (cells as f64 / heights), |cell| registration.at(cell))
+        Spot::new(cells, spot * (cells as f64 / heights), |cell| registration.at(cell))
     };
     [axis(raster.sweeps, raster.width, across), axis(raster.lines, 1.0, along)]
 }

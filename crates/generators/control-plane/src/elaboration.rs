@@ -36,6 +36,8 @@ pub enum Block {
     Beam,
     /// Storage tubes of the sweep memory.
     Memory,
+    /// Video amplifier and picture tube of the display.
+    PictureTube,
     /// Output amplifiers of the main signals.
     Amplifiers,
 }
@@ -64,7 +66,7 @@ struct Row {
 /// The machine that a stage asks for, as a list of blocks in the order of the record.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Elaboration {
-    rows: [Row; 12],
+    rows: [Row; 13],
     preview: bool,
 }
 
@@ -86,6 +88,7 @@ impl Elaboration {
             mixing(stage),
             beam(stage),
             memory(stage),
+            picture_tube(stage),
             amplifiers(stage),
         ];
         let preview =
@@ -223,8 +226,18 @@ fn beam(stage: &MachineStage) -> Row {
 }
 
 fn memory(stage: &MachineStage) -> Row {
-    let has_parts = !stage.settings.analog.memory.is_ideal();
+    let has_parts = !stage.settings.analog.memory.keeps_pictures();
     Row::always(Block::Memory, "sweep-memory", "spot, exposure, residue", has_parts)
+}
+
+fn picture_tube(stage: &MachineStage) -> Row {
+    let has_parts = !stage.settings.analog.display_is_ideal();
+    Row::always(
+        Block::PictureTube,
+        "picture-tube",
+        "law of the tube, noise, phosphor, spot, interlace",
+        has_parts,
+    )
 }
 
 fn amplifiers(stage: &MachineStage) -> Row {

@@ -46,7 +46,7 @@ fn with_ground(change: impl FnOnce(Landscape) -> Landscape) -> Elaboration {
     changed(|stage| stage.landscape = Arc::new(change(Landscape::clone(&stage.landscape))))
 }
 
-const ALL: [Block; 12] = [
+const ALL: [Block; 13] = [
     Block::Terrain,
     Block::Features,
     Block::Shadows,
@@ -58,6 +58,7 @@ const ALL: [Block; 12] = [
     Block::Mixing,
     Block::Beam,
     Block::Memory,
+    Block::PictureTube,
     Block::Amplifiers,
 ];
 
@@ -70,10 +71,10 @@ fn of_parts(list: &Elaboration) -> Vec<Block> {
 }
 
 /// What is always there.
-const BARE: [Block; 4] = [Block::Terrain, Block::Beam, Block::Memory, Block::Amplifiers];
+const BARE: [Block; 5] = [Block::Terrain, Block::Beam, Block::Memory, Block::PictureTube, Block::Amplifiers];
 
 #[test]
-fn level_ground_on_the_ideal_machine_needs_four_blocks_and_no_parts() {
+fn level_ground_on_the_ideal_machine_needs_five_blocks_and_no_parts() {
     let list = changed(|_| {});
     assert_eq!(there(&list), BARE);
     assert_eq!(of_parts(&list), []);
@@ -144,11 +145,13 @@ fn another_law_of_reflection_needs_the_clip_of_the_mixing_unit() {
 #[test]
 fn a_figure_of_a_part_brings_the_parts_of_its_block_alone() {
     type Change = fn(&mut Settings);
-    let cases: [(Change, Block); 4] = [
+    let cases: [(Change, Block); 6] = [
         (|settings| settings.analog.multiplier.bandwidth = Some(6e4), Block::Terrain),
         (|settings| settings.analog.wires.bandwidth = Some(1e5), Block::Amplifiers),
         (|settings| settings.analog.video_switch.time = 1e-6, Block::Mixing),
         (|settings| settings.analog.memory.erase_residual = 0.1, Block::Memory),
+        (|settings| settings.analog.memory.grey = Some(8), Block::PictureTube),
+        (|settings| settings.analog.picture_tube.gamma = 2.2, Block::PictureTube),
     ];
     for (change, block) in cases {
         let list = with_settings(change);

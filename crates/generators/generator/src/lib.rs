@@ -139,6 +139,21 @@ pub trait Session: Send + Sync {
         probe: &mut Probe,
     ) -> Result<FrameCounts, FrameError>;
 
+    /// Draws showing `showing` of frame `frame`, from 0, as a display repeats it at the refresh rate. `false` if every showing is
+    /// what [`frame`](Self::frame) draws: then `planes` keep what they hold. Otherwise `frame` draws the last showing.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    fn repeat(
+        &self,
+        _frame: u64,
+        _pose: &Pose,
+        _showing: u64,
+        _planes: &mut Planes,
+    ) -> Result<bool, FrameError> {
+        Ok(false)
+    }
+
     /// Whether [`frame`](Self::frame) can draw frame `frame` from `pose`; nothing is drawn.
     ///
     /// # Errors

@@ -8,13 +8,14 @@ use display_projection_processor::Processor;
 use generator::FrameError;
 use polyhedron_generator::NearTable;
 use remote_shadow::Footings;
+use scenario::Pose;
 use signal::Real;
 use signal_plane::{Group, RealParts, Workspace};
 use sweep_generator::RangeTable;
 
 use crate::picture::Cells;
 use crate::pool::Pool;
-use crate::residue::Recent;
+use crate::residue::{Recent, Written};
 
 /// The machine, its tables, and buffers that wait for the next frame.
 pub(crate) struct Elaborated<S> {
@@ -29,11 +30,21 @@ pub(crate) struct Elaborated<S> {
     pub footings: Footings,
     pub digital: Digital,
     pub parts: RealParts<S>,
-    pub recent: Recent,
+    /// Stores of the last frames as they were written.
+    pub stores_before: Recent<Written>,
+    /// Pictures of the last frames as they were read.
+    pub pictures: Recent<Vec<f32>>,
     pub workspaces: Pool<Box<Workspace<S>>>,
     pub deliveries: Pool<Delivery>,
     pub stores: Pool<Vec<f32>>,
     pub cells: Pool<Cells>,
+}
+
+/// A frame before its sweeps run: where they look, what its digital side does, what its I/O processors bring.
+pub(crate) struct Begun {
+    pub plan: FramePlan,
+    pub digital: DigitalFrame,
+    pub delivery: Delivery,
 }
 
 impl<S: Real> Elaborated<S> {
@@ -50,7 +61,8 @@ impl<S: Real> Elaborated<S> {
             digital: Digital::new(&stage),
             parts: RealParts::new(&stage, &list, table.ranges(), &WrittenRaster::new(settings)),
             list,
-            recent: Recent::default(),
+            stores_before: Recent::default(),
+            pictures: Recent::default(),
             table,
             workspaces: Pool::default(),
             deliveries: Pool::default(),
@@ -60,26 +72,18 @@ impl<S: Real> Elaborated<S> {
         }
     }
 
-    /// Hands what the I/O processors and the digital side have for the frame of `plan` at `time` (s) to `run`.
-    pub(crate) fn prepared<T>(
-        &self,
-        plan: &FramePlan,
-        time: f64,
-        run: impl FnOnce(&Delivery, &DigitalFrame) -> T,
-    ) -> Result<T, FrameError> {
-        let digital = self.digital_frame(plan, time);
-        let delivery = self.deliver(plan, &digital, time)?;
-        let result = run(&delivery, &digital);
-        self.deliveries.give_back(delivery);
-        Ok(result)
+    /// Begins `frame` from `pose`.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    pub(crate) fn begin(&self, frame: u64, pose: &Pose) -> Result<Begun, FrameError> {
+        let plan = FramePlan::new(frame, pose, &self.stage, &self.raster.field)?;
+        let digital = self.digital_frame(&plan, pose.time);
+        let delivery = self.deliver(&plan, &digital, pose.time)?;
+        Ok(Begun { plan, digital, delivery })
     }
 
-    pub(crate) fn deliver(
-        &self,
-        plan: &FramePlan,
-        digital: &DigitalFrame,
-        time: f64,
-    ) -> Result<Delivery, FrameError> {
+    fn deliver(&self, plan: &FramePlan, digital: &DigitalFrame, time: f64) -> Result<Delivery, FrameError> {
         let mut delivery = self.deliveries.take();
         let supply = Supply {
             stage: &self.stage,
@@ -95,7 +99,7 @@ impl<S: Real> Elaborated<S> {
         Ok(delivery)
     }
 
-    pub(crate) fn digital_frame(&self, plan: &FramePlan, time: f64) -> DigitalFrame {
+    fn digital_frame(&self, plan: &FramePlan, time: f64) -> DigitalFrame {
         let crossings = Crossings {
             stage: &self.stage,
             coarse: self.blocks.coarse.as_ref(),
@@ -111,12 +115,7 @@ impl<S: Real> Elaborated<S> {
     }
 
     /// What all groups of a frame share.
-    pub(crate) fn group<'g>(
-        &'g self,
-        plan: &'g FramePlan,
-        delivery: &'g Delivery,
-        digital: &'g DigitalFrame,
-    ) -> Group<'g, S> {
+    pub(crate) fn group<'g>(&'g self, plan: &'g FramePlan, begun: &'g Begun) -> Group<'g, S> {
         Group {
             stage: &self.stage,
             blocks: &self.blocks,
@@ -125,8 +124,8 @@ impl<S: Real> Elaborated<S> {
             processor: &self.processor,
             raster: self.raster,
             plan,
-            delivery,
-            digital,
+            delivery: &begun.delivery,
+            digital: &begun.digital,
             parts: &self.parts,
         }
     }

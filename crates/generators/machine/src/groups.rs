@@ -2,14 +2,14 @@
 
 use std::sync::Arc;
 
-use control_plane::{Delivery, DigitalFrame, FramePlan};
+use control_plane::FramePlan;
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 use signal::{LANES, Real, Waveform};
 use signal_plane::{Group, Look, Recorded, Wanted, Workspace};
 
 use crate::counts::{MachineCounts, terrain_counts};
-use crate::elaborated::Elaborated;
+use crate::elaborated::{Begun, Elaborated};
 use crate::picture::Picture;
 
 /// What a group has to say beside its lines.
@@ -96,17 +96,16 @@ impl<S: Real> Elaborated<S> {
         MachineCounts { sweeps: 1, samples: self.table.ranges().len() as u64, ..counts }
     }
 
-    /// All sweeps of a frame, into `store`.
+    /// All sweeps of a frame that has begun, by `plan`, into `store`.
     pub(crate) fn write(
         &self,
         plan: &FramePlan,
-        delivery: &Delivery,
-        digital: &DigitalFrame,
+        begun: &Begun,
         wanted: Wanted<'_, impl Look>,
         store: &mut Vec<f32>,
     ) -> Vec<GroupResult> {
         store.resize(self.stage.settings.raster.sweeps as usize * self.raster.lines, 0.0);
-        let group = self.group(plan, delivery, digital);
+        let group = self.group(plan, begun);
         let rows = store.par_chunks_mut(LANES * self.raster.lines).enumerate().with_max_len(1);
         rows.map(|(index, rows)| self.run_group(&group, wanted, index, rows)).collect()
     }
@@ -114,15 +113,13 @@ impl<S: Real> Elaborated<S> {
     /// All sweeps of a frame, into a picture that no tube keeps: tiles are read while others are written.
     pub(crate) fn write_and_read(
         &self,
-        plan: &FramePlan,
-        delivery: &Delivery,
-        digital: &DigitalFrame,
+        begun: &Begun,
         wanted: Wanted<'_, impl Look>,
         picture: &Picture<'_>,
     ) -> Vec<GroupResult> {
         let sweeps = self.stage.settings.raster.sweeps as usize;
         let groups = sweeps.div_ceil(LANES);
-        let group = self.group(plan, delivery, digital);
+        let group = self.group(&begun.plan, begun);
         // From both ends inwards: where threads meet, cells have not waited since the frame began.
         let inwards = |n: usize| if n < groups / 2 { n } else { groups - 1 - (n - groups / 2) };
         let run = |index: usize| {

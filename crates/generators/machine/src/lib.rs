@@ -31,13 +31,15 @@
 //! | 3 | `elaborated` | the machine of a stage: its tables, and what the groups of a frame share |
 //! | 4 | `groups` | the groups of a frame |
 //! | 4 | `tube` | how pictures are read, and what a tube has left of earlier ones |
-//! | 5 | `session` | a frame, from its pose to its planes |
-//! | 5 | `on_time` | a frame twice: as it is, and with late words on time |
-//! | 6 | `prepare` | from a stage to a session |
-//! | 6 | `unprobed` | the machine without probes |
-//! | 7 | `hybrid_machine` | the machine as a generator |
+//! | 5 | `display` | pictures that were read, and what the picture tube shows of them |
+//! | 6 | `session` | a frame, from its pose to its planes |
+//! | 6 | `on_time` | a frame twice: as it is, and with late words on time |
+//! | 7 | `prepare` | from a stage to a session |
+//! | 7 | `unprobed` | the machine without probes |
+//! | 8 | `hybrid_machine` | the machine as a generator |
 
 mod counts;
+mod display;
 mod elaborated;
 mod groups;
 mod hybrid_machine;

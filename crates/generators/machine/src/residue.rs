@@ -1,31 +1,39 @@
-//! Pictures as they were written, kept as long as a tube may show what is left of them.
+//! Stores and pictures of the last frames, kept as long as a tube may show what is left of them.
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use control_plane::FramePlan;
 
 /// A store, and the plan by which it was written.
 pub(crate) type Written = (FramePlan, Vec<f32>);
 
-/// The last stores, with their frames. What is kept changes no bit: a store that is gone is drawn again.
-#[derive(Debug, Default)]
-pub(crate) struct Recent {
-    stores: Mutex<Vec<(u64, Arc<Written>)>>,
-}
+/// Something of each of the last frames. What is kept changes no bit: what is gone is drawn again.
+#[derive(Debug)]
+pub(crate) struct Recent<T>(Mutex<Vec<(u64, Arc<T>)>>);
 
-impl Recent {
-    /// The store of a frame, if it is still there.
-    pub fn get(&self, frame: u64) -> Option<Arc<Written>> {
-        let stores = self.stores.lock().unwrap_or_else(PoisonError::into_inner);
-        stores.iter().find(|(known, _)| *known == frame).map(|(_, store)| Arc::clone(store))
+impl<T> Recent<T> {
+    /// That of a frame, if it is still there.
+    pub fn get(&self, frame: u64) -> Option<Arc<T>> {
+        let kept = self.kept();
+        kept.iter().find(|(known, _)| *known == frame).map(|(_, found)| Arc::clone(found))
     }
 
-    /// Keeps a store, and of all the `most` last kept.
-    pub fn keep(&self, frame: u64, store: Arc<Written>, most: usize) {
-        let mut stores = self.stores.lock().unwrap_or_else(PoisonError::into_inner);
-        stores.retain(|(known, _)| *known != frame);
-        stores.push((frame, store));
-        let surplus = stores.len().saturating_sub(most);
-        stores.drain(..surplus);
+    /// Keeps that of a frame, and of all the `most` last kept.
+    pub fn keep(&self, frame: u64, value: Arc<T>, most: usize) {
+        let mut kept = self.kept();
+        kept.retain(|(known, _)| *known != frame);
+        kept.push((frame, value));
+        let surplus = kept.len().saturating_sub(most);
+        kept.drain(..surplus);
+    }
+
+    fn kept(&self) -> MutexGuard<'_, Vec<(u64, Arc<T>)>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl<T> Default for Recent<T> {
+    fn default() -> Self {
+        Self(Mutex::default())
     }
 }

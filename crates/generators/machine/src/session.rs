@@ -1,5 +1,7 @@
 //! A frame of the machine, from its pose to its planes.
 
+use std::sync::Arc;
+
 use control_plane::FramePlan;
 use generator::{FrameCounts, FrameError, Omission, PlaneKind, Planes, Session};
 use scenario::Pose;
@@ -7,9 +9,8 @@ use signal::{Probe, Real, Waveform, Wire};
 use signal_plane::{Look, Wanted, wires};
 
 use crate::counts::{MachineCounts, delivery_counts};
-use crate::elaborated::Elaborated;
+use crate::elaborated::{Begun, Elaborated};
 use crate::omissions::omissions;
-use crate::picture::Picture;
 
 impl<S: Real> Elaborated<S> {
     /// One frame, and what `look` has seen of it.
@@ -21,27 +22,15 @@ impl<S: Real> Elaborated<S> {
         look: &impl Look,
     ) -> Result<(FrameCounts, Vec<Waveform>), FrameError> {
         let settings = &self.stage.settings;
-        let plan = FramePlan::new(frame, pose, &self.stage, &self.raster.field)?;
-        let digital = self.digital_frame(&plan, pose.time);
-        let delivery = self.deliver(&plan, &digital, pose.time)?;
-        let (columns, wanted) = (planes.columns(), Wanted { look, picture: planes.any() });
+        let begun = self.begin(frame, pose)?;
+        let wanted = Wanted { look, picture: planes.any() };
         let mut nothing = [];
         let pixels = planes.get_mut(PlaneKind::Intensity).unwrap_or(&mut nothing);
-        let groups = match &self.parts.tube {
-            Some(tube) if !pixels.is_empty() => {
-                let mut store = self.stores.take();
-                let groups = self.write(&plan, &delivery, &digital, wanted, &mut store);
-                self.keep(tube, &plan, &store);
-                let earlier = self.earlier(tube, frame)?;
-                self.show(tube, (&plan, pose.yoke), (&mut store, &earlier), columns, pixels);
-                self.stores.give_back(store);
-                groups
-            }
-            _ => {
-                let picture = Picture::new(self.reading(&plan, pose.yoke, columns), pixels);
-                self.write_and_read(&plan, &delivery, &digital, wanted, &picture)
-            }
-        };
+        let groups = self.read(&begun, pose.yoke, wanted, pixels)?;
+        if let Some(tube) = &self.parts.picture_tube {
+            self.show(tube, [frame, tube.kept_showing()], Arc::new(pixels.to_vec()), pixels)?;
+        }
+        let Begun { plan, delivery, .. } = begun;
         let regions = plan.visible_regions(self.stage.landscape.level(), settings.range.end);
         let mut total = MachineCounts { regions: regions as u64, ..delivery_counts(&delivery) };
         self.deliveries.give_back(delivery);
@@ -65,6 +54,16 @@ impl<S: Real> Session for Elaborated<S> {
         let (counts, waveforms) = self.draw(frame, pose, planes, &*probe)?;
         probe.waveforms.extend(waveforms);
         Ok(counts)
+    }
+
+    fn repeat(&self, frame: u64, pose: &Pose, showing: u64, planes: &mut Planes) -> Result<bool, FrameError> {
+        let tube = self.parts.picture_tube.as_ref().filter(|tube| tube.repeats_differ());
+        let (Some(tube), Some(pixels)) = (tube, planes.get_mut(PlaneKind::Intensity)) else {
+            return Ok(false);
+        };
+        let read = self.pictures.get(frame).map_or_else(|| self.read_alone(frame, pose), Ok)?;
+        self.show(tube, [frame, showing], read, pixels)?;
+        Ok(true)
     }
 
     fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {

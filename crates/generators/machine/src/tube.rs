@@ -15,7 +15,7 @@ use crate::residue::Written;
 impl<S: Real> Elaborated<S> {
     /// What the read beam makes of `store`, which was written by `plan`, and of what `tube` has left of `earlier` ones, under
     /// the angle `yoke` (rad). A picture lies in its tube where it was written: each is read by its own fan and pitch.
-    pub(crate) fn show(
+    pub(crate) fn read_stored(
         &self,
         tube: &Tube,
         (plan, yoke): (&FramePlan, f64),
@@ -36,15 +36,14 @@ impl<S: Real> Elaborated<S> {
         tube.read(plan.frame, store, &mut scratch);
         self.reading(plan, yoke, columns).read_all(store, picture);
         tube.combine(picture, &pictures.iter().map(Vec::as_slice).collect::<Vec<_>>());
-        tube.add_noise(plan.frame, columns, picture, &mut scratch);
         self.stores.give_back(scratch);
     }
 
     /// Keeps what was written by `plan` as long as `tube` may show it.
-    pub(crate) fn keep(&self, tube: &Tube, plan: &FramePlan, store: &[f32]) {
+    pub(crate) fn keep_store(&self, tube: &Tube, plan: &FramePlan, store: &[f32]) {
         if tube.memory_frames() > 0 {
             let most = 2 * tube.memory_frames() + 2;
-            self.recent.keep(plan.frame, Arc::new((*plan, store.to_vec())), most);
+            self.stores_before.keep(plan.frame, Arc::new((*plan, store.to_vec())), most);
         }
     }
 
@@ -55,18 +54,17 @@ impl<S: Real> Elaborated<S> {
 
     /// What was written in an earlier frame, drawn again if nobody has kept it; `None` if its pose is not known.
     fn written(&self, frame: u64) -> Option<Result<Arc<Written>, FrameError>> {
-        if let Some(written) = self.recent.get(frame) {
+        if let Some(written) = self.stores_before.get(frame) {
             return Some(Ok(written));
         }
         let pose = self.stage.scenery.course().get(frame as usize)?;
         let draw = || {
-            let plan = FramePlan::new(frame, pose, &self.stage, &self.raster.field)?;
-            self.prepared(&plan, pose.time, |delivery, digital| {
-                let mut store = Vec::new();
-                let wanted = Wanted { look: &(), picture: true };
-                self.write(&plan, delivery, digital, wanted, &mut store);
-                Arc::new((plan, store))
-            })
+            let begun = self.begin(frame, pose)?;
+            let mut store = Vec::new();
+            let wanted = Wanted { look: &(), picture: true };
+            self.write(&begun.plan, &begun, wanted, &mut store);
+            self.deliveries.give_back(begun.delivery);
+            Ok(Arc::new((begun.plan, store)))
         };
         Some(draw())
     }

@@ -28,6 +28,10 @@ impl<S: Real> Session for Unprobed<S> {
         self.0.draw(frame, pose, planes, &()).map(|(counts, _)| counts)
     }
 
+    fn repeat(&self, frame: u64, pose: &Pose, showing: u64, planes: &mut Planes) -> Result<bool, FrameError> {
+        self.0.repeat(frame, pose, showing, planes)
+    }
+
     fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
         self.0.check(frame, pose)
     }

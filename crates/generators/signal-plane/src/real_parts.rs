@@ -6,6 +6,7 @@ use feature_generator::PartsFeatures;
 use landscape::Level;
 use mixing_unit::PartsMixer;
 use parts::LagStep;
+use picture_tube::PictureTube;
 use polyhedron_generator::PartsSwitch;
 use shadow_controller::PartsLines;
 use signal::Real;
@@ -34,6 +35,8 @@ pub struct RealParts<S> {
     pub beam: Option<BeamParts<S>>,
     /// Storage tubes of the sweep memory.
     pub tube: Option<Tube>,
+    /// Video amplifier and picture tube of the display.
+    pub picture_tube: Option<PictureTube>,
     /// Output amplifiers of the main signals.
     pub amplifiers: Option<OutputAmplifiers<S>>,
 }
@@ -83,6 +86,7 @@ impl<S: Real> RealParts<S> {
             mixer: list.has_parts(Block::Mixing).then(|| PartsMixer::new(mixing, step, analog, seed)),
             beam: list.has_parts(Block::Beam).then(beam),
             tube: list.has_parts(Block::Memory).then(|| Tube::new(&analog.memory, tube, seed)),
+            picture_tube: list.has_parts(Block::PictureTube).then(|| PictureTube::of(settings)),
             amplifiers: list.has_parts(Block::Amplifiers).then(|| OutputAmplifiers::new(stage, step, raster)),
         }
     }

@@ -149,12 +149,12 @@ fn digital(told: &Explanation) -> Vec<String> {
     reasons
 }
 
-/// What the read beam and the tube made of it.
+/// What the read beam and the tubes made of it.
 fn reading(told: &Explanation) -> Option<String> {
     let difference = told.intensity - told.left;
     (difference.abs() > TELLING).then(|| {
         let from: Vec<String> = told.read.iter().map(part_of).collect();
-        let tube = if told.has_tube { "; a tube adds residue and noise" } else { "" };
+        let tube = if told.has_tube { "; tubes add residue and noise" } else { "" };
         format!(
             "sm.write left {:.3}; the read-out shows {}: its beam lies at cell {}, and takes {}{tube}",
             told.left,

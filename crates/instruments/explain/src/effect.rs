@@ -38,7 +38,7 @@ pub struct FrameEffect {
 /// Why the effect of late words cannot be told.
 #[derive(Debug, thiserror::Error)]
 pub enum LateError {
-    /// The frame, or one before that the tube still shows, cannot be drawn.
+    /// The frame, or one before that a tube still shows, cannot be drawn.
     #[error(transparent)]
     Frame(#[from] FrameError),
     /// Pictures cannot be compared.
@@ -172,7 +172,7 @@ fn some_of(numbers: &[u32]) -> String {
     }
 }
 
-/// Which later frames can differ: of `shown`, in which the tube still shows the frame, the mission has those in `frames`.
+/// Which later frames can differ: of `shown`, in which a tube still shows the frame, the mission has those in `frames`.
 fn told_later(shown: &[u64], frames: &[FrameEffect]) -> String {
     const NOTHING_ELSE: &str = "every sweep begins with full registers and with its own set-up, and the storage buffers hold the \
                                 words whenever a register takes them";
@@ -180,10 +180,10 @@ fn told_later(shown: &[u64], frames: &[FrameEffect]) -> String {
     match (shown, numbers.as_slice()) {
         ([], _) => format!("no later frame can change: {NOTHING_ELSE}; no tube keeps a picture"),
         (_, []) => format!(
-            "no later frame can change: {NOTHING_ELSE}; the tube would show the frame longer than the mission lasts"
+            "no later frame can change: {NOTHING_ELSE}; a tube would show the frame longer than the mission lasts"
         ),
         _ => format!(
-            "later frames that can change: {}, in which the tube still shows this frame. No other can: {NOTHING_ELSE}",
+            "later frames that can change: {}, in which a tube still shows this frame. No other can: {NOTHING_ELSE}",
             numbers.join(", ")
         ),
     }

@@ -17,9 +17,9 @@
 //! for, whatever brought it there.
 //! **Forward** ([`late_effect`]). The words that one fold found missing are brought into their registers right before that fold, and
 //! nothing else is changed: the pixels that differ are the work of these words. A sweep's program is its own, so only that sweep is
-//! drawn twice. Later frames differ only where a storage tube still shows this one.
+//! drawn twice. Later frames differ only where the storage tube or the picture tube still shows this one.
 //! **Other generators** ([`facts`]) say of a pixel what they will, or else what their planes hold there.
-//! **Not told.** What the read beam, the tube's residue and its noise add to what the sweep left: that is the difference
+//! **Not told.** What the read beam, the storage tube's residue, noise and the law of the picture tube add to what the sweep left: that is the difference
 //! between `left` and the pixel's `intensity`.
 
 mod because;

@@ -93,7 +93,7 @@ pub struct Explanation {
     pub place: Place,
     /// The sweeps between which the pixel is read, the nearer one first; one where it lies on a sweep.
     pub read: Vec<ReadSweep>,
-    /// Whether a storage tube stands between what is written and what is read: with residue, spot and noise.
+    /// Whether tubes with faults stand between what is written and what is shown: residue, spot, noise, the law of the display.
     pub has_tube: bool,
     /// Block that wrote what the pixel shows.
     pub writer: Writer,
@@ -186,7 +186,7 @@ impl<'a> Inquiry<'a> {
             late: missed(&sweeps, place.sweep, column.last_in(place.cell)),
             place,
             read,
-            has_tube: !self.stage.settings.analog.memory.is_ideal(),
+            has_tube: !self.stage.settings.analog.tubes_are_ideal(),
             exact: self.exact.map(|exact| exact_pixel(exact, frame, pose, [x, y])).transpose()?,
             because: Vec::new(),
         };

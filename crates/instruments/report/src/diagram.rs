@@ -24,7 +24,7 @@ const fn block(
     Block { name, lines, joint, place }
 }
 
-const BLOCKS: [Block; 10] = [
+const BLOCKS: [Block; 11] = [
     block("dpu", &["digital", "processing unit"], None, [10, 20, 140, 60]),
     block("sweep-generator", &["sweep", "generator"], None, [10, 150, 140, 60]),
     block("terrain-generator", &["terrain generator"], None, [210, 20, 180, 44]),
@@ -35,10 +35,11 @@ const BLOCKS: [Block; 10] = [
     block("mixing-unit", &["mixing unit"], None, [450, 20, 110, 236]),
     block("display-projection-processor", &["display", "projection", "processor"], None, [610, 96, 120, 84]),
     block("sweep-memory", &["sweep", "memory"], None, [780, 96, 110, 84]),
+    block("picture-tube", &["display"], None, [780, 20, 110, 44]),
 ];
 
 /// Wires between blocks: the block on whose presence the wire depends, and its path.
-const WIRES: [(&str, &str); 14] = [
+const WIRES: [(&str, &str); 15] = [
     ("dpu", "M80 80V150"),
     ("dpu", "M150 42H210"),
     ("sweep-generator", "M150 180H180V48H210"),
@@ -53,6 +54,7 @@ const WIRES: [(&str, &str); 14] = [
     ("mixing-unit", "M560 138H610"),
     ("display-projection-processor", "M730 138H780"),
     ("polyhedron-generator", "M390 298H835V180"),
+    ("sweep-memory", "M835 96V64"),
 ];
 
 /// Whether what joins a block to the others is left out, and the block with it.

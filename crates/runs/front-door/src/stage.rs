@@ -66,7 +66,7 @@ fn joined(
     settings: Settings,
 ) -> Result<MachineStage, StageError> {
     // What data banks hold and what tubes still show depends on the frames before.
-    let is_lasting = settings.data_banks.drum.is_some() || settings.analog.memory.erase_residual > 0.0;
+    let is_lasting = settings.data_banks.drum.is_some() || settings.analog.remembers_frames();
     let scenery = match is_lasting {
         true => scenery.with_course(course(scenario, &landscape, &settings)?),
         false => scenery,

@@ -140,15 +140,22 @@ impl Drawing<'_> {
         let refused = |source| ReplayError::Picture { frame, source };
         let draw = || self.session.frame(frame, &row.pose, planes, &mut Probe::off());
         let counts = pool.install(|| self.times.draw.time(draw))?;
-        let encode = || self.encode(planes);
-        let picture = pool.install(|| self.times.encode.time(encode)).map_err(refused)?;
+        let encode = |planes: &Planes| {
+            pool.install(|| self.times.encode.time(|| self.encode(planes))).map_err(refused)
+        };
+        let update = encode(planes)?;
         let mut files = Vec::new();
-        for index in frame * self.showings..(frame + 1) * self.showings {
-            let png = || self.png(row, index, &picture);
+        for showing in 0..self.showings {
+            let index = frame * self.showings + showing;
+            let repeat = || self.session.repeat(frame, &row.pose, showing, planes);
+            let is_other = self.showings > 1 && pool.install(|| self.times.draw.time(repeat))?;
+            let repeated = is_other.then(|| encode(planes)).transpose()?;
+            let picture = repeated.as_ref().unwrap_or(&update);
+            let png = || self.png(row, index, picture);
             let png = pool.install(|| self.times.encode.time(png)).map_err(refused)?;
             files.push(self.times.write.time(|| self.write(picture_name(index), &png))?);
         }
-        let (time_s, pixels_blake3) = (row.pose.time, picture.pixel_hash());
+        let (time_s, pixels_blake3) = (row.pose.time, update.pixel_hash());
         let record = FrameRecord { frame, time_s, pixels_blake3, files, counts };
         self.times.write.time(|| self.journal.add(&record))?;
         Ok(record)

@@ -2,8 +2,8 @@
 
 use super::{
     AmplifierParts, AnalogParts, ComparatorParts, FeatureChainParts, FoldDetect, FunctionGeneratorParts,
-    MemoryParts, MultiplierParts, MultiplyingDacParts, ProjectionParts, ReflectivityParts, SampleHoldParts,
-    ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts, WriteCompensation,
+    MemoryParts, MultiplierParts, MultiplyingDacParts, PictureTubeParts, ProjectionParts, ReflectivityParts,
+    SampleHoldParts, ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts, WriteCompensation,
 };
 
 impl SweepParts {
@@ -95,10 +95,24 @@ impl MemoryParts {
         tubes: 1,
     };
 
-    /// Whether the picture read is the picture written. The number of tubes does not matter where none has a fault.
-    pub fn is_ideal(&self) -> bool {
-        Self { tubes: 1, ..*self } == Self::IDEAL
+    /// Whether the picture read is the picture written, but for noise, which is in the video. The number of tubes does not
+    /// matter where none has a fault.
+    pub fn keeps_pictures(&self) -> bool {
+        Self { tubes: 1, grey: None, ..*self } == Self::IDEAL
     }
+}
+
+impl PictureTubeParts {
+    /// Shows what is read, all lines at once.
+    pub const IDEAL: Self = Self {
+        bandwidth: None,
+        correction: 1.0,
+        gamma: 1.0,
+        cut_off: 0.0,
+        phosphor: 0.0,
+        tv_lines: None,
+        fields: 1,
+    };
 }
 
 /// A block asks for its own parts alone; the full scale and the spread matter only where there is a part.
@@ -166,6 +180,22 @@ impl AnalogParts {
         self.comparator == ComparatorParts::IDEAL
     }
 
+    /// Whether the display shows what is read: neither its parts nor noise in the video change it.
+    pub fn display_is_ideal(&self) -> bool {
+        self.picture_tube == PictureTubeParts::IDEAL && self.memory.grey.is_none()
+    }
+
+    /// Whether the picture shown is the picture written: neither storage tube nor display changes it.
+    pub fn tubes_are_ideal(&self) -> bool {
+        self.memory.keeps_pictures() && self.display_is_ideal()
+    }
+
+    /// Whether a picture depends on the frames before it: by residue, by the phosphor, or by lines that an earlier field has
+    /// scanned.
+    pub fn remembers_frames(&self) -> bool {
+        self.memory.erase_residual > 0.0 || self.picture_tube.phosphor > 0.0 || self.picture_tube.fields > 1
+    }
+
     /// Whether the projection processor does its algebra: function generators, comparator, sample-and-hold, and no
     /// noise on what it differentiates.
     pub fn projection_is_ideal(&self) -> bool {
@@ -183,7 +213,7 @@ impl AnalogParts {
             && self.texture_is_ideal()
             && self.mixing_is_ideal()
             && self.projection_is_ideal()
-            && self.memory.is_ideal()
+            && self.tubes_are_ideal()
             && self.wires.is_ideal()
     }
 }

@@ -4,9 +4,9 @@ use diagnostics::{Field, Reader};
 
 use crate::{
     AmplifierParts, AnalogParts, ComparatorParts, FeatureChainParts, FoldDetect, FunctionGeneratorParts,
-    MAIN_WIRES, MemoryParts, MultiplierParts, MultiplyingDacParts, ProjectionParts, ReflectivityParts,
-    SampleHoldParts, ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts, WireParts,
-    WriteCompensation,
+    MAIN_WIRES, MemoryParts, MultiplierParts, MultiplyingDacParts, PictureTubeParts, ProjectionParts,
+    ReflectivityParts, SampleHoldParts, ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts,
+    WireParts, WriteCompensation,
 };
 
 /// Tables that hold analog keys beside others.
@@ -38,6 +38,7 @@ pub(super) fn analog(root: &Reader, shared: &SharedTables) -> Option<AnalogParts
     let video = part("video").map(|t| megahertz(&t, "bandwidth_mhz").required());
     let projection = shared.dpp.as_ref().map(projection);
     let memory = shared.memory.as_ref().map(memory);
+    let picture_tube = picture_tube(&root.table_or_empty("picture_tube"));
     let feature = shared.features.as_ref().map(feature_chain);
     let shadow_line = shared.shadows.as_ref().map(|t| percent(t, "line_error_pct").required());
     let texture = part("texture_generator").map(|t| texture(&t));
@@ -60,6 +61,7 @@ pub(super) fn analog(root: &Reader, shared: &SharedTables) -> Option<AnalogParts
         texture: texture??,
         projection: projection??,
         memory: memory??,
+        picture_tube: picture_tube?,
         video_bandwidth: video??,
         wires: wires??,
     })
@@ -257,7 +259,7 @@ fn projection(table: &Reader) -> Option<ProjectionParts> {
 
 fn memory(table: &Reader) -> Option<MemoryParts> {
     let tubes = table.u32("tubes").between(1, 2).required();
-    let tv_lines = table.u32("tv_lines").between(2, 100_000).or_word("unlimited").required();
+    let tv_lines = tv_lines(table).required();
     let grey = table.u32("grey").between(2, 65_536).or_word("unlimited").required();
     let erase_residual = table.f64("erase_residual").at_least(0.0).below(1.0).required();
     let registration = percent(table, "registration_pct").required();
@@ -272,6 +274,33 @@ fn memory(table: &Reader) -> Option<MemoryParts> {
         deflection: deflection?,
         tubes: tubes?,
     })
+}
+
+/// A model without these keys has an ideal display: files from before there were any keep their meaning.
+fn picture_tube(table: &Reader) -> Option<PictureTubeParts> {
+    const IDEAL: PictureTubeParts = PictureTubeParts::IDEAL;
+    let bandwidth = megahertz(table, "bandwidth_mhz").default(IDEAL.bandwidth);
+    let correction = table.f64("correction").between(1.0, 4.0).default(IDEAL.correction);
+    let gamma = table.f64("gamma").between(1.0, 4.0).default(IDEAL.gamma);
+    let cut_off = table.f64("cut_off_pct").between(0.0, 50.0).unit("%").map(|share| 0.01 * share);
+    let cut_off = cut_off.default(IDEAL.cut_off);
+    let phosphor = table.f64("phosphor_ms").between(0.0, 1e3).unit("ms").map(|time| 1e-3 * time);
+    let phosphor = phosphor.default(IDEAL.phosphor);
+    let tv_lines = tv_lines(table).default(IDEAL.tv_lines);
+    let fields = table.u32("fields").between(1, 2).default(IDEAL.fields);
+    Some(PictureTubeParts {
+        bandwidth: bandwidth?,
+        correction: correction?,
+        gamma: gamma?,
+        cut_off: cut_off?,
+        phosphor: phosphor?,
+        tv_lines: tv_lines?,
+        fields: fields?,
+    })
+}
+
+fn tv_lines<'a>(table: &Reader<'a>) -> Field<'a, Option<u32>> {
+    table.u32("tv_lines").between(2, 100_000).or_word("unlimited")
 }
 
 fn write_compensation<'a>(table: &Reader<'a>) -> Field<'a, WriteCompensation> {

@@ -1,4 +1,4 @@
-//! Spot, registration, residue and noise in closed form.
+//! Spot, registration and residue in closed form.
 
 use std::f64::consts::PI;
 
@@ -161,32 +161,11 @@ fn what_is_forgotten_is_below_half_a_grey_level() {
 }
 
 #[test]
-fn shades_stand_six_sigmas_apart() {
-    let tube = tube(MemoryParts { grey: Some(8), ..MemoryParts::IDEAL });
-    let noisy = |frame, level| {
-        let mut picture = vec![level; 400 * 300];
-        tube.add_noise(frame, 400, &mut picture, &mut Vec::new());
-        picture
-    };
-    let seen = noisy(5, 0.5);
-    let count = seen.len() as f64;
-    let mean = seen.iter().map(|value| f64::from(*value)).sum::<f64>() / count;
-    let square =
-        seen.iter().map(|value| (f64::from(*value) - mean) * (f64::from(*value) - mean)).sum::<f64>();
-    assert!((mean - 0.5).abs() < 5e-4 && ((square / count).sqrt() * 48.0 - 1.0).abs() < 0.02);
-    assert_eq!(seen, noisy(5, 0.5));
-    assert_ne!(seen, noisy(6, 0.5));
-    assert_ne!(seen[..400], seen[400..800]);
-    assert!(noisy(5, 0.0).iter().all(|value| *value >= 0.0));
-}
-
-#[test]
 fn a_tube_without_faults_keeps_every_bit() {
     let picture = store(|sweep, line| libm::sin(sweep * line));
     let tube = tube(MemoryParts { tubes: 2, ..MemoryParts::IDEAL });
     let mut seen = picture.clone();
     tube.combine(&mut seen, &[]);
-    tube.add_noise(1, SWEEPS, &mut seen, &mut Vec::new());
     assert_eq!(read(&tube, 1, seen), picture);
     assert_eq!(tube.memory_frames(), 0);
 }
@@ -197,13 +176,11 @@ proptest! {
         sweeps in 1usize..9, lines in 1usize..9, tv_lines in proptest::option::of(1u32..5000),
         registration in 0.0..3.0f64, tubes in 0u32..3, seed: u64, frame: u64,
     ) {
-        let parts = MemoryParts { tv_lines, registration, tubes, grey: Some(4), ..MemoryParts::IDEAL };
+        let parts = MemoryParts { tv_lines, registration, tubes, ..MemoryParts::IDEAL };
         let raster = TubeRaster { sweeps, lines, width: 1.7 };
         let mut store = vec![0.5; sweeps * lines];
         let tube = Tube::new(&parts, raster, seed);
         tube.read(frame, &mut store, &mut Vec::new());
         prop_assert!(store.iter().all(|value| (value - 0.5).abs() < 1e-5), "{store:?}");
-        tube.add_noise(frame, sweeps, &mut store, &mut Vec::new());
-        prop_assert!(store.iter().all(|value| (0.0..=1.5).contains(value)), "{store:?}");
     }
 }

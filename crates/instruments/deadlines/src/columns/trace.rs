@@ -1,8 +1,11 @@
 //! Which lines of the record reach a pixel.
 
+use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
 
-use hardware_model::{MemoryParts, Settings};
+use hardware_model::Settings;
+use parts::spot_sigma;
+use picture_tube::PictureTube;
 use sweep_generator::RangeTable;
 use sweep_memory::{Tube, TubeRaster};
 use timing::{Missed, TimingRecord};
@@ -14,10 +17,14 @@ use super::place::{Screen, Spot};
 use super::verdict::{Pixel, Way};
 use crate::{DeadlineError, Rehearsal};
 
-/// Earlier frames that the tube still shows in `frame`, the nearest first.
+/// Earlier frames that the tubes still show in `frame`, the nearest first.
 pub fn remembered(settings: &Settings, frame: u64) -> Vec<u64> {
     let raster = TubeRaster { sweeps: 1, lines: 1, width: 1.0 };
-    Tube::new(&settings.analog.memory, raster, settings.seed).earlier(frame).collect()
+    let stored = Tube::new(&settings.analog.memory, raster, settings.seed);
+    let display = PictureTube::of(settings);
+    let shown = (0..=display.frames_before(display.kept_showing())).map_while(|age| frame.checked_sub(age));
+    let frames: BTreeSet<u64> = shown.flat_map(|shown| stored.earlier(shown).chain([shown])).collect();
+    frames.into_iter().rev().filter(|earlier| *earlier < frame).collect()
 }
 
 /// The lines of a frame and of those before that the tube still shows, against one screen.
@@ -69,7 +76,7 @@ impl<'a> Trace<'a> {
             screen: Screen::new(settings, ideal, ideal.yoke, cells).ok_or_else(refused)?,
             now: lines(now),
             shown: shown.collect::<Result<_, DeadlineError>>()?,
-            spread: spread(&settings.analog.memory, settings),
+            spread: spread(settings),
             ground,
         })
     }
@@ -154,14 +161,13 @@ fn in_order(mut found: Vec<(f64, &Missed)>) -> impl Iterator<Item = &Missed> {
 
 /// Deviations of the spot and of the registration beyond which nothing is looked for.
 const SIGMAS: f64 = 3.0;
-/// Deviation of the Gaussian spot, times TV lines a picture height (docs of `sweep-memory`).
-const SPOT: f64 = 0.375;
 
-/// Sweeps over which a tube moves and blurs what it shows.
-fn spread(memory: &MemoryParts, settings: &Settings) -> u32 {
-    let spot = memory.tv_lines.map_or(0.0, |lines| SPOT / f64::from(lines));
+/// Sweeps over which the tubes move and blur what they show.
+fn spread(settings: &Settings) -> u32 {
+    let (stored, shown) = (&settings.analog.memory, &settings.analog.picture_tube);
+    let spots: f64 = [stored.tv_lines, shown.tv_lines].into_iter().flatten().map(spot_sigma).sum();
     // Displacement, and half of the scale's error at the edge.
-    let heights = SIGMAS * (spot + 1.5 * memory.registration);
+    let heights = SIGMAS * (spots + 1.5 * stored.registration);
     let field = settings.raster.field;
     let sweeps_a_height = f64::from(settings.raster.sweeps) * field.tan_half_height / field.tan_half_width;
     (heights * sweeps_a_height).ceil() as u32

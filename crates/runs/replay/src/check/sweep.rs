@@ -112,7 +112,9 @@ impl Bench<'_> {
         let exact = planes.get(PlaneKind::Intensity).unwrap_or_default();
         let refused = |source| ReplayError::Picture { frame: number, source };
         let exact = self.encoder.encode(exact, 1, exact.len()).map_err(refused)?;
-        let shown = read_any_png(self.folder.join(&frame.files[0].file), &Limits::default())?;
+        // Of several showings the last, which is the update.
+        let file = frame.files.last().map(|file| self.folder.join(&file.file)).unwrap_or_default();
+        let shown = read_any_png(file, &Limits::default())?;
         // Of a frame in colour its luminance: `exact` is grey.
         let shown = shown.to_grey(Curve::Power(self.encoder.transfer().gamma().into()));
         let shown = (0..shown.lines()).map(|line| shown.code(column, line));

@@ -3,6 +3,7 @@ use std::fs;
 use picture::{Depth, Limits, read_png};
 use quantities::Rate;
 use replay::{HeldRun, Outcome, Pictures, ReplayError, write_y4m};
+use run_record::FileRecord;
 use tempfile::tempdir;
 
 use crate::stage::{Wish, content, document};
@@ -65,6 +66,23 @@ fn refresh_shows_every_update_several_times() {
         }
     }
     assert_eq!(content(at.path()).keys().filter(|name| name.starts_with("frames/")).count(), 9);
+}
+
+/// The last showing is the frame as it is kept without `refresh`.
+#[test]
+fn each_showing_has_noise_of_its_own() {
+    let at = tempdir().unwrap();
+    let (updates, showings) = (at.path().join("updates"), at.path().join("showings"));
+    let noisy = |refresh| Wish { grey: Some(8), ..pictures(Depth::Eight, refresh, false) };
+    noisy(false).run(&updates).unwrap();
+    noisy(true).run(&showings).unwrap();
+    let [updates, shown] = [&updates, &showings].map(|folder| HeldRun::read(folder).unwrap());
+    for (update, frame) in updates.frames.iter().zip(&shown.frames) {
+        let picture = |file: &FileRecord| read_png(showings.join(&file.file), &Limits::default()).unwrap();
+        let hashes: Vec<_> = frame.files.iter().map(|file| picture(file).pixel_hash()).collect();
+        assert!(hashes[0] != hashes[1] && hashes[1] != hashes[2] && hashes[0] != hashes[2], "{hashes:?}");
+        assert_eq!((&hashes[2], &frame.pixels_blake3), (&update.pixels_blake3, &update.pixels_blake3));
+    }
 }
 
 #[test]

@@ -67,6 +67,8 @@ pub struct Wish {
     pub cancel_after: Option<u64>,
     /// Sweeps to be checked.
     pub check: u32,
+    /// Shades of grey in the video, which is without noise if there is no number.
+    pub grey: Option<u32>,
 }
 
 impl Default for Wish {
@@ -80,6 +82,7 @@ impl Default for Wish {
             fresh: false,
             cancel_after: None,
             check: 0,
+            grey: None,
         }
     }
 }
@@ -97,7 +100,10 @@ impl Wish {
 
     pub fn run_in(&self, folder: &RunFolder) -> Result<Outcome, ReplayError> {
         let scenario = Scenario::parse("test.toml", &self.scenario).expect("the scenario is right");
-        let job = Job { check: self.check, ..job(&scenario, self.frames.clone(), self.pictures) };
+        let mut settings = settings(&scenario);
+        settings.analog.memory.grey = self.grey;
+        let generator = Arc::new(HybridMachine::new(settings));
+        let job = Job { check: self.check, generator, ..job(&scenario, self.frames.clone(), self.pictures) };
         let pool = rayon::ThreadPoolBuilder::new().num_threads(self.threads).build().expect("threads");
         let cancel = AtomicBool::new(self.cancel_after == Some(0));
         let progress = |progress| {

@@ -64,7 +64,8 @@ pub struct Replay {
     /// Folder of the run; runs/NAME-OF-THE-SCENARIO if left out, of several machines with -side-by-side behind.
     #[arg(short, long, value_name = "FOLDER")]
     out: Option<PathBuf>,
-    /// One file for each picture that the tube shows, instead of one for each that the machine computes.
+    /// One file for each showing of the display, with noise and lines of its own, instead of one for each frame that the machine
+    /// computes.
     #[arg(long)]
     refresh: bool,
     /// Bits of a pixel.

@@ -1,8 +1,17 @@
-//! One axis of the reading: the spot, and where it is.
+//! Spot of an electron beam, one axis of it: how far it reaches, and where it stands.
+//!
+//! **Law** (hardware-1969, section 6). Gaussian, sigma `0.375 / n` of the picture's height for n TV lines: half the
+//! contrast is left at `n / 2` cycles a height. The weights of a place add up to 1.
+
+/// Deviation of the Gaussian spot (picture heights) of a tube of `tv_lines` TV lines a height: half response at half as
+/// many cycles.
+pub fn spot_sigma(tv_lines: u32) -> f64 {
+    0.375 / f64::from(tv_lines)
+}
 
 /// Cells of an axis as a spot sees them that does not stand on their centres.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Gather {
+pub struct Spot {
     taps: usize,
     first: Vec<usize>,
     weights: Vec<f32>,
@@ -14,26 +23,26 @@ const WIDE: f64 = 1.0;
 /// Intervals of the integral over the patterns that cells can hold.
 const INTERVALS: u32 = 128;
 
-impl Gather {
+impl Spot {
     /// For `cells` cells and a Gaussian spot of `sigma` cells; cell n is read at `place(n)`. The outermost cells stand
     /// in for what is beyond them.
     pub fn new(cells: usize, sigma: f64, place: impl Fn(f64) -> f64) -> Self {
-        let spot = Spot::new(sigma);
+        let shape = Shape::new(sigma);
         let reach = (4.0 * sigma).ceil().min(cells as f64) as i64 + 1;
         let taps = (2 * reach as usize).min(cells);
-        let mut gather = Self { taps, first: Vec::new(), weights: vec![0.0; cells * taps] };
-        for (cell, weights) in gather.weights.chunks_exact_mut(taps.max(1)).enumerate() {
+        let mut spot = Self { taps, first: Vec::new(), weights: vec![0.0; cells * taps] };
+        for (cell, weights) in spot.weights.chunks_exact_mut(taps.max(1)).enumerate() {
             let place = place(cell as f64);
             let nearest = place.floor() as i64 - reach + 1;
             let first = nearest.clamp(0, (cells - taps) as i64);
             for index in nearest..nearest + 2 * reach {
                 let within = index.clamp(0, cells as i64 - 1) - first;
-                weights[within as usize] += spot.at(index as f64 - place) as f32;
+                weights[within as usize] += shape.at(index as f64 - place) as f32;
             }
             balance(weights);
-            gather.first.push(first as usize);
+            spot.first.push(first as usize);
         }
-        gather
+        spot
     }
 
     /// Reads a row along this axis.
@@ -63,12 +72,12 @@ fn balance(weights: &mut [f32]) {
 /// The weights of a Gaussian spot at distances in cells: the Fourier coefficients of its response to the patterns
 /// that cells can hold, up to half a cycle a cell. Of a spot much smaller than a cell some would be below 0; it takes
 /// nothing away, so they are 0.
-struct Spot {
+struct Shape {
     sigma: f64,
     response: Vec<f64>,
 }
 
-impl Spot {
+impl Shape {
     fn new(sigma: f64) -> Self {
         let response = |k| {
             let turn = std::f64::consts::PI * sigma * f64::from(k) / f64::from(INTERVALS);
