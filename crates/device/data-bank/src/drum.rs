@@ -110,10 +110,7 @@ impl DrumAtWork {
 
     /// Heads and queue as they are.
     pub(crate) fn state(&self) -> DrumState {
-        DrumState {
-            heads: self.heads,
-            waiting: self.waiting.iter().map(|&(_, _, record)| record).collect(),
-        }
+        DrumState { heads: self.heads, waiting: self.waiting.iter().map(|&(_, _, record)| record).collect() }
     }
 
     /// Requests open, with the one under the heads.

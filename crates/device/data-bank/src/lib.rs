@@ -48,5 +48,5 @@ mod supply;
 pub use bank::DataBank;
 pub use corners::{corners_of, nearest_first};
 pub use drum::DrumUnit;
-pub use state::{BankState, DrumState, HeldRecord, Heads, OrderedRecord};
+pub use state::{BankState, DrumState, Heads, HeldRecord, OrderedRecord};
 pub use supply::{Demand, FrameSupply, Missing};

@@ -52,12 +52,7 @@ pub trait Resumes: Session {
     ///
     /// # Errors
     /// If the pose, or that of an earlier frame, cannot be drawn.
-    fn memory(
-        &self,
-        place: (u64, u32),
-        pose: &Pose,
-        known: &[f32],
-    ) -> Result<Memory, FrameError>;
+    fn memory(&self, place: (u64, u32), pose: &Pose, known: &[f32]) -> Result<Memory, FrameError>;
 
     /// Draws the rest of `frame`, whose first sweeps wrote `rows`, and returns its picture: linear intensity.
     ///
@@ -96,12 +91,7 @@ impl<S: Real> Resumes for Elaborated<S> {
         }
     }
 
-    fn memory(
-        &self,
-        (frame, sweep): (u64, u32),
-        pose: &Pose,
-        known: &[f32],
-    ) -> Result<Memory, FrameError> {
+    fn memory(&self, (frame, sweep): (u64, u32), pose: &Pose, known: &[f32]) -> Result<Memory, FrameError> {
         self.draw_remembered(frame)?;
         let [stores, pictures] = self.remembered(frame);
         let store = |frame| Some((frame, Arc::new(self.stores_before.get(frame)?.1.clone())));

@@ -13,7 +13,7 @@ use crate::{Clock, Fault, Gone, Identity, Place, State, StateError};
 
 /// What a bench is made for.
 pub struct Mission<'a> {
-    /// Program that draws.
+    /// The program that draws.
     pub program: Program,
     /// Name of the hardware model.
     pub machine: &'a str,

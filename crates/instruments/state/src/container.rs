@@ -64,7 +64,7 @@ pub enum BlockKind {
 /// Rows of values: linear reflectivity, without unit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Block {
-    /// What it holds.
+    /// What the block holds.
     pub kind: BlockKind,
     /// Frame that wrote it, or in which it was read.
     pub frame: u64,
@@ -194,9 +194,10 @@ impl State {
     pub(crate) fn blocks_of(memory: Memory, place: Place, sizes: Sizes) -> Vec<Block> {
         let cells = sizes.cells as u64;
         let rows = (BlockKind::Rows, place.frame, u64::from(place.sweep), cells, Arc::new(memory.rows));
-        let stores = memory.stores.into_iter().map(|(frame, values)| {
-            (BlockKind::Store, frame, u64::from(sizes.sweeps), cells, values)
-        });
+        let stores = memory
+            .stores
+            .into_iter()
+            .map(|(frame, values)| (BlockKind::Store, frame, u64::from(sizes.sweeps), cells, values));
         let [columns, lines] = sizes.pixels.map(|count| count as u64);
         let pictures = memory
             .pictures

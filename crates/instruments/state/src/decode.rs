@@ -75,7 +75,8 @@ fn check_order(blocks: &[BlockHeader]) -> Result<(), Fault> {
     if begins && is_once && blocks.windows(2).all(follows) {
         return Ok(());
     }
-    let names = blocks.iter().take(40).map(|block| format!("{:?} {}", block.kind, block.frame).to_lowercase());
+    let names =
+        blocks.iter().take(40).map(|block| format!("{:?} {}", block.kind, block.frame).to_lowercase());
     Err(Fault::Value {
         part: "header, blocks".into(),
         found: names.collect::<Vec<_>>().join(", "),

@@ -1,6 +1,6 @@
 //! The digital side at the start of a sweep, as lines of JSON.
 
-use data_bank::{BankState, DrumState, HeldRecord, Heads};
+use data_bank::{BankState, DrumState, Heads, HeldRecord};
 use generator::FrameError;
 use landscape::{Level, WORDS};
 use machine::{
@@ -82,7 +82,8 @@ pub(crate) fn expect(found: &str, expected: &str) -> Result<(), Fault> {
     for line in 1.. {
         let (found, expected) = (left.next(), right.next());
         if found != expected || found.is_none() {
-            let [found, expected] = [found, expected].map(|line| line.map_or("the end", str::trim).to_owned());
+            let [found, expected] =
+                [found, expected].map(|line| line.map_or("the end", str::trim).to_owned());
             return Err(Fault::Digital { line, found, expected });
         }
     }

@@ -16,13 +16,17 @@ const AGAIN: &str = "the file is damaged: take a whole copy, or save the state a
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Fault {
     /// The file is something else.
-    #[error("byte 0: found `{found}`, expected `LUNOSTAT`; this is no state: name a file that `lunoid state save` wrote")]
+    #[error(
+        "byte 0: found `{found}`, expected `LUNOSTAT`; this is no state: name a file that `lunoid state save` wrote"
+    )]
     NotState {
         /// The first bytes, those that are no letters escaped.
         found: String,
     },
     /// The format is another.
-    #[error("byte 8: found format {found}, expected {FORMAT}; read it with the version of lunoid that wrote it, or save the state again")]
+    #[error(
+        "byte 8: found format {found}, expected {FORMAT}; read it with the version of lunoid that wrote it, or save the state again"
+    )]
     Format {
         /// Format that was found.
         found: u32,
@@ -44,7 +48,9 @@ pub enum Fault {
         expected: String,
     },
     /// A length in the file leads out of the file.
-    #[error("{part}: found a length of {found} bytes, expected at most {most}, which are left in the file; {AGAIN}")]
+    #[error(
+        "{part}: found a length of {found} bytes, expected at most {most}, which are left in the file; {AGAIN}"
+    )]
     TooLong {
         /// Part of the file.
         part: String,
@@ -58,21 +64,25 @@ pub enum Fault {
     Value {
         /// Part of the file.
         part: String,
-        /// What was found.
+        /// What stands in the file.
         found: String,
-        /// What was expected.
+        /// What should stand there.
         expected: String,
     },
     /// The header is of another schema.
-    #[error("header: found schema `{found}`, expected `{SCHEMA}`; read it with the version of lunoid that wrote it, or save the state again")]
+    #[error(
+        "header: found schema `{found}`, expected `{SCHEMA}`; read it with the version of lunoid that wrote it, or save the state again"
+    )]
     Schema {
         /// Schema that was found.
         found: String,
     },
     /// A store or picture has a value that is no number.
-    #[error("{block}, row {row}, value {value} (byte {byte}): found {found}, expected a finite number; {AGAIN}")]
+    #[error(
+        "{block}, row {row}, value {value} (byte {byte}): found {found}, expected a finite number; {AGAIN}"
+    )]
     NotFinite {
-        /// Block of values.
+        /// The block of values.
         block: BlockName,
         /// Row of the block: a sweep of a store, a line of a picture.
         row: u64,
@@ -80,11 +90,13 @@ pub enum Fault {
         value: u64,
         /// Where it stands in the file.
         byte: u64,
-        /// What was found.
+        /// What stands in the file.
         found: f32,
     },
     /// Another program wrote the state.
-    #[error("found a state by {found}, this is {expected}; read it with that program, or save the state again")]
+    #[error(
+        "found a state by {found}, this is {expected}; read it with that program, or save the state again"
+    )]
     Program {
         /// The program that wrote it.
         found: String,
@@ -93,12 +105,12 @@ pub enum Fault {
     },
     /// The state is that of another machine or mission.
     #[error(
-        "found the state of another machine or mission: the hash of its {what} is {found}… ({}), expected {expected}… ({}); \
+        "found the state of another machine or mission: hash {found}… of the {what} ({}), expected {expected}… ({}); \
          it was saved with `lunoid state save {words}`: give the same scenario and options, as they were then",
         .machines[0], .machines[1]
     )]
     Other {
-        /// What differs.
+        /// Part whose hash differs.
         what: &'static str,
         /// Hash in the file.
         found: String,
@@ -113,7 +125,9 @@ pub enum Fault {
     #[error("header, place: found {0}; {AGAIN}")]
     Place(PlaceError),
     /// A line of the digital side is not what the machine comes to.
-    #[error("digital side, line {line}: found `{found}`, expected `{expected}`; the digital side follows from mission and place: save the state again")]
+    #[error(
+        "digital side, line {line}: found `{found}`, expected `{expected}`; the digital side follows from mission and place: save the state again"
+    )]
     Digital {
         /// Line of the text, from 1.
         line: usize,
@@ -127,7 +141,7 @@ pub enum Fault {
 /// Name of a block in messages.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BlockName {
-    /// What it holds.
+    /// What the block holds.
     pub kind: BlockKind,
     /// Frame that wrote it, or in which it was read.
     pub frame: u64,
@@ -153,7 +167,7 @@ pub enum StateError {
     /// What the file holds is damaged, or of something else.
     #[error("{}: {fault}", .path.display())]
     Fault {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
         /// What is wrong with it.
         fault: Box<Fault>,

@@ -25,7 +25,7 @@ struct Known<'a> {
 }
 
 impl<'b, 'a> Events<'b, 'a> {
-    /// Nothing known yet.
+    /// Nothing is known yet.
     pub(crate) fn new(bench: &'b Bench<'a>) -> Self {
         Self { bench, known: BTreeMap::new() }
     }

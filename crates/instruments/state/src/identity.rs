@@ -33,7 +33,7 @@ pub struct Hashes {
     pub settings: String,
     /// What is asked of a picture: raster, field, clocks, display, laws.
     pub view: String,
-    /// The ground.
+    /// Words of the ground.
     pub ground: String,
     /// What lies and stands on the ground.
     pub scenery: String,

@@ -89,7 +89,7 @@ impl Bench<'_> {
 }
 
 impl Look {
-    /// Lines for people.
+    /// The same in lines for people.
     pub fn text(&self) -> String {
         let Self { place, tick, time_s, sample, .. } = self;
         let mut text = format!("{place}: tick {tick}, sample {sample:.3}, {time_s:.9} s\n");
@@ -116,7 +116,8 @@ impl Look {
     /// The same as a document.
     pub fn json(&self) -> Value {
         let signals = self.signals.iter();
-        let signals = signals.map(|(name, unit, value)| json!({ "signal": name, "unit": unit.symbol(), "value": value }));
+        let signals = signals
+            .map(|(name, unit, value)| json!({ "signal": name, "unit": unit.symbol(), "value": value }));
         json!({
             "place": self.place,
             "tick": self.tick,
@@ -146,9 +147,7 @@ impl State {
     /// The same as a document.
     pub fn json(&self) -> Value {
         let head = &self.head;
-        let block = |block: &crate::Block| {
-            json!({ "kind": block.kind, "frame": block.frame, "rows": block.rows, "values_a_row": block.row })
-        };
+        let block = |block: &crate::Block| json!({ "kind": block.kind, "frame": block.frame, "rows": block.rows, "values_a_row": block.row });
         json!({
             "saved_by": head.identity,
             "words": head.words,

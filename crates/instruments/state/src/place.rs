@@ -56,9 +56,9 @@ pub enum Unit {
     Event,
     /// Samples that are drawn.
     Sample,
-    /// Starts of sweeps.
+    /// Starts of the sweeps.
     Sweep,
-    /// Starts of frames.
+    /// Starts of the same sweep in other frames.
     Frame,
 }
 
@@ -91,11 +91,13 @@ pub enum PlaceError {
         sweeps: u32,
     },
     /// The sweep is not so long.
-    #[error("{gone} {unit} in a sweep: this sweep has {unit} 1..{end} behind its start; expected one of them")]
+    #[error(
+        "{gone} {unit} in a sweep: this sweep has {unit} 1..{end} behind its start; expected one of them"
+    )]
     Gone {
         /// Way that was named.
         gone: u64,
-        /// "ticks" or "samples".
+        /// What is counted: "ticks" or "samples".
         unit: &'static str,
         /// The first number that is too large.
         end: u64,
@@ -147,7 +149,9 @@ impl Clock {
         match place.gone {
             Gone::Nothing => start,
             Gone::Ticks(ticks) => Tick(start.0 + ticks),
-            Gone::Samples(_) => self.timebase.sweep_clock(place.frame, place.sweep).tick_at_or_after(self.time(place)),
+            Gone::Samples(_) => {
+                self.timebase.sweep_clock(place.frame, place.sweep).tick_at_or_after(self.time(place))
+            }
         }
     }
 
@@ -198,14 +202,14 @@ impl Clock {
         let from = if count < 0 && !is_exact { floor + 1 } else { floor };
         let to = u64::try_from(i128::from(from) + i128::from(count));
         let to = to.map_err(|_| if count < 0 { PlaceError::Before } else { self.behind() })?;
-        self.at(unit, to).ok_or_else(|| self.behind())
+        self.at(unit, place.sweep, to).ok_or_else(|| self.behind())
     }
 
     /// Number of the last place of a kind at or before a place, and whether it is that place.
     fn floor(&self, place: Place, unit: Unit) -> (u64, bool) {
         let (sweep, is_start) = (self.number(place), place.gone == Gone::Nothing);
         match unit {
-            Unit::Frame => (place.frame, is_start && place.sweep == 0),
+            Unit::Frame => (place.frame, is_start),
             Unit::Sweep => (sweep, is_start),
             Unit::Sample => {
                 let (sample, is_exact) = self.sample(place);
@@ -239,10 +243,10 @@ impl Clock {
         }
     }
 
-    /// The place of a kind with that number.
-    fn at(&self, unit: Unit, number: u64) -> Option<Place> {
+    /// The place of a kind with that number; of frames that of `sweep`.
+    fn at(&self, unit: Unit, sweep: u32, number: u64) -> Option<Place> {
         match unit {
-            Unit::Frame => (number < self.frames).then_some(Place::start(number, 0)),
+            Unit::Frame => (number < self.frames).then_some(Place::start(number, sweep)),
             Unit::Sweep => (number < self.sweeps()).then(|| self.sweep(number)),
             Unit::Sample => {
                 let active = u64::from(self.timebase.active_samples);

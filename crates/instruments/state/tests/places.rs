@@ -86,13 +86,14 @@ fn places_of_525_sweeps_at_30_hertz() {
     assert_eq!(clock.tick(start).0, 6_999_366);
     let stop = clock.step(start, Unit::Tick, 48).unwrap();
     assert_eq!((stop.gone, clock.tick(stop).0), (Gone::Ticks(48), 6_999_414));
-    // Sample 46 sees it: the first behind that tick.
+    // That tick is sample 46.54.
     let seen = clock.step(stop, Unit::Sample, 1).unwrap();
-    assert_eq!(seen, Place { gone: Gone::Samples(46), ..start });
-    assert_eq!(clock.step(start, Unit::Tick, 1270).unwrap(), Place::start(10, 263));
+    assert_eq!(seen, Place { gone: Gone::Samples(47), ..start });
+    assert_eq!(clock.step(start, Unit::Tick, 1269).unwrap(), Place::start(10, 263));
     assert_eq!(clock.step(start, Unit::Sample, 1000).unwrap(), Place::start(10, 263));
     assert_eq!(clock.step(start, Unit::Sweep, 263).unwrap(), Place::start(11, 0));
-    assert_eq!(clock.step(start, Unit::Frame, -1).unwrap(), Place::start(10, 0));
+    assert_eq!(clock.step(start, Unit::Frame, -1).unwrap(), Place::start(9, 262));
+    assert_eq!(clock.step(stop, Unit::Frame, -1).unwrap(), start);
     assert!((clock.seconds(start) - (10.0 + 262.0 / 525.0) / 30.0).abs() < 1e-12);
 }
 

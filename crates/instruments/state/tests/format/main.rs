@@ -12,7 +12,11 @@ fn refusal(bytes: &[u8]) -> String {
 }
 
 fn gone() -> impl Strategy<Value = Gone> {
-    prop_oneof![Just(Gone::Nothing), (1..u64::MAX).prop_map(Gone::Ticks), (1..u32::MAX).prop_map(Gone::Samples)]
+    prop_oneof![
+        Just(Gone::Nothing),
+        (1..u64::MAX).prop_map(Gone::Ticks),
+        (1..u32::MAX).prop_map(Gone::Samples)
+    ]
 }
 
 proptest! {
@@ -31,15 +35,15 @@ proptest! {
     }
 
     #[test]
-    fn one_wrong_bit_is_refused(at in 0..1 << 20_usize, bit in 0..8) {
+    fn one_wrong_bit_is_refused(at in 0..1_usize << 20, bit in 0..8_u32) {
         let mut bytes = example().bytes();
         let at = at % bytes.len();
-        bytes[at] ^= 1 << bit;
+        bytes[at] ^= 1_u8 << bit;
         prop_assert!(State::parse(&bytes).is_err());
     }
 
     #[test]
-    fn no_part_of_a_file_is_a_state(end in 0..1 << 20_usize) {
+    fn no_part_of_a_file_is_a_state(end in 0..1_usize << 20) {
         let bytes = example().bytes();
         let end = end % bytes.len();
         let found = State::parse(&bytes[..end]);
@@ -49,7 +53,7 @@ proptest! {
 
     /// Whoever makes the checksum good gets another state or a refusal, and no panic.
     #[test]
-    fn any_bytes_behind_a_good_checksum(changes in proptest::collection::vec((0..1 << 20_usize, any::<u8>()), 1..20)) {
+    fn any_bytes_behind_a_good_checksum(changes in proptest::collection::vec((0..1_usize << 20, any::<u8>()), 1..20)) {
         let mut bytes = example().bytes();
         let length = bytes.len();
         changes.iter().for_each(|(at, byte)| bytes[at % length] = *byte);
@@ -81,11 +85,23 @@ fn every_damage_has_its_name() {
         (sealed(changed(24, 1)), &["byte 24, reserved: found 1, expected 0"]),
         (sealed(changed(15, 0x7f)), &["header: found a length of 2130", "which are left in the file"]),
         (sealed(nan), &["picture of frame 4, row 3, value 2", "found NaN, expected a finite number"]),
-        (reworded("lunoid.state/1", "lunoid.state/9"), &["found schema `lunoid.state/9`, expected `lunoid.state/1`"]),
+        (
+            reworded("lunoid.state/1", "lunoid.state/9"),
+            &["found schema `lunoid.state/9`, expected `lunoid.state/1`"],
+        ),
         (reworded("\"tick\":", "\"tock\":"), &["header, line", "unknown field `tock`"]),
-        (reworded("\"kind\": \"rows\"", "\"kind\": \"store\""), &["header, blocks: found store 5, store 3", "expected rows, then stores"]),
-        (reworded("\"digital_bytes\": ", "\"digital_bytes\": 9"), &["digital side: found a length of 9", "which are left"]),
-        (reworded("\"rows\": 2,", "\"rows\": 18446744073709551615,"), &["rows of frame 5: found a length of 18446744073709551615 bytes"]),
+        (
+            reworded("\"kind\": \"rows\"", "\"kind\": \"store\""),
+            &["header, blocks: found store 5, store 3", "expected rows, then stores"],
+        ),
+        (
+            reworded("\"digital_bytes\": ", "\"digital_bytes\": 9"),
+            &["digital side: found a length of 9", "which are left"],
+        ),
+        (
+            reworded("\"rows\": 2,", "\"rows\": 18446744073709551615,"),
+            &["rows of frame 5: found a length of 18446744073709551615 bytes"],
+        ),
         (reworded("\"rows\": 2,", "\"rows\": 1,"), &["bytes behind the last block: found 12, expected 0"]),
     ] {
         let said = refusal(&bytes);

@@ -38,7 +38,7 @@ pub struct HeldArgs {
 }
 
 impl HeldArgs {
-    /// Reads the state.
+    /// Reads the state from its file.
     pub fn read(&self) -> Result<State, Failure> {
         Ok(State::read(&self.file)?)
     }
@@ -62,7 +62,8 @@ impl HeldArgs {
 
     /// The stage with which the state was saved.
     fn saved(&self, state: &State) -> Result<StageArgs, Failure> {
-        let line = Line::try_parse_from(["lunoid"].into_iter().chain(state.head.words.iter().map(String::as_str)));
+        let line =
+            Line::try_parse_from(["lunoid"].into_iter().chain(state.head.words.iter().map(String::as_str)));
         let file = self.file.display();
         let mut stage = line
             .map_err(|_| {

@@ -67,7 +67,9 @@ impl Load {
         let Some(out) = &self.out else {
             return match self.frames {
                 1 => Ok(Vec::new()),
-                frames => Err(Failure::usage(format!("--frames {frames}: expected --out with a folder for them"))),
+                frames => {
+                    Err(Failure::usage(format!("--frames {frames}: expected --out with a folder for them")))
+                }
             };
         };
         match (is_picture(out), self.frames) {
@@ -93,7 +95,13 @@ impl Load {
     }
 
     /// Draws and writes frame by frame; the files.
-    fn draw(&self, bench: &Bench<'_>, view: &View, state: &State, out: &Path) -> Result<Vec<String>, Failure> {
+    fn draw(
+        &self,
+        bench: &Bench<'_>,
+        view: &View,
+        state: &State,
+        out: &Path,
+    ) -> Result<Vec<String>, Failure> {
         if !is_picture(out) {
             fs::create_dir_all(out).map_err(|error| {
                 Failure::output(format!("{}: cannot make this folder: {error}", out.display()))
@@ -103,7 +111,8 @@ impl Load {
         let mut written = Vec::new();
         for frame in first..first + self.frames {
             let planes = if frame == first { bench.go_on(state)? } else { bench.frame(frame)? };
-            let path = if is_picture(out) { out.to_owned() } else { out.join(format!("frame-{frame:06}.png")) };
+            let path =
+                if is_picture(out) { out.to_owned() } else { out.join(format!("frame-{frame:06}.png")) };
             let png = png(bench, view, frame, &planes)?;
             files::write_atomic(&path, |file| file.write_all(&png))?;
             written.push(path.display().to_string());

@@ -47,9 +47,9 @@ enum By {
     Event,
     /// Samples that are drawn.
     Sample,
-    /// Starts of sweeps.
+    /// Starts of the sweeps.
     Sweep,
-    /// Starts of frames.
+    /// Starts of the same sweep in other frames.
     Frame,
 }
 
