@@ -9,9 +9,10 @@ use lunoid_tests::{Dice, Shipped};
 use machine::Prepare;
 use run_record::Program;
 use signal::Probe;
-use state::{Bench, Block, BlockKind, Fault, Gone, Mission, Place, State, StateError, Unit};
+use state::{Bench, Block, BlockKind, Gone, Mission, Place, State, StateError, Unit};
 
 const SWEEPS: u32 = 48;
+const FILE: &str = "there.state";
 const UNITS: [Unit; 5] = [Unit::Tick, Unit::Event, Unit::Sample, Unit::Sweep, Unit::Frame];
 
 /// A scenario on a machine, with a frame near which it is stopped.
@@ -93,7 +94,7 @@ fn bits(picture: &[f32]) -> Vec<u32> {
 /// The state of a file, in a machine that remembers nothing else.
 fn restored<'a>(machine: &'a Machine, bytes: &[u8]) -> (Bench<'a>, State) {
     let (bench, state) = (machine.bench(), State::parse(bytes).unwrap());
-    bench.restore(&state).unwrap().unwrap();
+    bench.restore(&state, FILE.as_ref()).unwrap();
     (bench, state)
 }
 
@@ -169,7 +170,7 @@ fn one_step_n_times_writes_what_n_steps_write() {
         let first = machine.bench().save(place).unwrap();
         for unit in UNITS {
             let bench = machine.bench();
-            bench.restore(&first).unwrap().unwrap();
+            bench.restore(&first, FILE.as_ref()).unwrap();
             let there = bench.moved(&first, bench.step(place, unit, 3).unwrap()).unwrap();
             let mut bytes = first.bytes();
             for _ in 0..3 {
@@ -232,9 +233,10 @@ fn steps_by_event_lead_to_events_and_to_no_other_tick() {
 fn a_state_of_something_else_is_refused_by_name() {
     let machine = &*NOMINAL;
     let state = machine.bench().save(Place::start(40, 5)).unwrap();
-    let refusal = |bench: &Bench<'_>, state: &State| match bench.restore(state).unwrap() {
-        Ok(()) => panic!("not refused"),
-        Err(fault) => fault.to_string(),
+    let refusal = |bench: &Bench<'_>, state: &State| {
+        let said = bench.restore(state, FILE.as_ref()).unwrap_err().to_string();
+        assert!(said.starts_with("there.state: "), "{said}");
+        said
     };
     let said = refusal(&OVERLOADED.bench(), &state);
     assert!(
@@ -259,8 +261,8 @@ fn a_state_of_something_else_is_refused_by_name() {
     assert!(refusal(&machine.bench(), &short).contains("found no more blocks, expected"));
     let mut words = state.clone();
     words.digital = state.digital.replacen("\"stale\": 0", "\"stale\": 1", 1);
-    let found = machine.bench().restore(&words).unwrap();
-    assert!(matches!(found, Err(Fault::Digital { line, .. }) if line > 1), "{found:?}");
+    let said = refusal(&machine.bench(), &words);
+    assert!(said.contains("digital side, line ") && said.contains("found `\"stale\": 1"), "{said}");
     let found = machine.bench().save(Place::start(40, SWEEPS));
     assert!(matches!(found, Err(StateError::Place(_))));
 }

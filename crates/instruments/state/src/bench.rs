@@ -1,5 +1,7 @@
 //! The machine of a mission, which states are of.
 
+use std::path::Path;
+
 use event_list::DigitalFrame;
 use generator::{PlaneKind, Planes};
 use machine::{ControlPlane, MachineStage, Memory, Resumes, Sizes, prepare_resumes};
@@ -69,19 +71,17 @@ impl<'a> Bench<'a> {
         self.state(place, &[])
     }
 
-    /// Puts what a state holds into the machine: what needs earlier stores and pictures takes them from now on.
+    /// Puts what a state holds into the machine: what needs earlier stores and pictures takes them from now on. `file` is what
+    /// errors call it.
     ///
     /// # Errors
     /// If the state is that of another machine, mission or program, or holds something else than the machine does there.
-    pub fn restore(&self, state: &State) -> Result<Result<(), Fault>, StateError> {
-        if let Err(fault) = self.expect(state) {
-            return Ok(Err(fault));
-        }
-        if let Err(fault) = expect(&state.digital, &self.digital(state.head.place)?) {
-            return Ok(Err(fault));
-        }
+    pub fn restore(&self, state: &State, file: &Path) -> Result<(), StateError> {
+        self.expect(state).map_err(|fault| fault.of(file))?;
+        let digital = self.digital(state.head.place)?;
+        expect(&state.digital, &digital).map_err(|fault| fault.of(file))?;
         self.machine.remember(&state.memory());
-        Ok(Ok(()))
+        Ok(())
     }
 
     /// The state at `place`, from a state that was restored: rows, stores and pictures that both have are taken over.

@@ -223,7 +223,7 @@ pub(crate) fn seal(bytes: &mut [u8]) {
 
 impl Fault {
     /// The fault of the file at `path`.
-    pub fn of(self, path: &Path) -> StateError {
+    pub(crate) fn of(self, path: &Path) -> StateError {
         StateError::Fault { path: path.to_owned(), fault: Box::new(self) }
     }
 }

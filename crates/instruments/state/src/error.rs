@@ -104,23 +104,8 @@ pub enum Fault {
         expected: String,
     },
     /// The state is that of another machine or mission.
-    #[error(
-        "found the state of another machine or mission: hash {found}… of the {what} ({}), expected {expected}… ({}); \
-         it was saved with `lunoid state save {words}`: give the same scenario and options, as they were then",
-        .machines[0], .machines[1]
-    )]
-    Other {
-        /// Part whose hash differs.
-        what: &'static str,
-        /// Hash in the file.
-        found: String,
-        /// Hash of the machine at hand.
-        expected: String,
-        /// Names of both machines.
-        machines: [String; 2],
-        /// Words with which the state was saved.
-        words: String,
-    },
+    #[error(transparent)]
+    Other(Box<Other>),
     /// The place is none of the mission.
     #[error("header, place: found {0}; {AGAIN}")]
     Place(PlaceError),
@@ -136,6 +121,26 @@ pub enum Fault {
         /// Line that the machine comes to.
         expected: String,
     },
+}
+
+/// What tells a state from that of the machine at hand.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "found the state of another machine or mission: hash {found}… of the {what} ({}), expected {expected}… ({}); it was saved \
+     with `lunoid state save {words}`: give the same scenario and options, as they were then",
+    .machines[0], .machines[1]
+)]
+pub struct Other {
+    /// Part whose hash differs.
+    pub what: &'static str,
+    /// Hash in the file.
+    pub found: String,
+    /// Hash of the machine at hand.
+    pub expected: String,
+    /// Names of both machines.
+    pub machines: [String; 2],
+    /// Words with which the state was saved.
+    pub words: String,
 }
 
 /// Name of a block in messages.

@@ -9,7 +9,7 @@ use scenario::Scenario;
 use serde::{Deserialize, Serialize};
 use serde_json::json;
 
-use crate::Fault;
+use crate::error::{Fault, Other};
 
 /// Whose state it is.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -90,7 +90,8 @@ impl Identity {
             Some(((what, found), (_, expected))) => {
                 let [found, expected] = [found, expected].map(|hash| hash.chars().take(16).collect());
                 let machines = [other, self].map(|of| of.machine.clone());
-                Err(Fault::Other { what, found, expected, machines, words: words.join(" ") })
+                let words = words.join(" ");
+                Err(Fault::Other(Box::new(Other { what, found, expected, machines, words })))
             }
         }
     }

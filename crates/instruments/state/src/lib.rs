@@ -26,7 +26,7 @@ mod place;
 
 pub use bench::{Bench, Mission};
 pub use container::{Block, BlockKind, FORMAT, Head, MAGIC, SCHEMA, State};
-pub use error::{Fault, StateError};
+pub use error::{BlockName, Fault, Other, StateError};
 pub use identity::{Hashes, Identity};
 pub use look::Look;
 pub use place::{Clock, Gone, Place, PlaceError, Unit};

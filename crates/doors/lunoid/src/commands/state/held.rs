@@ -91,12 +91,6 @@ impl HeldArgs {
         Ok(rehearse(stage, &self.threads, chosen)?.0)
     }
 
-    /// Puts `state` into the machine of `bench`.
-    pub fn restore(&self, bench: &Bench<'_>, state: &State) -> Result<(), Failure> {
-        let found = bench.restore(state)?;
-        Ok(found.map_err(|fault| fault.of(&self.file))?)
-    }
-
     /// Files that no output may replace.
     pub fn sources(&self, stage: &StageArgs) -> Vec<Output> {
         let mut sources = stage.sources();

@@ -51,7 +51,7 @@ impl Load {
         let bench = bench(&rehearsal, &stage);
         let view = rehearsal.stage.settings.view();
         let written = rehearsal.pool.install(|| -> Result<_, Failure> {
-            self.held.restore(&bench, &state)?;
+            bench.restore(&state, &self.held.file)?;
             self.expect_frames(&bench, &state)?;
             match &self.out {
                 Some(out) => self.draw(&bench, &view, &state, out),

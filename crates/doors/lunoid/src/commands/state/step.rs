@@ -76,7 +76,7 @@ impl Step {
         let bench = bench(&rehearsal, &stage);
         let unit = self.by.unit();
         let (look, moved) = rehearsal.pool.install(|| -> Result<_, Failure> {
-            self.held.restore(&bench, &state)?;
+            bench.restore(&state, &self.held.file)?;
             let place = bench.step(state.head.place, unit, self.count)?;
             let moved = self.out.as_ref().map(|_| bench.moved(&state, place)).transpose()?;
             Ok((bench.look(place, unit)?, moved))
