@@ -344,7 +344,7 @@ impl From<StateError> for Failure {
     fn from(error: StateError) -> Self {
         match error {
             StateError::File(error) => error.into(),
-            StateError::Place(_) => Self::usage(error),
+            StateError::Place(_) | StateError::Registers(_) => Self::usage(error),
             StateError::Fault { .. } | StateError::Frame(_) | StateError::Path(_) => Self::input(error),
         }
     }

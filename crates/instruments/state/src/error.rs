@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use event_list::EventListError;
 use files::FileError;
 use generator::FrameError;
 use scenario::PathProblems;
@@ -186,4 +187,7 @@ pub enum StateError {
     /// The path cannot be driven.
     #[error(transparent)]
     Path(#[from] PathProblems),
+    /// The registers of a place cannot be shown.
+    #[error(transparent)]
+    Registers(#[from] EventListError),
 }

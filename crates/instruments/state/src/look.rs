@@ -58,9 +58,9 @@ impl Bench<'_> {
             Unit::Tick | Unit::Event => look.events = Some(Events::new(self).at(place)?),
             Unit::Sample => {
                 look.signals = self.signals(place)?;
-                look.registers = self.registers(place)?;
+                look.registers = Some(self.registers(place)?);
             }
-            Unit::Sweep | Unit::Frame => look.registers = self.registers(place)?,
+            Unit::Sweep | Unit::Frame => look.registers = Some(self.registers(place)?),
         }
         Ok(look)
     }
@@ -76,15 +76,15 @@ impl Bench<'_> {
         Ok(probe.waveforms.iter().filter_map(at_sample).collect())
     }
 
-    fn registers(&self, place: Place) -> Result<Option<(String, Value)>, StateError> {
+    fn registers(&self, place: Place) -> Result<(String, Value), StateError> {
         let frame = self.digital_frame(place.frame, false)?;
         let at = match place.gone {
             Gone::Nothing => At::Sample(place.sweep, 0.0),
             Gone::Ticks(_) => At::Tick(self.clock().tick(place)),
             Gone::Samples(sample) => At::Sample(place.sweep, sample.into()),
         };
-        let registers = Registers::new(&frame, at).ok();
-        Ok(registers.map(|registers| (registers.text(), registers.json())))
+        let registers = Registers::new(&frame, at)?;
+        Ok((registers.text(), registers.json()))
     }
 }
 
