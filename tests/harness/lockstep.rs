@@ -63,6 +63,7 @@ pub fn walk(scene: &ComparedScene) -> Record {
             lines: &[],
             shadow: &[],
             parts: drawn(0, &[]),
+            between: 1,
             full_scales: &[],
         },
     )

@@ -129,6 +129,17 @@ impl Timebase {
         Ok(Self { master, update, sweeps, active_samples, retrace_samples, sample })
     }
 
+    /// The same clocks with `count` steps in each accumulator step, for what is told between samples. The last step that is drawn
+    /// is the last sample.
+    ///
+    /// # Errors
+    /// If the sample rate does not fit in 64 bits, or a sweep has more steps than 32 bits count.
+    pub fn divided(&self, count: u32) -> Result<Self, TimebaseError> {
+        let all = self.sweep_samples().checked_mul(count).ok_or(TimebaseError)?;
+        let drawn = self.active_samples.saturating_sub(1) * count + self.active_samples.min(1);
+        Self::new(self.master, self.update, self.sweeps, drawn, all - drawn)
+    }
+
     /// Accumulator steps a second.
     pub fn sample_rate(&self) -> Rate {
         self.sample

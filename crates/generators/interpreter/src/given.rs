@@ -19,6 +19,21 @@ pub struct Given<'a> {
     pub shadow: &'a [f64],
     /// What a seed drew for the parts of the model.
     pub parts: Drawn<'a>,
+    /// Steps of the scene's clock in a sample of the machine: 1, or more where it is told between samples.
+    pub between: usize,
     /// Full scale of each main wire in its unit: what its slew rate is against.
     pub full_scales: &'a [(&'static str, f64)],
+}
+
+/// What drives a part with a memory: `values` at the samples of the machine, straight between them, with `between` steps in each.
+/// What lies behind the last stays.
+pub fn straight(mut values: Vec<f64>, between: usize) -> Vec<f64> {
+    for from in (0..values.len()).step_by(between) {
+        let Some(&end) = values.get(from + between) else { break };
+        let begin = values[from];
+        for step in 1..between {
+            values[from + step] = begin + (end - begin) * (step as f64 / between as f64);
+        }
+    }
+    values
 }

@@ -57,14 +57,14 @@ impl Terrain {
 /// The figures of the array over a level, if it has real parts.
 fn figures(scene: &SceneData<'_>, level: &Level, number: usize, given: &Given<'_>) -> Option<Figures> {
     let analog = &scene.settings.analog;
-    let step = 1.0 / scene.settings.timebase.sample_rate().hertz();
+    let step = given.between as f64 / scene.settings.timebase.sample_rate().hertz();
     let of_parts = || parts::figures::figures(step, level, analog, &given.parts, ARRAYS[number]);
     (!analog.terrain_is_ideal()).then(of_parts)
 }
 
 /// The terrain of sweep `sweep` along `direction`, without the corners that are missing on each level.
 pub fn terrain(scene: &SceneData<'_>, sweep: u32, direction: [f64; 2], given: &Given<'_>) -> Terrain {
-    let Given { ranges, frame: Frame { missing, .. }, .. } = *given;
+    let Given { ranges, frame: Frame { missing, .. }, between, .. } = *given;
     let interrupts = interrupts(scene, sweep, given);
     let loader = &scene.settings.loader;
     let switch = scene.settings.levels.filter(|_| scene.coarse().is_some());
@@ -72,8 +72,18 @@ pub fn terrain(scene: &SceneData<'_>, sweep: u32, direction: [f64; 2], given: &G
     let level = scene.fine();
     let near = figures(scene, level, 0, given);
     let parts = near.as_ref().map(|figures| (figures, &given.parts));
-    let course =
-        Course { level, missing: &missing[0], number: 0, loader, direction, sweep, interrupts, until, parts };
+    let course = Course {
+        level,
+        missing: &missing[0],
+        number: 0,
+        loader,
+        direction,
+        sweep,
+        interrupts,
+        until,
+        between,
+        parts,
+    };
     let fine = walk(scene, &course, ranges);
     let (Some(level), Some(switch)) = (scene.coarse(), switch) else {
         let ground =

@@ -54,7 +54,7 @@ pub use drums::{Arrivals, DrumFigures};
 pub use event::{AskedFor, Event, FromDrum, Happening, Outcome, Part, Register};
 pub use fan::range_programme;
 pub use frame::{Frame, FrameGiven, frame};
-pub use given::Given;
+pub use given::{Given, straight};
 pub use scene::SceneData;
 pub use shadows::ShadowLine;
 pub use sweep::{Record, array, interpret};

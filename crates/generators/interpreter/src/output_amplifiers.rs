@@ -6,7 +6,7 @@
 
 use hardware_model::WireParts;
 
-use crate::given::Given;
+use crate::given::{Given, straight};
 use crate::scene::SceneData;
 
 /// Which wires lag, in accumulator steps and in their own units.
@@ -15,12 +15,13 @@ pub struct OutputAmplifiers<'a> {
     parts: WireParts,
     full_scale: f64,
     step: f64,
+    between: usize,
     units: &'a [(&'static str, f64)],
 }
 
 /// One amplifier on its way along a sweep.
 #[derive(Debug, Clone, Copy)]
-pub struct Amplifier {
+struct Amplifier {
     tau: f64,
     rate: f64,
     /// Input and output at the sample before.
@@ -32,14 +33,17 @@ impl<'a> OutputAmplifiers<'a> {
     pub fn of(scene: &SceneData<'_>, given: &Given<'a>) -> Self {
         let analog = &scene.settings.analog;
         let step = 1.0 / scene.settings.timebase.sample_rate().hertz();
-        Self { parts: analog.wires, full_scale: analog.full_scale, step, units: given.full_scales }
+        Self {
+            parts: analog.wires,
+            full_scale: analog.full_scale,
+            step,
+            between: given.between,
+            units: given.full_scales,
+        }
     }
 
-    /// The amplifier of a wire; one that follows at once where there is none.
-    pub fn amplifier(&self, name: &str) -> Amplifier {
-        if !self.parts.drives(name) {
-            return Amplifier { tau: 0.0, rate: f64::INFINITY, last: None };
-        }
+    /// The amplifier of a wire that lags.
+    fn amplifier(&self, name: &str) -> Amplifier {
         let tau = self.parts.bandwidth.map_or(0.0, |band| 1.0 / (2.0 * std::f64::consts::PI * band));
         let unit = self.units.iter().find(|(wire, _)| *wire == name).map_or(1.0, |(_, unit)| *unit);
         let rate = self.parts.slew.map_or(f64::INFINITY, |slew| slew / self.full_scale * unit * self.step);
@@ -47,9 +51,19 @@ impl<'a> OutputAmplifiers<'a> {
     }
 
     /// A whole signal behind its amplifier.
-    pub fn pass(&self, name: &str, signal: impl Iterator<Item = f64>) -> Vec<f64> {
+    pub fn pass(&self, name: &str, signal: Vec<f64>) -> Vec<f64> {
+        if !self.lags(name) {
+            return signal;
+        }
         let mut amplifier = self.amplifier(name);
-        signal.map(|value| amplifier.next(value)).collect()
+        straight(signal, self.between).into_iter().map(|value| amplifier.next(value)).collect()
+    }
+
+    /// The same of a signal that is clipped at 0 on its way.
+    pub fn pass_lit(&self, name: &str, signal: Vec<f64>) -> Vec<f64> {
+        let (signal, mut amplifier) = (straight(signal, self.between), self.amplifier(name));
+        let before = signal.iter().take(1).chain(&signal);
+        before.zip(&signal).map(|(before, now)| amplifier.next_lit(*before, *now)).collect()
     }
 
     /// Whether the wire of this name lags.
@@ -60,7 +74,7 @@ impl<'a> OutputAmplifiers<'a> {
 
 impl Amplifier {
     /// The output at the next sample.
-    pub fn next(&mut self, input: f64) -> f64 {
+    fn next(&mut self, input: f64) -> f64 {
         let follows_at_once = self.tau == 0.0 && self.rate == f64::INFINITY;
         let output = match self.last.filter(|_| !follows_at_once) {
             None => input,
@@ -71,7 +85,7 @@ impl Amplifier {
     }
 
     /// The same of an input that is clipped at 0 on its way.
-    pub fn next_lit(&mut self, before: f64, input: f64) -> f64 {
+    fn next_lit(&mut self, before: f64, input: f64) -> f64 {
         let lit = [before, input].map(|value| value.max(0.0));
         let Some((_, mut y)) = self.last else { return self.next(lit[1]) };
         if before * input < 0.0 {

@@ -12,7 +12,7 @@ use crate::given::Given;
 use crate::levels::{GroundSample, Terrain, terrain};
 use crate::light::Light;
 use crate::loads::{Loads, Passing, craters};
-use crate::mixing::{Inputs, mix, texture};
+use crate::mixing::{Inputs, Mixed, mix, texture};
 use crate::output_amplifiers::OutputAmplifiers;
 use crate::parts::{Array, ReflectivityStage};
 use crate::projector::{Circuit, Deflection, Rim, elevation, shown};
@@ -98,9 +98,11 @@ pub fn array(scene: &SceneData<'_>, sweep: u32, given: &Given<'_>, level: usize)
 
 /// Height and slopes of the terrain behind their amplifiers.
 fn drive(wires: &OutputAmplifiers<'_>, ground: &mut [GroundSample]) {
-    let heights = wires.pass("tg.height", ground.iter().map(|ground| ground.height));
-    let north = wires.pass("tg.slope.u", ground.iter().map(|ground| ground.slopes[0]));
-    let east = wires.pass("tg.slope.v", ground.iter().map(|ground| ground.slopes[1]));
+    let pass =
+        |name: &str, value: fn(&GroundSample) -> f64| wires.pass(name, ground.iter().map(value).collect());
+    let heights = pass("tg.height", |ground| ground.height);
+    let north = pass("tg.slope.u", |ground| ground.slopes[0]);
+    let east = pass("tg.slope.v", |ground| ground.slopes[1]);
     for (k, ground) in ground.iter_mut().enumerate() {
         *ground = GroundSample { height: heights[k], slopes: [north[k], east[k]] };
     }
@@ -153,10 +155,8 @@ impl Walker<'_> {
         let scene = self.scene;
         let eye = scene.eye;
         let mut heights = Vec::new();
-        let [mut terrain_wire, mut height_wire, mut video_wire] =
-            ["tg.reflectivity", "mu.height", "mu.reflectivity"].map(|name| self.wires.amplifier(name));
-        let mut video_before = None;
-        let mut stage = ReflectivityStage::of(scene);
+        let lights = self.lights(ground);
+        let mut videos = Vec::new();
         for (k, (&GroundSample { height, slopes }, &range)) in
             ground.iter().zip(self.given.ranges).enumerate()
         {
@@ -164,8 +164,7 @@ impl Walker<'_> {
             let place = [eye[0] + from_foot[0], eye[1] + from_foot[1]];
             let Relief { height: rise, slopes: added, present, clear } =
                 relief(&self.craters, [eye[0], eye[1]], from_foot);
-            let sight = (height - eye[2]) / range;
-            let terrain_light = terrain_wire.next(stage.next(self.light.reflectivity(slopes, sight)));
+            let terrain_light = lights[k];
             let lit_slopes = match scene.settings.laws.feature_light {
                 FeatureLight::Combined => [slopes[0] + added[0], slopes[1] + added[1]],
                 FeatureLight::AsReported => added,
@@ -176,13 +175,6 @@ impl Walker<'_> {
             let inputs =
                 Inputs { terrain: terrain_light, features: feature_light, present, shadow, texture: grain };
             let mixed = mix(scene, &inputs);
-            let composite = height_wire.next(height + rise);
-            let video = if self.wires.lags("mu.reflectivity") {
-                video_wire.next_lit(video_before.unwrap_or(mixed.signed), mixed.signed)
-            } else {
-                mixed.reflectivity
-            };
-            video_before = Some(mixed.signed);
             let gate = |open: bool| if open { 1.0 } else { 0.0 };
             let values = [
                 ("tg.height", height),
@@ -196,8 +188,6 @@ impl Walker<'_> {
                 ("fg.present", gate(present)),
                 ("fg.reflectivity", if present { feature_light.max(0.0) } else { 0.0 }),
                 ("txg.texture", grain.unwrap_or(0.0)),
-                ("mu.height", composite),
-                ("mu.reflectivity", video),
                 ("mu.vs1", gate(mixed.vs1)),
                 ("mu.vs1.fade", gate(mixed.vs1)),
                 ("sc.or", gate(shadow)),
@@ -214,9 +204,31 @@ impl Walker<'_> {
             for name in ["mu.vs1", "mu.vs1.fade", "mu.reflectivity", "sm.video"] {
                 self.record.put_margin(name, keyed);
             }
-            heights.push(composite);
+            heights.push(height + rise);
+            videos.push(mixed);
         }
+        let heights = self.wires.pass("mu.height", heights);
+        self.record.signals.insert("mu.height".into(), heights.clone());
+        self.record.signals.insert("mu.reflectivity".into(), self.video(&videos));
         heights
+    }
+
+    /// Light of the terrain behind its stage and its amplifier.
+    fn lights(&self, ground: &[GroundSample]) -> Vec<f64> {
+        let eye = self.scene.eye;
+        let places = ground.iter().zip(self.given.ranges);
+        let raw = places
+            .map(|(ground, range)| self.light.reflectivity(ground.slopes, (ground.height - eye[2]) / range));
+        let stage = ReflectivityStage::of(self.scene);
+        self.wires.pass("tg.reflectivity", stage.pass(raw.collect(), self.given.between))
+    }
+
+    /// Video behind its amplifier.
+    fn video(&self, mixed: &[Mixed]) -> Vec<f64> {
+        if !self.wires.lags("mu.reflectivity") {
+            return mixed.iter().map(|mixed| mixed.reflectivity).collect();
+        }
+        self.wires.pass_lit("mu.reflectivity", mixed.iter().map(|mixed| mixed.signed).collect())
     }
 
     /// Projection processor and what drives the beam.

@@ -78,6 +78,8 @@ pub struct Course<'a> {
     pub interrupts: Interrupts<'a>,
     /// Ground range beyond which nobody looks (m).
     pub until: f64,
+    /// Steps of the clock in a sample of the machine ([`Given::between`](crate::Given)).
+    pub between: usize,
     /// What the array is made of and what its seed drew, where it has real parts.
     pub parts: Option<(&'a Figures, &'a Drawn<'a>)>,
 }
@@ -100,36 +102,39 @@ pub fn walk(scene: &SceneData<'_>, course: &Course<'_>, ranges: &[f64]) -> Walk 
     let registers = Registers::at_start((level, course.missing), course.loader, clock, start);
     let (begun, hold) = (ramps.clone(), registers.hold);
     let mut walker = Walker { course, clock, ramps, registers, found: Walk::default() };
-    let mut before = 0.0;
-    walker.found.last_tick = clock.seen(-1.0);
+    // The sweep leaves the eye's foot a sample before the first.
+    let foot = -(course.between as f64);
+    let (mut begins, mut before) = (foot, 0.0);
+    walker.found.last_tick = clock.seen(foot);
     if walker.is_outside() {
         walker.found.edge = Some(0.0);
     }
     for (k, &range) in ranges.iter().enumerate() {
-        if walker.found.edge.is_some() || !walker.step(k as f64 - 1.0, before, range) {
+        if walker.found.edge.is_some() || !walker.step([begins, k as f64], before, range) {
             break;
         }
         walker.found.last_tick = clock.last_before(k as f64);
         walker.sample(range);
-        before = range;
+        (begins, before) = (k as f64, range);
     }
-    let Walker { registers: Registers { events, changes, .. }, mut found, .. } = walker;
+    let Walker { registers: Registers { events, mut changes, .. }, mut found, .. } = walker;
     found.events = events;
     if let Some((figures, drawn)) = course.parts {
+        changes.iter_mut().for_each(|change| change.time /= course.between as f64);
         let sweeps = u64::from(scene.settings.raster.sweeps);
         let sweep = Sweep {
             level,
             name: ARRAYS[course.number],
             drawn,
             direction: course.direction,
-            ranges,
+            ranges: &ranges.iter().copied().step_by(course.between).collect::<Vec<_>>(),
             ramps: &begun,
             hold,
             changes: &changes,
             number: scene.frame * sweeps + u64::from(course.sweep),
         };
-        let array = Array::of(&sweep, figures, found.samples.len());
-        array.pass(&sweep, &mut found.samples);
+        let array = Array::of(&sweep, figures, found.samples.len().div_ceil(course.between));
+        array.pass(&sweep, course.between, &mut found.samples);
         found.array = Some(array);
     }
     found
@@ -144,16 +149,16 @@ struct Walker<'a> {
 }
 
 impl Walker<'_> {
-    /// One accumulator step, from ground range `from` at time `start` to `to` one step later, with every stop and
-    /// every arrival within it. False if the sample is not reached.
-    fn step(&mut self, start: f64, from: f64, to: f64) -> bool {
+    /// From ground range `from` at time `start` to `to` at time `end`, with every stop and every arrival on the way. False if the
+    /// sample is not reached.
+    fn step(&mut self, [start, end]: [f64; 2], from: f64, to: f64) -> bool {
         loop {
             let [x, y] = [self.ramps[0].stop(), self.ramps[1].stop()];
             let (axis, range) = if x <= y { (0, x) } else { (1, y) };
             if range > to.min(self.course.until) {
                 break;
             }
-            let time = start + (range - from) / (to - from);
+            let time = start + (end - start) * (range - from) / (to - from);
             self.registers.receive(time);
             let at_one = self.ramps[axis].fold();
             if self.is_outside() {
@@ -172,10 +177,10 @@ impl Walker<'_> {
         }
         if to > self.course.until {
             // Parts run ahead of the beam: they see what still comes before the end of the ground asked for.
-            self.registers.receive(start + (self.course.until - from) / (to - from));
+            self.registers.receive(start + (end - start) * (self.course.until - from) / (to - from));
             return false;
         }
-        self.registers.receive(start + 1.0);
+        self.registers.receive(end);
         true
     }
 

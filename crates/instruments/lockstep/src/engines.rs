@@ -7,12 +7,12 @@ use data_bank::DrumUnit;
 use generator::{FrameError, Planes, Session};
 use interpreter::parts::{Array, Drawn};
 use interpreter::{
-    DrumFigures, Event, Frame, FrameGiven, Given, Happening, Outcome, Part, Record, SceneData, Unknown,
-    interpret, range_programme,
+    DrumFigures, Event, Frame, FrameGiven, Given, Happening, Outcome, Part, Record, SceneData, ShadowLine,
+    Unknown, interpret, range_programme, straight, why_not,
 };
 use machine::Prepare;
 use parts::{NoiseSource, Spread};
-use quantities::unit_interval;
+use quantities::{Timebase, unit_interval};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use scenario::Pose;
 use signal::{Axis, Probe, Waveform};
@@ -63,41 +63,24 @@ impl Engines {
         tamper: Tamper<'_>,
     ) -> Result<Vec<Seen>, FrameError> {
         let digital = self.control.sweeps_with_gates(frame, pose)?;
-        let lines = self.control.shadow_lines(&digital, pose.time);
-        let scene = self.scene(frame, pose);
-        let own = self.frame(&scene, &digital);
-        let of_frame = compare_frame(frame, &digital.frame_events(), &own.events);
+        let own = self.own(&digital, (frame, pose));
+        let of_frame = compare_frame(frame, &digital.frame_events(), &own.frame.events);
         let wires = self.session.wires();
-        let full_scales: Vec<_> = wires.iter().map(|wire| (wire.signal.name, wire.full_scale)).collect();
         let there: HashSet<&str> = wires.iter().map(|wire| wire.signal.name).collect();
         let one = |sweep: u32| {
             let mut probe = Probe::new(vec!["*".into()], sweep..sweep + 1);
             let counts = self.session.frame(frame, pose, &mut Planes::new(0, 0, &[]), &mut probe)?;
             let mut events = digital.events(sweep);
-            if own.set_ups[sweep as usize] != sweep {
+            if own.frame.set_ups[sweep as usize] != sweep {
                 events.retain(|event| event.unit != DigitalUnit::ShadowController);
             }
             let mut machine = probe.waveforms;
             machine.retain(|wave| wave.signal.axis != Axis::Changes && there.contains(wave.signal.name));
             machine.iter_mut().for_each(tamper);
-            let values = |name: &str| {
-                let wave = machine.iter().find(|wave| wave.signal.name == name);
-                wave.map_or(&[][..], |wave| wave.values.as_slice())
-            };
-            let given = Given {
-                ranges: values("sweep.range"),
-                frame: &own,
-                draw: |seed, words| unit_interval(seed, &words),
-                lines: &lines,
-                shadow: values("sc.or"),
-                parts: drawn(self.stage.settings.seed, &self.broken_lines),
-                full_scales: &full_scales,
-            };
-            let record = interpret(&scene, sweep, &given);
-            let unknown =
-                Unknown { craters: record.events.iter().any(has_lost_a_crater), breaks: record.has_breaks };
+            let record = own.interpret(&own.scene, sweep, &machine, 1);
+            let unknown = unknown(&record);
             let sides = Sides {
-                scene: &scene,
+                scene: &own.scene,
                 wires: &wires,
                 sweep,
                 unknown,
@@ -132,8 +115,8 @@ impl Engines {
         }
     }
 
-    /// The array of real parts of a level (0 fine, 1 coarse) as sweep `sweep` drives it in the interpreter, and the machine's waveforms
-    /// of `signals` (patterns) in that sweep; none where the level or its parts are not there.
+    /// The array of real parts of a level (0 fine, 1 coarse) as sweep `sweep` drives it in the interpreter; none where the level or its
+    /// parts are not there.
     ///
     /// # Errors
     /// If the pose cannot be drawn.
@@ -142,23 +125,59 @@ impl Engines {
         (frame, pose): (u64, &Pose),
         sweep: u32,
         level: usize,
-        signals: Vec<String>,
-    ) -> Result<Option<(Array, Vec<Waveform>)>, FrameError> {
+    ) -> Result<Option<Array>, FrameError> {
         let digital = self.control.sweeps_with_gates(frame, pose)?;
-        let (scene, mut probe) = (self.scene(frame, pose), Probe::new(signals, sweep..sweep + 1));
+        let own = self.own(&digital, (frame, pose));
+        let ranges = range_programme(&own.scene.settings.range, own.scene.settings.raster.samples);
+        let given = Given { shadow: &[], ..own.given(&ranges, &[], 1) };
+        Ok(interpreter::array(&own.scene, sweep, &given, level))
+    }
+
+    /// Sweep `sweep` on both, told between samples: the machine's waveforms of `signals` (patterns) and of what the interpreter is given,
+    /// at samples, and what the interpreter makes of it at every step of `clocks`, up to the last within the stored ground. The clocks
+    /// are those of the machine, divided.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    pub fn between(
+        &self,
+        (frame, pose): (u64, &Pose),
+        sweep: u32,
+        mut signals: Vec<String>,
+        clocks: Timebase,
+    ) -> Result<(Vec<Waveform>, Record), FrameError> {
+        let digital = self.control.sweeps_with_gates(frame, pose)?;
+        signals.extend(GIVEN.map(str::to_owned));
+        let mut probe = Probe::new(signals, sweep..sweep + 1);
         self.session.frame(frame, pose, &mut Planes::new(0, 0, &[]), &mut probe)?;
-        let own = self.frame(&scene, &digital);
-        let ranges = range_programme(&scene.settings.range, scene.settings.raster.samples);
-        let given = Given {
-            ranges: &ranges,
-            frame: &own,
-            draw: |seed, words| unit_interval(seed, &words),
-            lines: &[],
-            shadow: &[],
-            parts: drawn(scene.settings.seed, &self.broken_lines),
-            full_scales: &[],
-        };
-        Ok(interpreter::array(&scene, sweep, &given, level).map(|array| (array, probe.waveforms)))
+        let own = self.own(&digital, (frame, pose));
+        let mut settings = own.scene.settings.clone();
+        let between = clocks.sweep_samples() / settings.timebase.sweep_samples();
+        settings.timebase = clocks;
+        let scene = SceneData { settings: &settings, ..own.scene };
+        let record = own.interpret(&scene, sweep, &probe.waveforms, between);
+        Ok((probe.waveforms, record))
+    }
+
+    /// Why the interpreter has no opinion on a signal of a sweep, as it has followed it.
+    pub fn why_not(&self, signal: &str, record: &Record) -> Option<&'static str> {
+        why_not(signal, &self.stage.settings, unknown(record))
+    }
+
+    fn own<'a>(&'a self, digital: &FrameSweeps<'_>, (frame, pose): (u64, &Pose)) -> Own<'a> {
+        let scene = self.scene(frame, pose);
+        Own {
+            frame: self.frame(&scene, digital),
+            scene,
+            lines: self.control.shadow_lines(digital, pose.time),
+            full_scales: self
+                .session
+                .wires()
+                .iter()
+                .map(|wire| (wire.signal.name, wire.full_scale))
+                .collect(),
+            parts: drawn(self.stage.settings.seed, &self.broken_lines),
+        }
     }
 
     /// Points of the broken lines of function generators ([`terrain_generator::broken_lines`]).
@@ -192,6 +211,54 @@ impl Engines {
         self.run(frame, pose, sweeps, &|_| {})?.into_iter().for_each(|seen| sum.add(seen.report));
         Ok(sum)
     }
+}
+
+/// Signals of the machine that the interpreter is given: ground range of the samples, gate of remote shadow.
+const GIVEN: [&str; 2] = ["sweep.range", "sc.or"];
+
+/// What the interpreter has of a frame.
+struct Own<'a> {
+    scene: SceneData<'a>,
+    frame: Frame,
+    lines: Vec<ShadowLine>,
+    full_scales: Vec<(&'static str, f64)>,
+    parts: Drawn<'a>,
+}
+
+impl Own<'_> {
+    /// What the interpreter makes of a sweep of `scene`, whose clock has `between` steps in each sample of the `machine`'s waveforms.
+    fn interpret(&self, scene: &SceneData<'_>, sweep: u32, machine: &[Waveform], between: u32) -> Record {
+        let [ranges, shadow] = GIVEN.map(|name| {
+            let wave = machine.iter().find(|wave| wave.signal.name == name);
+            wave.map_or(&[][..], |wave| &wave.values)
+        });
+        let steps = between as usize;
+        let ranges = straight(stretched(ranges, steps), steps);
+        interpret(scene, sweep, &self.given(&ranges, &stretched(shadow, steps), steps))
+    }
+
+    fn given<'g>(&'g self, ranges: &'g [f64], shadow: &'g [f64], between: usize) -> Given<'g> {
+        Given {
+            ranges,
+            frame: &self.frame,
+            draw: |seed, words| unit_interval(seed, &words),
+            lines: &self.lines,
+            shadow,
+            parts: self.parts,
+            between,
+            full_scales: &self.full_scales,
+        }
+    }
+}
+
+/// Each value `between` times; the last once, as nothing lies behind it.
+fn stretched(values: &[f64], between: usize) -> Vec<f64> {
+    let count = values.len().saturating_sub(1) * between + values.len().min(1);
+    values.iter().flat_map(|value| std::iter::repeat_n(*value, between)).take(count).collect()
+}
+
+fn unknown(record: &Record) -> Unknown {
+    Unknown { craters: record.events.iter().any(has_lost_a_crater), breaks: record.has_breaks }
 }
 
 /// What a seed draws for the parts of a model with these broken lines ([`terrain_generator::broken_lines`]), for the interpreter.

@@ -16,7 +16,7 @@ mod circuit;
 mod run;
 mod sources;
 
-pub use agreement::{Agreement, compare};
+pub use agreement::{Agreement, INSTANTS, compare};
 pub use circuit::{Circuit, OUTPUTS, text};
 pub use run::{Curves, RunError, run};
 

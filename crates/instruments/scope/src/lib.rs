@@ -20,7 +20,7 @@ use signal::{Waveform, Wire};
 pub use choice::{Choice, expect_known};
 pub use error::ScopeError;
 pub use page::runs_along;
-pub use trace::{Look, Order, Tracing, WINDOW, Written, size, trace, write};
+pub use trace::{Look, Looking, Order, Tracing, WINDOW, Written, size, trace, write};
 pub use wishes::ScopeWishes;
 
 /// Signals that a page of the hybrid machine needs beside those that it shows and its axes: what it shades, its crossings and

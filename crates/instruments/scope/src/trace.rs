@@ -34,12 +34,17 @@ pub struct Look<'a> {
     pub raster: [usize; 2],
 }
 
-impl Look<'_> {
+/// Whoever looks at signals of some sweeps.
+pub trait Looking {
     /// Waveforms of `names` in `sweeps`, by sweep, then by signal table order.
     ///
     /// # Errors
     /// If the pose cannot be drawn.
-    pub fn at(&self, names: Vec<String>, sweeps: Range<u32>) -> Result<Vec<Waveform>, ScopeError> {
+    fn at(&self, names: Vec<String>, sweeps: Range<u32>) -> Result<Vec<Waveform>, ScopeError>;
+}
+
+impl Looking for Look<'_> {
+    fn at(&self, names: Vec<String>, sweeps: Range<u32>) -> Result<Vec<Waveform>, ScopeError> {
         let mut probe = Probe::new(names, sweeps);
         let mut planes = Planes::new(self.raster[0], self.raster[1], &[]);
         self.pool.install(|| self.session.frame(self.frame, self.pose, &mut planes, &mut probe))?;
@@ -90,7 +95,7 @@ pub enum Tracing {
 /// # Errors
 /// If the pose cannot be drawn, the file would be large and may not, or it cannot be written.
 pub fn trace(
-    look: &Look<'_>,
+    look: &dyn Looking,
     mut header: Header,
     order: &Order<'_>,
     hear: &mut dyn FnMut(Tracing),

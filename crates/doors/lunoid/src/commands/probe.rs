@@ -2,25 +2,31 @@
 
 mod target;
 
+use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::ops::Range;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
+use between::Between;
 use clap::Args;
 use front_door::Opened;
 use generator::{Scan, Stage};
+use lockstep::Engines;
+use rayon::ThreadPool;
 use scope::{
-    Choice, Look, Order, Recorded, ScopeError, Tracing, WINDOW, Written, columns_of, draw, expect_known,
-    needs, size, trace,
+    Choice, Look, Looking, Order, Recorded, ScopeError, Tracing, WINDOW, Written, columns_of, draw,
+    expect_known, needs, size, trace,
 };
 use serde_json::json;
+use signal::Wire;
 use waveform::{Format, Header};
 
 use crate::commands::scope::ScopeArgs;
 use crate::frame::FrameArgs;
+use crate::loading::{expect_machine, machine_stage};
 use crate::output::{expect_outputs, print, print_json, tell};
-use crate::{Failure, Verdict};
+use crate::{Failure, Verdict, values};
 use text::{Span, named_signals};
 
 use target::words;
@@ -29,10 +35,14 @@ pub use target::{Target, names};
 /// Time between two lines of progress.
 const EVERY: Duration = Duration::from_secs(5);
 
+/// Instants of a sample at most.
+const MOST_BETWEEN: u32 = 64;
+
 const AFTER: &str = "Examples:
   lunoid probe scenarios/first-light.toml --frame 12 --sweep 500..502 --signals 'tg.*,dpp.y' --out tg.npz
   lunoid probe scenarios/first-light.toml --frame 12 --sweep all --signals 'sweep.x,sweep.y,tg.*.hold,tg.height' --out tg.fst
   lunoid probe scenarios/first-light.toml --frame 60 --sweep 500 --signals 'sweep.x,tg.fn.x.*,tg.*height,dpp.blank' --out tg.png
+  lunoid probe scenarios/full-drive.toml --machine pra-nominal --frame 60 --sweep 200 --signals 'sweep.*,tg.product.00' --between 8 --out fine.csv
 
 The file is what its name says, or --format. FST and VCD open in GTKWave (`gtkwave tg.fst.gtkw` draws curves at once), FST in
 Surfer, NPZ in numpy, raw in ngspice, sr in PulseView; docs/waveform-files.md says what each holds. PNG and SVG are a
@@ -50,6 +60,9 @@ pub struct ProbeCommand {
     /// Signals, separated by commas, with * for any run of characters; `lunoid signals` lists them.
     #[arg(long, value_delimiter = ',', default_value = "*", value_name = "NAMES")]
     signals: Vec<String>,
+    /// Tell every wire at so many instants a sample, up to 64: at the sample, and between it and the next by the law of its part.
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = values::whole(1..=MOST_BETWEEN))]
+    between: u32,
     /// File of waveforms or picture to write.
     #[arg(short, long, value_name = "FILE")]
     out: PathBuf,
@@ -100,17 +113,41 @@ impl ProbeCommand {
         let raster = [stage.view.columns as usize, stage.view.lines as usize];
         let session = generator.prepare(stage).map_err(Failure::input)?;
         let choice = Choice::of(table, &session.wires(), &self.signals);
-        let look = Look { session: &*session, pool: &pool, frame: self.chosen.frame, pose: &pose, raster };
+        let at_samples =
+            Look { session: &*session, pool: &pool, frame: self.chosen.frame, pose: &pose, raster };
+        let engines = self.engines(&opened, &pool)?;
+        let mut scan = scan(&opened)?;
+        let clocks = scan.timebase;
+        scan.timebase = clocks.divided(self.between).map_err(Failure::input)?;
+        let between = engines
+            .as_ref()
+            .map(|engines| Between::new(engines, &pool, (self.chosen.frame, &pose), [clocks, scan.timebase]));
+        let look: &dyn Looking = between.as_ref().map_or(&at_samples, |between| between);
         let written = match target {
-            Target::Picture => self.draw(&look, &opened, &choice, (sweeps.start, &columns))?,
+            Target::Picture => {
+                let seen = Seen { look, wires: &session.wires(), columns: &columns, scan };
+                self.draw(&seen, &opened, &choice, sweeps.start)?
+            }
             Target::Waveforms(format) => {
-                let header = self.header(&opened, &choice, sweeps.clone())?;
+                let header = self.header(&opened, &choice, (scan, sweeps.clone()));
                 let (out, mut last) = (self.out.display(), Instant::now());
-                trace(&look, header, &self.order(format), &mut |heard| say(&out, &mut last, heard))?
+                trace(look, header, &self.order(format), &mut |heard| say(&out, &mut last, heard))?
             }
         };
+        if let Some(between) = &between {
+            tell_straight(between);
+        }
         self.tell(target, &choice, sweeps, &written)?;
         Ok(Verdict::Yes)
+    }
+
+    /// Both engines, if wires are to be told between samples.
+    fn engines(&self, opened: &Opened, pool: &ThreadPool) -> Result<Option<Engines>, Failure> {
+        if self.between == 1 {
+            return Ok(None);
+        }
+        expect_machine(opened, "--between: only the hybrid machine has parts that move between samples")?;
+        Ok(Some(Engines::new(machine_stage(opened, pool)?)))
     }
 
     /// Options that the file asked for has no use for are refused, not passed over.
@@ -145,7 +182,7 @@ impl ProbeCommand {
         Ok(table.map_err(Failure::input)?.rows()[0].pose)
     }
 
-    fn header(&self, opened: &Opened, choice: &Choice, sweeps: Range<u32>) -> Result<Header, Failure> {
+    fn header(&self, opened: &Opened, choice: &Choice, (scan, sweeps): (Scan, Range<u32>)) -> Header {
         let scenario = opened.inputs.scenario.as_ref();
         let hash = scenario.map(|scenario| ("scenario_blake3", scenario.blake3.clone()));
         let provenance = [
@@ -154,15 +191,15 @@ impl ProbeCommand {
             ("scenario", self.chosen.stage.scenario.display().to_string()),
             ("machine", opened.drawn_by().to_owned()),
         ];
-        Ok(Header {
+        Header {
             title: format!("{}: frame {}", opened.scenario.title, self.chosen.frame),
             provenance: provenance.into_iter().chain(hash).map(|(key, words)| (key.into(), words)).collect(),
             wires: choice.wires.clone(),
-            timebase: scan(opened)?.timebase,
+            timebase: scan.timebase,
             lines: opened.settings.raster.lines,
             frame: self.chosen.frame,
             sweeps,
-        })
+        }
     }
 
     fn order(&self, format: Format) -> Order<'_> {
@@ -172,19 +209,20 @@ impl ProbeCommand {
 
     fn draw(
         &self,
-        look: &Look<'_>,
+        seen: &Seen<'_>,
         opened: &Opened,
         choice: &Choice,
-        (sweep, columns): (u32, &[usize]),
+        sweep: u32,
     ) -> Result<Written, Failure> {
-        let (wanted, scan) = (choice.names(), scan(opened)?);
+        let Seen { look, wires, columns, scan } = *seen;
+        let wanted = choice.names();
         let needed = needs(&scan);
         let recorded = wanted.iter().chain(&needed).map(|name| (*name).to_owned()).collect();
         let waveforms = look.at(recorded, sweep..sweep + 1)?;
         let recorded = Recorded {
             title: &opened.scenario.title,
             waveforms: &waveforms,
-            wires: &look.session.wires(),
+            wires,
             wanted: &wanted,
             scan,
             display: opened.settings.display,
@@ -231,6 +269,26 @@ impl ProbeCommand {
             return Ok(());
         }
         print(&line)
+    }
+}
+
+/// What a picture is drawn of.
+#[derive(Clone, Copy)]
+struct Seen<'a> {
+    look: &'a dyn Looking,
+    wires: &'a [Wire],
+    columns: &'a [usize],
+    scan: Scan,
+}
+
+/// Says which wires went straight from sample to sample, and why.
+fn tell_straight(between: &Between<'_>) {
+    let mut by_reason: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
+    for (name, why) in between.straight() {
+        by_reason.entry(why).or_default().push(name);
+    }
+    for (why, names) in by_reason {
+        tell(&format!("straight from sample to sample ({why}): {}\n", names.join(", ")));
     }
 }
 

@@ -32,7 +32,7 @@ fn a_chain_runs_in_ngspice_and_agrees() {
     let signals = told["signals"].as_array().unwrap();
     assert_eq!(signals.len(), 7);
     for signal in signals {
-        assert!(signal["samples"].as_u64().unwrap() > 40, "{signal}");
+        assert!(signal["instants"].as_u64().unwrap() > 40, "{signal}");
         assert!(signal["norm"].as_f64().unwrap() <= 1.0, "{signal}");
     }
 }

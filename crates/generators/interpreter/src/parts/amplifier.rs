@@ -51,6 +51,13 @@ impl AmplifierCircuit {
         (self.state[0] + self.state[1]).clamp(-limit, limit)
     }
 
+    /// The output a `share` of a step later, at whose end the input has gone straight to what `after` has.
+    pub fn towards(&self, after: &Self, share: f64) -> f64 {
+        let part = Self::at_rest(self.figures, share * self.step, self.input);
+        let mut part = Self { state: self.state, ..part };
+        part.step(self.input + (after.input - self.input) * share)
+    }
+
     /// Whether it can neither slew nor clip in a step: what input and output differ by lies between its start and what a ramp
     /// settles to, and the output between its start and the ends of the input.
     fn is_quiet(&self, [u0, u1]: [f64; 2]) -> bool {

@@ -80,16 +80,37 @@ impl Array {
         }
     }
 
-    /// Puts what the parts make of the sweep into `samples`, which have what ideal parts make of it.
-    pub fn pass(&self, sweep: &Sweep<'_>, samples: &mut [Sample]) {
+    /// Puts what the parts make of the sweep into `samples`, which have what ideal parts make of it: `between` of them from one
+    /// step of the array to the next.
+    pub fn pass(&self, sweep: &Sweep<'_>, between: usize, samples: &mut [Sample]) {
         let Some(&first) = self.accumulators.first() else { return };
         let mut chain = Chain::at_rest(sweep, &self.figures, &self.words, (self.begins as f64, first));
+        let mut ramps = Accumulators::new(sweep);
         for (number, pair) in (self.begins + 1..).zip(self.accumulators.windows(2)) {
+            let before = (between > 1).then(|| chain.clone());
             chain.step(number, pair[0], pair[1]);
-            if let Some(sample) = usize::try_from(number).ok().and_then(|number| samples.get_mut(number)) {
-                chain.put(number as u64, self.trim, pair[1], sample);
+            for step in 1..=between as i64 {
+                let place = (number - 1) * between as i64 + step;
+                let Some(sample) = usize::try_from(place).ok().and_then(|place| samples.get_mut(place))
+                else {
+                    continue;
+                };
+                let share = step as f64 / between as f64;
+                let at = number as f64 - 1.0 + share;
+                let triangle = ramps.at(self.range(sweep, at));
+                match before.as_ref().filter(|_| step < between as i64) {
+                    Some(before) => {
+                        before.towards(&chain, number, share).put(at, self.trim, triangle, sample)
+                    }
+                    None => chain.put(at, self.trim, triangle, sample),
+                }
             }
         }
+    }
+
+    /// Ground range in the accumulators as the beam is at an instant (steps).
+    fn range(&self, sweep: &Sweep<'_>, at: f64) -> f64 {
+        accumulated(sweep.ranges, at + self.figures.lead / self.figures.step, self.figures.preset)
     }
 }
 

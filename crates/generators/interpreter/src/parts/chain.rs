@@ -46,39 +46,49 @@ impl<'a> CellCircuit<'a> {
         }
     }
 
+    /// Product and what the D/A puts out a `share` of the step to `sample` later, of which `after` is the end.
+    fn towards(&self, after: &Self, sample: i64, share: f64) -> [f64; 2] {
+        let straight = |from: f64, to: f64| from + (to - from) * share;
+        let lag = LagMap::of(share * self.step, self.figures.tau);
+        let product = lag.step(self.product, [self.raw, straight(self.raw, after.raw)]);
+        let mut part = self.clone();
+        part.divided([sample as f64 - 1.0, share], [self.product, after.product]);
+        [product, part.term]
+    }
+
     /// What the D/A sends to its sum a step later, at `sample`; `moved` is the change of the first input.
     fn step(&mut self, sample: i64, input: [f64; 2], moved: f64) -> f64 {
         let raw = self.figures.multiply(input) + self.figures.leak / self.step * moved;
         let before = self.product;
         self.product = self.lag.step(before, [self.raw, raw]);
         self.raw = raw;
-        let taken = self.words[self.next..].iter().take_while(|word| word.at <= sample as f64).count();
-        if taken == 0 {
+        if self.words.get(self.next).is_none_or(|word| word.at > sample as f64) {
             let input = [before * self.weight, self.product * self.weight];
             self.term = self.converter.step(self.term, input);
         } else {
-            self.divided(sample, before, taken);
+            self.divided([sample as f64 - 1.0, 1.0], [before, self.product]);
         }
         self.term + self.figures.past / self.step * (self.product - before)
     }
 
-    /// A step that `taken` words divide.
-    fn divided(&mut self, sample: i64, before: f64, taken: usize) {
+    /// What the D/A makes of a product that goes straight from one value to another in a step that begins at `begins`, divided by
+    /// the words that come in it, up to a share of it.
+    fn divided(&mut self, [begins, share]: [f64; 2], [before, after]: [f64; 2]) {
         let tau = self.figures.converter_tau;
-        let product = |share: f64| before + (self.product - before) * share;
+        let product = |at: f64| before + (after - before) * at;
         let mut from = 0.0;
-        for word in &self.words[self.next..self.next + taken] {
-            let to = (word.at - (sample - 1) as f64).clamp(from, 1.0);
+        while let Some(word) = self.words.get(self.next).filter(|word| word.at <= begins + share) {
+            let to = (word.at - begins).clamp(from, share);
             let input = [product(from), product(to)].map(|product| product * self.weight);
             self.term = LagMap::of((to - from) * self.step, tau).step(self.term, input);
             if tau > 0.0 {
                 self.term += word.pulse * product(to) / tau;
             }
             (from, self.weight) = (to, word.weight);
+            self.next += 1;
         }
-        let input = [product(from), self.product].map(|product| product * self.weight);
-        self.term = LagMap::of((1.0 - from) * self.step, tau).step(self.term, input);
-        self.next += taken;
+        let input = [product(from), product(share)].map(|product| product * self.weight);
+        self.term = LagMap::of((share - from) * self.step, tau).step(self.term, input);
     }
 }
 
@@ -91,6 +101,7 @@ impl CellFigures {
 }
 
 /// The parts of an array at one instant.
+#[derive(Debug, Clone)]
 pub struct Chain<'a> {
     sweep: &'a Sweep<'a>,
     figures: &'a Figures,
@@ -198,19 +209,30 @@ impl<'a> Chain<'a> {
         }
     }
 
-    /// Writes the wires into a sample; the datum is trimmed by `trim` (m).
-    pub fn put(&self, number: u64, trim: f64, accumulators: [f64; 2], sample: &mut Sample) {
-        let Sweep { level, name, drawn, .. } = self.sweep;
-        let (scales, source) = (&self.figures.scales, format!("{name}.noise"));
-        let noise = |sum: usize| {
-            let deviate = if self.figures.noise == 0.0 {
-                0.0
-            } else {
-                (drawn.noise)(drawn.seed, (&source, sum as u64), [self.sweep.number, number])
-            };
-            self.figures.noise * deviate
-        };
-        let [height, u, v] = [0, 1, 2].map(|sum| self.sums[sum] + noise(sum));
+    /// The wires a `share` of the step to `sample` later, of which `after` is the end: every part is driven straight from what it has
+    /// now to what it has there. No chain goes on from them.
+    pub fn towards(&self, after: &Self, sample: i64, share: f64) -> Self {
+        let mut wires = self.clone();
+        for axis in 0..2 {
+            wires.ramp[axis] = self.ramps[axis].towards(&after.ramps[axis], share);
+            wires.functions[axis].outputs = self.functions[axis].towards(&after.functions[axis], share);
+        }
+        for sum in 0..3 {
+            let ends = self.cells[sum].iter().zip(&after.cells[sum]);
+            for (cell, (before, after)) in wires.cells[sum].iter_mut().zip(ends) {
+                [cell.product, cell.term] = before.towards(after, sample, share);
+            }
+            let terms: Vec<f64> = wires.cells[sum].iter().map(|cell| cell.term).collect();
+            wires.sums[sum] = self.trees[sum].towards(&after.trees[sum], share, &terms);
+        }
+        wires
+    }
+
+    /// Writes the wires at an instant into a sample (steps from the first sample); the datum is trimmed by `trim` (m).
+    pub fn put(&self, at: f64, trim: f64, accumulators: [f64; 2], sample: &mut Sample) {
+        let level = self.sweep.level;
+        let scales = &self.figures.scales;
+        let [height, u, v] = [0, 1, 2].map(|sum| self.sums[sum] + self.noise(sum, at));
         let d = level.region_size();
         *sample = Sample {
             accumulators,
@@ -220,6 +242,19 @@ impl<'a> Chain<'a> {
             slopes: [u * scales.slope / d, v * scales.slope / d],
             stairs: self.stairs.iter().copied().fold(f64::INFINITY, f64::min),
         };
+    }
+
+    /// Noise of a sum at an instant: straight between samples.
+    fn noise(&self, sum: usize, at: f64) -> f64 {
+        if self.figures.noise == 0.0 {
+            return 0.0;
+        }
+        let Sweep { name, drawn, number, .. } = *self.sweep;
+        let source = format!("{name}.noise");
+        let deviate = |sample: f64| (drawn.noise)(drawn.seed, (&source, sum as u64), [number, sample as u64]);
+        let share = at - at.floor();
+        let later = if share > 0.0 { share * (deviate(at.ceil()) - deviate(at.floor())) } else { 0.0 };
+        self.figures.noise * (deviate(at.floor()) + later)
     }
 
     /// Wires between the ramps and the sums, in their units.

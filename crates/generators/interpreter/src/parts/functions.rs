@@ -9,6 +9,7 @@ use crate::terrain::generators;
 #[derive(Debug, Clone)]
 pub struct FunctionCircuits<'a> {
     figures: [FunctionFigures; UNITS],
+    step: f64,
     lags: [LagMap; UNITS],
     broken_lines: &'a [Vec<f64>],
     input: [f64; UNITS],
@@ -22,6 +23,7 @@ impl<'a> FunctionCircuits<'a> {
         let mut circuits = Self {
             lags: figures.map(|figures| LagMap::of(step, figures.tau)),
             figures,
+            step,
             broken_lines: drawn.broken_lines,
             input: [0.0; UNITS],
             outputs: [0.0; UNITS],
@@ -38,6 +40,15 @@ impl<'a> FunctionCircuits<'a> {
             self.outputs[unit] = self.lags[unit].step(self.outputs[unit], [self.input[unit], now[unit]]);
         }
         self.input = now;
+    }
+
+    /// Outputs a `share` of a step later, of which `after` is the end: what stands before the lags goes straight there.
+    pub fn towards(&self, after: &Self, share: f64) -> [f64; UNITS] {
+        std::array::from_fn(|unit| {
+            let (from, to) = (self.input[unit], after.input[unit]);
+            let lag = LagMap::of(share * self.step, self.figures[unit].tau);
+            lag.step(self.outputs[unit], [from, from + (to - from) * share])
+        })
     }
 
     /// What the circuits make of a ramp before their lags.

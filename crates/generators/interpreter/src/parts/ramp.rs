@@ -10,6 +10,7 @@ const DAMPING: f64 = 0.8;
 #[derive(Debug, Clone)]
 pub struct RampCircuit {
     figures: RampFigures,
+    step: f64,
     settle: LagMap,
     smoother: Option<TwoPoleMap>,
     /// What the major carry adds at once to the converter's output; nothing without a lag, as it is over at once.
@@ -31,6 +32,7 @@ impl RampCircuit {
             smoother: has_smoother.then(|| TwoPoleMap::of(step, figures.smoother, DAMPING)),
             kick: if figures.settle > 0.0 { figures.glitch / figures.settle } else { 0.0 },
             figures,
+            step,
             word,
             level,
             converted: level,
@@ -46,19 +48,46 @@ impl RampCircuit {
     /// The ramp a step later. The accumulator had `begins` as the step began, and has `ends` at its end: a converter takes the first, a
     /// smoother without a converter follows the straight line.
     pub fn step(&mut self, begins: f64, ends: f64) -> f64 {
-        let before = self.converted;
-        let Some(bits) = self.figures.bits else {
-            self.converted = ends;
-            return self.smoothed([before, ends]);
-        };
-        let word = word_for(begins, bits);
+        let before = self.clone();
+        match self.figures.bits {
+            None => self.converted = ends,
+            Some(bits) => {
+                self.word = word_for(begins, bits);
+                self.level = level_of(self.word, bits, self.figures.nonlinearity);
+                self.converted = self.settle.step(before.kicked(self.word, bits), [self.level; 2]);
+            }
+        }
+        self.smoothed([before.smoother_begins(self.converted), self.converted])
+    }
+
+    /// What the converter puts out as it takes `word`, with the pulse of the carry.
+    fn kicked(&self, word: u32, bits: u32) -> f64 {
         let kick = self.kick * carry(self.word, word, bits);
-        let kicked = before + if word < self.word { -kick } else { kick };
-        self.word = word;
-        self.level = level_of(word, bits, self.figures.nonlinearity);
-        self.converted = self.settle.step(kicked, [self.level; 2]);
-        let is_stairs = self.figures.settle == 0.0;
-        self.smoothed([if is_stairs { self.converted } else { before }, self.converted])
+        self.converted + if word < self.word { -kick } else { kick }
+    }
+
+    /// What drives the smoother as a step begins at whose end the converter has `converted`: stairs jump there.
+    fn smoother_begins(&self, converted: f64) -> f64 {
+        let are_stairs = self.figures.bits.is_some() && self.figures.settle == 0.0;
+        if are_stairs { converted } else { self.converted }
+    }
+
+    /// The ramp a `share` of a step later, of which `after` is the end: what a part is driven with goes straight there.
+    pub fn towards(&self, after: &Self, share: f64) -> f64 {
+        let time = share * self.step;
+        let to_the_end = |from: f64| from + (after.converted - from) * share;
+        if self.smoother.is_some() {
+            let begins = self.smoother_begins(after.converted);
+            let smoother = TwoPoleMap::of(time, self.figures.smoother, DAMPING);
+            let [y, rate] = self.smooth;
+            return smoother.step([y, rate * share], [begins, to_the_end(begins)])[0];
+        }
+        match self.figures.bits {
+            None => to_the_end(self.converted),
+            Some(bits) => {
+                LagMap::of(time, self.figures.settle).step(self.kicked(after.word, bits), [after.level; 2])
+            }
+        }
     }
 
     /// How far an accumulator is from where the converter takes another word (full scales); infinite without a converter.

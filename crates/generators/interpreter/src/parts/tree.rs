@@ -40,6 +40,18 @@ impl TreeCircuit {
     }
 }
 
+impl TreeCircuit {
+    /// The sum a `share` of a step later, of which `after` is the end; `terms` are what is added up where there is no amplifier.
+    pub fn towards(&self, after: &Self, share: f64, terms: &[f64]) -> f64 {
+        match self.stages.last().zip(after.stages.last()) {
+            None => terms.iter().sum(),
+            Some((last, after)) => {
+                last.iter().zip(after).map(|(before, after)| before.towards(after, share)).sum()
+            }
+        }
+    }
+}
+
 /// What meets at each amplifier.
 fn meet(values: &[f64], inputs: usize) -> Vec<f64> {
     values.chunks(inputs).map(|group| group.iter().sum()).collect()
