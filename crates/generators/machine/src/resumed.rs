@@ -171,8 +171,11 @@ impl<S: Real> Elaborated<S> {
     fn rows(&self, begun: &Begun, count: u32, known: &[f32]) -> Vec<f32> {
         let values = count as usize * self.raster.lines;
         let known = &known[..known.len().min(values)];
-        let mut store = Vec::new();
         let rest = (known.len() / self.raster.lines) as u32..count;
+        if rest.is_empty() {
+            return known.to_vec();
+        }
+        let mut store = Vec::new();
         let wanted = Wanted { look: &Again(&rest), picture: false };
         self.write(&begun.plan, begun, wanted, &mut store);
         store.truncate(values);

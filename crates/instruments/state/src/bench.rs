@@ -9,9 +9,9 @@ use run_record::Program;
 use scenario::{PoseRow, PoseTable, Scenario};
 use signal::Probe;
 
-use crate::container::{Block, BlockKind, Head};
+use crate::container::{Block, BlockHeader, BlockKind, Head};
 use crate::digital::{Digital, expect};
-use crate::{Clock, Fault, Gone, Identity, Place, State, StateError};
+use crate::{Clock, Fault, Identity, Place, State, StateError};
 
 /// What a bench is made for.
 pub struct Mission<'a> {
@@ -194,35 +194,31 @@ impl<'a> Bench<'a> {
     }
 
     fn expect_blocks(&self, state: &State) -> Result<(), Fault> {
-        let Place { frame, sweep, .. } = state.head.place;
-        let Sizes { sweeps, cells, pixels: [columns, lines] } = self.sizes();
-        let [stores, pictures] = self.machine.remembered(frame);
-        let rows = (BlockKind::Rows, frame, u64::from(sweep), cells as u64);
-        let stores = stores.map(|frame| (BlockKind::Store, frame, u64::from(sweeps), cells as u64));
-        let pictures = pictures.map(|frame| (BlockKind::Picture, frame, lines as u64, columns as u64));
-        let expected: Vec<_> = [rows].into_iter().chain(stores).chain(pictures).collect();
-        let shape = |block: &Block| (block.kind, block.frame, block.rows, block.row);
-        let found: Vec<_> = state.blocks.iter().map(shape).collect();
-        let place = (0..found.len().max(expected.len())).find(|&at| found.get(at) != expected.get(at));
-        let Some(place) = place else { return Ok(()) };
-        let told = |of: &[(BlockKind, u64, u64, u64)]| match of.get(place) {
-            None => "no more blocks".to_owned(),
-            Some((kind, frame, rows, row)) => {
-                let name = crate::error::BlockName { kind: *kind, frame: *frame };
-                format!("{name}, {rows} x {row} values")
-            }
-        };
+        let found: Vec<BlockHeader> = state.blocks.iter().map(Block::header).collect();
+        let expected = self.headers(state.head.place);
+        let mut places = 0..found.len().max(expected.len());
+        let Some(place) = places.find(|&at| found.get(at) != expected.get(at)) else { return Ok(()) };
+        let told = |of: &[BlockHeader]| of.get(place).map_or("no more blocks".into(), BlockHeader::to_string);
         Err(Fault::Value {
             part: format!("header, block {place}"),
             found: told(&found),
             expected: told(&expected),
         })
     }
-}
 
-impl Gone {
-    /// Whether the machine stands at the start of its sweep.
-    pub fn is_nothing(self) -> bool {
-        self == Self::Nothing
+    /// The blocks of a state at `place`.
+    fn headers(&self, Place { frame, sweep, .. }: Place) -> Vec<BlockHeader> {
+        let Sizes { sweeps, cells, pixels: [columns, lines] } = self.sizes();
+        let header = |kind, frame, rows: u32, values: usize| BlockHeader {
+            kind,
+            frame,
+            rows: rows.into(),
+            values_a_row: values as u64,
+        };
+        let [stores, pictures] = self.machine.remembered(frame);
+        let rows = header(BlockKind::Rows, frame, sweep, cells);
+        let stores = stores.map(|frame| header(BlockKind::Store, frame, sweeps, cells));
+        let pictures = pictures.map(|frame| header(BlockKind::Picture, frame, lines as u32, columns));
+        [rows].into_iter().chain(stores).chain(pictures).collect()
     }
 }

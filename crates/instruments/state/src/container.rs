@@ -1,5 +1,6 @@
 //! The file of a state: its parts, and how they are written. The page is docs/state-format.md.
 
+use std::fmt;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -91,7 +92,7 @@ pub(crate) struct Header {
 }
 
 /// A block as the header says it.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct BlockHeader {
     pub kind: BlockKind,
@@ -100,13 +101,20 @@ pub(crate) struct BlockHeader {
     pub values_a_row: u64,
 }
 
+impl fmt::Display for BlockHeader {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = BlockName { kind: self.kind, frame: self.frame };
+        write!(f, "{name}: {} x {} values", self.rows, self.values_a_row)
+    }
+}
+
 impl Block {
     /// Its name in messages.
     pub(crate) fn name(&self) -> BlockName {
         BlockName { kind: self.kind, frame: self.frame }
     }
 
-    fn header(&self) -> BlockHeader {
+    pub(crate) fn header(&self) -> BlockHeader {
         BlockHeader { kind: self.kind, frame: self.frame, rows: self.rows, values_a_row: self.row }
     }
 }

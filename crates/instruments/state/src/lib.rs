@@ -25,7 +25,7 @@ mod look;
 mod place;
 
 pub use bench::{Bench, Mission};
-pub use container::{Block, BlockKind, FORMAT, Head, MAGIC, SCHEMA, State};
+pub use container::{Block, BlockKind, Head, State};
 pub use error::{BlockName, Fault, Other, StateError};
 pub use identity::{Hashes, Identity};
 pub use look::Look;

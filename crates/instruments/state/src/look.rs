@@ -6,7 +6,7 @@ use signal::Unit as SignalUnit;
 use text::table;
 
 use crate::events::Events;
-use crate::{Bench, Gone, Place, State, StateError, Unit};
+use crate::{Bench, Block, Gone, Place, State, StateError, Unit};
 
 /// The main signals of a sweep, in the order of the figure.
 const SIGNALS: [&str; 12] = [
@@ -139,7 +139,7 @@ impl State {
             head.identity.scenario, head.identity.machine, head.place, head.tick, head.time_s
         );
         for block in &self.blocks {
-            text += &format!("  {}: {} x {} values\n", block.name(), block.rows, block.row);
+            text += &format!("  {}\n", block.header());
         }
         text
     }
@@ -147,7 +147,6 @@ impl State {
     /// The same as a document.
     pub fn json(&self) -> Value {
         let head = &self.head;
-        let block = |block: &crate::Block| json!({ "kind": block.kind, "frame": block.frame, "rows": block.rows, "values_a_row": block.row });
         json!({
             "saved_by": head.identity,
             "words": head.words,
@@ -155,7 +154,7 @@ impl State {
             "tick": head.tick,
             "time_s": head.time_s,
             "digital": serde_json::from_str::<Value>(&self.digital).ok(),
-            "blocks": self.blocks.iter().map(block).collect::<Vec<_>>(),
+            "blocks": self.blocks.iter().map(Block::header).collect::<Vec<_>>(),
         })
     }
 }

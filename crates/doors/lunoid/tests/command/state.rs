@@ -42,6 +42,10 @@ fn a_state_goes_on_as_the_run_does() {
     assert_eq!(told["place"]["sweep"], 17);
     assert_eq!(told["digital"]["levels"][0]["registers"].as_object().unwrap().len(), 12);
     assert!(bytes(&scene, "one.png") == bytes(&scene, "run/frames/frame-000001.png"));
+    // Threads change no byte.
+    let other = ["--frame", "1", "--sweep", "17", "--jobs", "3", "--out", "other.state"];
+    scene.expect(0, &[&["state", "save"], LASTING, &other].concat());
+    assert!(bytes(&scene, "other.state") == bytes(&scene, "there.state"));
     // The scenario may be named, with the options; a folder that is there takes more frames.
     let named = [&["state", "load", "there.state"], LASTING, &["--out", "after"]].concat();
     scene.expect(0, &named);
