@@ -171,9 +171,9 @@ fn one_step_n_times_writes_what_n_steps_write() {
         for unit in UNITS {
             let bench = machine.bench();
             bench.restore(&first, FILE.as_ref()).unwrap();
-            let there = bench.moved(&first, bench.step(place, unit, 3).unwrap()).unwrap();
+            let there = bench.moved(&first, bench.step(place, unit, 2).unwrap()).unwrap();
             let mut bytes = first.bytes();
-            for _ in 0..3 {
+            for _ in 0..2 {
                 let (bench, state) = restored(machine, &bytes);
                 let next = bench.step(state.head.place, unit, 1).unwrap();
                 bytes = bench.moved(&state, next).unwrap().bytes();
