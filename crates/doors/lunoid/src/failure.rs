@@ -20,6 +20,7 @@ use report::ReportError;
 use run_compare::RunCompareError;
 use run_page::{PageError, RequestError};
 use scope::ScopeError;
+use state::StateError;
 use survey::SurveyError;
 use timing::RecordError;
 use trigger_search::SearchError;
@@ -335,6 +336,16 @@ impl From<WaveformError> for Failure {
         match error {
             WaveformError::File(error) => error.into(),
             other => Self::input(other),
+        }
+    }
+}
+
+impl From<StateError> for Failure {
+    fn from(error: StateError) -> Self {
+        match error {
+            StateError::File(error) => error.into(),
+            StateError::Place(_) | StateError::Registers(_) => Self::usage(error),
+            StateError::Fault { .. } | StateError::Frame(_) | StateError::Path(_) => Self::input(error),
         }
     }
 }
