@@ -40,6 +40,8 @@ struct History {
 pub struct DigitalFrame {
     /// Corners that are not in the storage buffers, by level.
     pub missing: [Vec<MissingCorner>; 2],
+    /// Drums by level; none where all words are at hand.
+    pub drums: [Vec<DrumUnit>; 2],
     /// What the data banks did, by level.
     pub supplies: [Option<Arc<FrameSupply>>; 2],
     /// The processor, if it takes any time.
@@ -120,6 +122,7 @@ impl Digital {
             };
             out.missing[number] = supply.missing.iter().map(convert).collect();
             out.supplies[number] = Some(supply);
+            out.drums[number] = self.drums(number);
         }
         if self.is_timed {
             let starts = starts(stage, crossings.plan.frame);
