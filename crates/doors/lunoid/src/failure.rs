@@ -282,6 +282,7 @@ impl From<InfoError> for Failure {
             InfoError::Open(error) => error.into(),
             InfoError::File(error) => error.into(),
             InfoError::Bank(error) => error.into(),
+            InfoError::State(error) => error.into(),
             InfoError::Picture(error) => error.into(),
             InfoError::Run(error) => error.into(),
             InfoError::Survey(error) => (*error).into(),

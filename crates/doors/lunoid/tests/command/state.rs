@@ -122,6 +122,13 @@ fn what_cannot_be_is_refused() {
     fs::rename(scene.join("tiny.toml"), scene.join("moved.toml")).unwrap();
     let (_, err) = scene.expect(3, &["state", "load", "there.state"]);
     assert!(err.contains("its scenario tiny.toml is not here"), "{err}");
+    // What it holds is told all the same.
+    let told = json(&scene, &["info", "there.state", "--json"]);
+    assert_eq!((&told["schema"], &told["words"][0]), (&"lunoid.info.state/1".into(), &"tiny.toml".into()));
+    let (out, _) = scene.expect(0, &["info", "there.state"]);
+    assert!(out.contains("rows of frame 3: 17 x"), "{out}");
+    let (_, err) = scene.expect(3, &["info", "short.state"]);
+    assert!(err.contains("short.state: the file has 5000 bytes"), "{err}");
     let moved = [&["state", "load", "there.state", "moved.toml"], &LASTING[1..]].concat();
     scene.expect(0, &moved);
 }
