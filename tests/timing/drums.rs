@@ -1,8 +1,8 @@
 //! Drums of a view that turns (hardware sections 4.7 and 8, number 10).
 
 use control_plane::{ControlPlane, DigitalUnit, EventWord, MachineStage};
-use hardware_model::{Channels, DataBanks, Drum, DrumQueue};
 use generator::Planes;
+use hardware_model::{Channels, DataBanks, Drum, DrumQueue};
 use landscape::Attitude;
 use lunoid_tests::ComparedScene;
 use machine::Prepare;
