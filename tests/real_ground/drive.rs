@@ -52,6 +52,8 @@ impl Drive {
         let elevation = survey::read(file, read).expect("a readable elevation file");
         let found = survey(&elevation, options, &mut |_| {}).expect("ground that can be fitted");
         let scenario = Scenario::read(shared::scenario(&format!("{name}.toml"))).expect("a sound scenario");
+        // Edges of cast shadows have figures of their own: the sheet of the shadow controller.
+        let scenario = Scenario { shadows: None, ..scenario };
         let settings = settings(&scenario);
         let stage =
             front_door::over(found.bank, &scenario, settings).unwrap_or_else(|e| panic!("{name}: {e}"));
