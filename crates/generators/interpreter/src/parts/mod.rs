@@ -22,14 +22,29 @@
 
 pub mod amplifier;
 pub mod array;
+pub mod beam;
+pub mod broken;
 pub mod chain;
+pub mod comparator;
+pub mod crater_chains;
 pub mod drawn;
+pub mod falls;
 pub mod figures;
 pub mod functions;
+pub mod gates;
+pub mod kit;
+pub mod latch;
+pub mod mixer;
+pub mod peak_detector;
 pub mod ramp;
 pub mod reflectivity;
+pub mod sample_hold;
 pub mod series;
+pub mod sub_generator;
+pub mod texture;
 pub mod tree;
+pub mod video_amplifier;
+pub mod video_switch;
 pub mod words;
 
 pub use array::{Array, Sweep};
