@@ -9,10 +9,10 @@ use hardware_model::Gate as GateKind;
 use landscape::Texture;
 use scenario::FeatureLight;
 
-use crate::event::{Event, Happening, Outcome, Part};
+use crate::craters::relief;
 use crate::given::spread;
 use crate::levels::GroundSample;
-use crate::loads::Loads;
+use crate::loads::{DrawnCrater, Loads};
 use crate::mixing::{Inputs, mix, texture};
 use crate::parts::ReflectivityStage;
 use crate::parts::broken::Broken;
@@ -150,18 +150,14 @@ impl Walker<'_> {
     fn chains(&self, samples: &Samples<'_>, craters: &Loads) -> Surface {
         let (scene, kit) = (self.scene, Kit::of(self.scene, self.given));
         let comparator = kit.analog.comparator;
-        let mut found: Vec<(u32, u32)> = craters.events.iter().filter_map(in_sub_generator).collect();
-        found.sort_unstable();
         let limit = scene.settings.feature_generator.sub_generators;
         let all = scene.landscape.features();
-        let loads: Vec<Loaded> = found
-            .into_iter()
-            .map(|(number, sub_generator)| {
-                let crater = all.crater(number);
-                let figures = SubGeneratorFigures::of(&kit, crater.type_number(), sub_generator, limit);
-                Loaded { crater, figures }
-            })
-            .collect();
+        let load = |drawn: &DrawnCrater| {
+            let crater = all.crater(drawn.crater);
+            let figures = SubGeneratorFigures::of(&kit, crater.type_number(), drawn.sub_generator, limit);
+            Loaded { crater, figures, from: drawn.from }
+        };
+        let loads: Vec<Loaded> = craters.drawn.iter().map(load).collect();
         let ranges = &samples.ranges[..samples.ground.len()];
         let line = Line { foot: [scene.eye[0], scene.eye[1]], direction: self.direction, ranges };
         surface(&line, &loads, comparator.offset > 0.0 || comparator.overdrive > 0.0)
@@ -172,7 +168,7 @@ impl Walker<'_> {
         let foot = [self.scene.eye[0], self.scene.eye[1]];
         for range in &samples.ranges[..samples.ground.len()] {
             let from_foot = self.direction.map(|cosine| range * cosine);
-            let relief = crate::craters::relief(&self.craters, foot, from_foot);
+            let relief = relief(&self.craters, foot, from_foot, *range);
             features.height.push(relief.height);
             features.slopes.push(relief.slopes);
             features.present.push(relief.present);
@@ -327,16 +323,4 @@ pub(crate) struct Wires {
     pub stride: usize,
     /// Steps of the sweep within the stored ground.
     pub count: usize,
-}
-
-/// The crater and its sub-generator, if its words came in time.
-fn in_sub_generator(event: &Event) -> Option<(u32, u32)> {
-    match event.what {
-        Happening::Words {
-            part: Part::Crater { crater, sub_generator: Some(number) },
-            outcome: Outcome::InTime,
-            ..
-        } => Some((crater, number)),
-        _ => None,
-    }
 }

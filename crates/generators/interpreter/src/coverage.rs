@@ -5,8 +5,6 @@ use hardware_model::{AnalogParts, Settings};
 /// What of one sweep it cannot know.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Unknown {
-    /// Craters that came late or found no sub-generator.
-    pub craters: bool,
     /// Craters or edges of shadow on the way.
     pub breaks: bool,
 }
@@ -38,15 +36,13 @@ fn inside_blocks(signal: &str, settings: &Settings, unknown: Unknown) -> Option<
         "sc.gate" | "mu.vs2" | "mu.vs2.fade" | "txg.texture" => None,
         "sm.write" => Some("strokes of the beam between samples"),
         "pg.present" | "pg.reflectivity" => Some("polyhedra"),
-        "fg.reflectivity" => of("fg.height").or_else(|| of("tg.height")),
-        "mu.height" => of("tg.height").or_else(|| of("fg.height")),
-        "mu.vs1" | "mu.vs1.fade" => of("fg.reflectivity"),
+        "fg.reflectivity" | "mu.height" | "mu.vs1" | "mu.vs1.fade" => of("tg.height"),
         "mu.reflectivity" => of("fg.reflectivity").or_else(|| behind_switches(settings)),
         "sm.video" => {
             let own = of("mu.reflectivity").or_else(|| of("dpp.hold"));
             own.or_else(|| delay_line(settings, unknown))
         }
-        _ if signal.starts_with("fg.") => unknown.craters.then_some("craters that came late or were dropped"),
+        _ if signal.starts_with("fg.") => None,
         _ if signal.starts_with("dpp.") => of("mu.height"),
         _ => Some("no such wire in the report's drawing"),
     }

@@ -136,7 +136,7 @@ impl Walker<'_> {
             return bends.iter().map(|bend| (bend.range, bend.height)).collect();
         }
         let (foot, [cos, sin]) = ([self.scene.eye[0], self.scene.eye[1]], self.direction);
-        let rise = |range: f64| relief(&self.craters, foot, [range * cos, range * sin]).height;
+        let rise = |range: f64| relief(&self.craters, foot, [range * cos, range * sin], range).height;
         let kinks = kinks(&self.craters, foot, self.direction).into_iter();
         kinks.map(|range| (range, rise(range))).collect()
     }

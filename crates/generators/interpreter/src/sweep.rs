@@ -2,8 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use features::Crater;
-
+use crate::craters::Met;
 use crate::event::Event;
 use crate::fan::direction;
 use crate::given::Given;
@@ -62,6 +61,7 @@ pub fn interpret(scene: &SceneData<'_>, sweep: u32, given: &Given<'_>) -> Record
     let direction = direction(scene, set_up);
     let mut terrain = terrain(scene, sweep, direction, given);
     let passing = Passing { sweep, direction, ranges: given.ranges, end: terrain.end(scene) };
+    let craters = craters(scene, &passing);
     let wires = OutputAmplifiers::of(scene, given);
     let mut walker = Walker {
         scene,
@@ -71,12 +71,11 @@ pub fn interpret(scene: &SceneData<'_>, sweep: u32, given: &Given<'_>) -> Record
         direction,
         wires,
         light: Light::of(scene, direction),
-        craters: met(scene, direction, given.ranges),
+        craters: met(scene, &craters),
         record: Record::default(),
     };
     walker.array(&terrain);
     drive(&wires, &mut terrain.ground);
-    let craters = craters(scene, &passing);
     let composite = walker.landscape(&terrain.ground, &craters);
     walker.project(&terrain.ground, &composite);
     // The gate of another sweep's set-up comes with the times of that sweep.
@@ -103,16 +102,10 @@ fn drive(wires: &OutputAmplifiers<'_>, ground: &mut [GroundSample]) {
     }
 }
 
-/// Craters that the sweep meets, in the order of the list.
-fn met(scene: &SceneData<'_>, [cos, sin]: [f64; 2], ranges: &[f64]) -> Vec<Crater> {
-    let end = ranges.last().copied().unwrap_or(0.0);
-    let meets = |crater: &Crater| {
-        let (north, east) = (crater.centre()[0] - scene.eye[0], crater.centre()[1] - scene.eye[1]);
-        let (along, beside) = (north * cos + east * sin, east * cos - north * sin);
-        let reach = crater.outer() * 1.001;
-        beside.abs() <= reach && along >= -reach && along <= end + reach
-    };
-    scene.landscape.features().craters().iter().filter(meets).collect()
+/// Craters that the sweep draws, in the order of the list.
+fn met(scene: &SceneData<'_>, craters: &Loads) -> Vec<Met> {
+    let all = scene.landscape.features();
+    craters.drawn.iter().map(|drawn| Met { crater: all.crater(drawn.crater), from: drawn.from }).collect()
 }
 
 /// A sweep on its way from block to block.
@@ -126,7 +119,7 @@ pub(crate) struct Walker<'a> {
     pub direction: [f64; 2],
     pub wires: OutputAmplifiers<'a>,
     pub light: Light,
-    pub craters: Vec<Crater>,
+    pub craters: Vec<Met>,
     pub record: Record,
 }
 

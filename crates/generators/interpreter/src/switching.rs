@@ -107,7 +107,12 @@ impl Walker<'_> {
         if comparator.offset > 0.0 || comparator.overdrive > 0.0 {
             return Gate::of_edges(false, &features.surface.edges, samples.ranges, &unit.comparators[0]);
         }
-        followed(&features.present, bends, |bend| bend.present[1], unit.comparators[0].on_ramp(INFINITY))
+        followed(
+            &behind(samples, &features.present),
+            bends,
+            |bend| bend.present[1],
+            unit.comparators[0].on_ramp(INFINITY),
+        )
     }
 
     /// The gate of VS1 behind its comparator.
@@ -125,7 +130,12 @@ impl Walker<'_> {
         let opens = |video: f64| video.max(0.0) > mixing.threshold;
         let open: Vec<bool> =
             features.lit.iter().zip(&features.video).map(|(lit, video)| *lit && opens(*video)).collect();
-        followed(&open, bends, |bend| opens(bend.video[1]), unit.comparators[0].on_ramp(INFINITY))
+        followed(
+            &behind(samples, &open),
+            bends,
+            |bend| opens(bend.video[1]),
+            unit.comparators[0].on_ramp(INFINITY),
+        )
     }
 
     /// How near the samples are to other decisions of the unit: by VS1, and by VS2.
@@ -206,4 +216,10 @@ fn followed(open: &[bool], bends: &[LitBend], opens: impl Fn(&LitBend) -> bool, 
 fn video_of_features(features: &Features, bends: &[LitBend]) -> Broken {
     let jumps = bends.iter().map(|bend| Jump { at: bend.at, before: bend.sides[0], after: bend.sides[1] });
     Broken { samples: features.video.clone(), jumps: jumps.collect() }
+}
+
+/// A line with the sample behind the stored ground, where there is one: features end there, and a fade begins before its gate changes.
+fn behind(samples: &Samples<'_>, open: &[bool]) -> Vec<bool> {
+    let ends = samples.ground.len() < samples.ranges.len();
+    open.iter().copied().chain(ends.then_some(false)).collect()
 }

@@ -8,8 +8,8 @@ use generator::{FrameError, Planes, Session};
 use interpreter::parts::gates::Edge;
 use interpreter::parts::{Array, Drawn};
 use interpreter::{
-    DrumFigures, Event, Frame, FrameGiven, Given, Happening, Outcome, Part, Record, SceneData, ShadowLine,
-    Unknown, interpret, range_programme, straight, why_not,
+    DrumFigures, Frame, FrameGiven, Given, Record, SceneData, ShadowLine, Unknown, interpret,
+    range_programme, straight, why_not,
 };
 use machine::Prepare;
 use parts::{NoiseSource, Spread};
@@ -285,7 +285,7 @@ fn stretched(values: &[f64], between: usize) -> Vec<f64> {
 }
 
 fn unknown(record: &Record) -> Unknown {
-    Unknown { craters: record.events.iter().any(has_lost_a_crater), breaks: record.has_breaks }
+    Unknown { breaks: record.has_breaks }
 }
 
 /// What a seed draws for the parts of a model with these broken lines ([`terrain_generator::broken_lines`]), for the interpreter.
@@ -302,9 +302,4 @@ pub fn drawn(seed: u64, broken_lines: &[Vec<f64>]) -> Drawn<'_> {
 
 fn figures(DrumUnit { rotation, transfer, start_angle }: DrumUnit) -> DrumFigures {
     DrumFigures { rotation, transfer, start_angle }
-}
-
-fn has_lost_a_crater(event: &Event) -> bool {
-    let Happening::Words { part: Part::Crater { .. }, outcome, .. } = event.what else { return false };
-    outcome != Outcome::InTime
 }

@@ -142,6 +142,10 @@ pub fn landscape(seed: u64) -> ComparedScene {
         behind_the_terrain(&mut dice, scene.step(), &mut scene.parts.0);
         scene.gate = dice.choose(&[Gate::Presence, Gate::Presence, Gate::SelfKeyed]);
     }
+    if !scene.parts.0.beam_is_ideal() {
+        // Without it rounding says whether level ground falls.
+        scene.parts.0.comparator.hysteresis = dice.choose(&[0.001, 0.01]);
+    }
     scene
 }
 

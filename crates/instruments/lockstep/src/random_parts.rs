@@ -73,7 +73,6 @@ pub fn behind_the_terrain(dice: &mut Dice, step: f64, parts: &mut AnalogParts) {
         aperture: dice.choose(&[0.0, 0.4 * step, 2.5 * step]),
         jitter: dice.choose(&[0.0, 0.02 * step]),
     };
-    parts.comparator.hysteresis = dice.choose(&[0.0, 0.001, 0.01]);
     parts.comparator.delay = dice.choose(&[0.0, 0.4 * step, 1.3 * step]);
     parts.shadow_line = ShadowLineParts { error: dice.choose(&[0.0, 0.01]) };
 }

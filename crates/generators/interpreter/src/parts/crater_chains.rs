@@ -19,6 +19,8 @@ pub struct Loaded {
     pub crater: Crater,
     /// The sub-generator that draws it.
     pub figures: SubGeneratorFigures,
+    /// Ground range from which it is drawn (m); negative infinity if its words were in time.
+    pub from: f64,
 }
 
 /// A sweep over the ground.
@@ -87,7 +89,7 @@ pub fn surface(line: &Line<'_>, loads: &[Loaded], of_comparators: bool) -> Surfa
         .iter()
         .map(|load| Passage::of(&load.figures, &load.crater, line.foot, line.direction))
         .collect();
-    let crossings = crossings(line.ranges, &passages);
+    let crossings = crossings(line.ranges, loads, &passages);
     let mut surface = Surface::at_rest(line.ranges, &crossings, &passages);
     if of_comparators {
         surface.edges = united(loads, &passages);
@@ -103,9 +105,9 @@ pub fn surface(line: &Line<'_>, loads: &[Loaded], of_comparators: bool) -> Surfa
 }
 
 /// All crossings of circles, as the sweep comes to them.
-fn crossings(ranges: &[f64], passages: &[Passage]) -> Vec<Crossing> {
+fn crossings(ranges: &[f64], loads: &[Loaded], passages: &[Passage]) -> Vec<Crossing> {
     let of_load = |(load, passage): (usize, &Passage)| {
-        let all = passage.crossings().into_iter();
+        let all = behind(passage.crossings(), loads[load].from).into_iter();
         all.map(move |(range, zones)| {
             // A circle counts to what is outside of it.
             let inward = zones[1] > zones[0];
@@ -119,15 +121,33 @@ fn crossings(ranges: &[f64], passages: &[Passage]) -> Vec<Crossing> {
     all
 }
 
+/// Crossings of a crater that is drawn from `from` on (m): one into the zone that it is in there, then those behind.
+fn behind(crossings: Vec<(f64, [Zone; 2])>, from: f64) -> Vec<(f64, [Zone; 2])> {
+    let (mut passed, mut ahead): (Vec<_>, Vec<_>) =
+        crossings.into_iter().partition(|(range, _)| *range < from);
+    passed.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let zone = passed.last().map_or(Zone::Outside, |(_, zones)| zones[1]);
+    if from.is_finite() && zone != Zone::Outside {
+        ahead.push((from, [Zone::Outside, zone]));
+    }
+    if from.is_finite() { ahead } else { passed.into_iter().chain(ahead).collect() }
+}
+
 /// Changes of the presence line as the comparators of all footprints make it, which see `1 - rho^2 / R^2`.
 fn united(loads: &[Loaded], passages: &[Passage]) -> Vec<Edge> {
     let mut rims: Vec<(Edge, i32)> = Vec::new();
     for (load, passage) in loads.iter().zip(passages) {
         let square = passage.crater.outer() * passage.crater.outer();
         let [enters, leaves] = passage.chord(square * (1.0 - load.figures.threshold));
-        if leaves > enters {
+        if leaves > enters.max(load.from) {
             let slope = (leaves - enters) / square;
-            rims.extend([(Edge { range: enters, slope }, 1), (Edge { range: leaves, slope }, -1)]);
+            // What comes late is there at once.
+            let begin = if load.from > enters {
+                Edge { range: load.from, slope: f64::INFINITY }
+            } else {
+                Edge { range: enters, slope }
+            };
+            rims.extend([(begin, 1), (Edge { range: leaves, slope }, -1)]);
         }
     }
     rims.sort_by(|a, b| a.0.range.total_cmp(&b.0.range).then(b.1.cmp(&a.1)));

@@ -105,7 +105,8 @@ pub fn occlude(parts: Parts<'_>, elevation: &[f64], (falls, near): (Vec<Trip>, &
         trace: Trace { at: 0.0, value: first },
         memory: Memory::Tracks(first),
     };
-    let mut nearest = f64::INFINITY;
+    let mut nearest = near[0];
+    out.near[0] = nearest;
     for sample in 1..elevation.len() {
         let own = latch.step(sample, &mut out);
         let value = latch.value(sample as f64);
