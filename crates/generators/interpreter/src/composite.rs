@@ -3,8 +3,6 @@
 //! Where the feature generator or the mixing unit has real parts, both are worked out at the samples of the machine, and their wires
 //! are straight between them.
 
-use std::f64::INFINITY;
-
 use hardware_model::Gate as GateKind;
 use landscape::Texture;
 use scenario::FeatureLight;
@@ -192,7 +190,8 @@ impl Walker<'_> {
         [along * cos - across * sin, along * sin + across * cos]
     }
 
-    pub(crate) fn from_map(&self, [north, east]: [f64; 2]) -> [f64; 2] {
+    /// Slopes to the north and to the east as slopes along and across the sweep.
+    pub(crate) fn to_sweep(&self, [north, east]: [f64; 2]) -> [f64; 2] {
         let [cos, sin] = self.direction;
         [north * cos + east * sin, east * cos - north * sin]
     }
@@ -214,16 +213,16 @@ impl Walker<'_> {
 
     fn grain(&self, samples: &Samples<'_>) -> Grain {
         let Some(pattern) = self.scene.landscape.texture() else { return Grain::default() };
-        let (eye, texture_parts) = (self.scene.eye, self.scene.settings.analog.texture_is_ideal());
+        let (eye, is_ideal) = (self.scene.eye, self.scene.settings.analog.texture_is_ideal());
         let at = |range: &f64| {
             let place = [0, 1].map(|axis| eye[axis] + range * self.direction[axis]);
             texture(pattern, place, *range)
         };
         let values: Vec<f64> = samples.ranges[..samples.ground.len()].iter().map_while(at).collect();
-        match texture_parts {
-            true => Grain { margins: vec![INFINITY; values.len()], values },
-            false => self.grained(pattern, &values, samples.ranges),
+        if is_ideal {
+            return Grain { margins: vec![f64::INFINITY; values.len()], values };
         }
+        self.grained(pattern, &values, samples.ranges)
     }
 
     /// Texture behind its parts, which have the machine's samples.
@@ -250,7 +249,8 @@ impl Walker<'_> {
         for name in ["fg.slope.u", "fg.slope.v", "fg.or", "fg.present"] {
             self.record.margins.insert(name.into(), features.clear.clone());
         }
-        let rest = features.surface.rest.iter().map(|rest| rest * REST).chain(std::iter::repeat(INFINITY));
+        let rest =
+            features.surface.rest.iter().map(|rest| rest * REST).chain(std::iter::repeat(f64::INFINITY));
         let near = features.clear.iter().zip(rest).map(|(clear, rest)| clear.min(rest)).collect();
         self.record.margins.insert("fg.reflectivity".into(), near);
     }

@@ -1,7 +1,5 @@
 //! The mixing unit of real parts along a sweep: what it is given, and its gates (section 14).
 
-use std::f64::INFINITY;
-
 use hardware_model::Gate as GateKind;
 use scenario::TextureInShadow;
 
@@ -53,7 +51,7 @@ impl Walker<'_> {
         let vs1 = has_features.then_some(vs1);
         let present = has_features.then(|| self.presence(samples, features, &bends, &unit));
         self.put_gates(wires, &unit, [present, vs1.clone(), vs2.clone()], &near);
-        let of_grain = grain.margins.iter().copied().chain(std::iter::repeat(INFINITY));
+        let of_grain = grain.margins.iter().copied().chain(std::iter::repeat(f64::INFINITY));
         let of_gates = near[0].iter().zip(&near[1]).map(|(vs1, vs2)| vs1.min(*vs2));
         let of_video: Vec<f64> = of_gates.zip(of_grain).map(|(gate, grain)| gate.min(grain)).collect();
         ["mu.reflectivity", "sm.video"].into_iter().for_each(|name| self.put_near(name, &of_video));
@@ -76,7 +74,7 @@ impl Walker<'_> {
             let Bend { sample, share, range, .. } = *bend;
             let step = samples.ranges[sample] - samples.ranges[sample - 1];
             let ends = [sample - 1, sample].map(|sample| &samples.ground[sample]);
-            let slopes = ends.map(|ground| self.from_map(ground.slopes));
+            let slopes = ends.map(|ground| self.to_sweep(ground.slopes));
             let [from, to] = [0, 1].map(|end| [ends[end].height, slopes[end][0] * step]);
             let (height, along) = hermite(share, from, to);
             let across = slopes[0][1] + share * (slopes[1][1] - slopes[0][1]);
@@ -111,7 +109,7 @@ impl Walker<'_> {
             &behind(samples, &features.present),
             bends,
             |bend| bend.present[1],
-            unit.comparators[0].on_ramp(INFINITY),
+            unit.comparators[0].on_ramp(f64::INFINITY),
         )
     }
 
@@ -134,14 +132,14 @@ impl Walker<'_> {
             &behind(samples, &open),
             bends,
             |bend| opens(bend.video[1]),
-            unit.comparators[0].on_ramp(INFINITY),
+            unit.comparators[0].on_ramp(f64::INFINITY),
         )
     }
 
     /// How near the samples are to other decisions of the unit: by VS1, and by VS2.
     fn near(&self, features: &Features, vs1: &Gate, vs2: Option<&Gate>) -> [Vec<f64>; 2] {
         let (count, mixing) = (features.height.len(), self.scene.settings.mixing_unit);
-        let mut keyed = INFINITY;
+        let mut keyed = f64::INFINITY;
         let of_vs1 = vs1.margins(count).into_iter().zip(&features.video).map(|(near, video)| {
             if mixing.gate == GateKind::SelfKeyed {
                 // A gate that opens half way between samples is late for some more.
@@ -149,7 +147,7 @@ impl Walker<'_> {
             }
             near.min(keyed)
         });
-        [of_vs1.collect(), vs2.map_or_else(|| vec![INFINITY; count], |gate| gate.margins(count))]
+        [of_vs1.collect(), vs2.map_or_else(|| vec![f64::INFINITY; count], |gate| gate.margins(count))]
     }
 
     fn put_gates(

@@ -165,20 +165,20 @@ impl Sides<'_> {
 
     fn bound(&self, name: &str) -> f64 {
         let settings = self.scene.settings;
+        // Differences of neighbours: a rounding of either is one of a step, and a quarter of a microsecond has many.
+        let steps = match name {
+            "dpp.derivative" => (0.25e-6 * settings.timebase.sample_rate().hertz()).max(1.0),
+            _ => 1.0,
+        };
         if lies_behind_parts(name, &settings.analog) {
-            return bounds::of_parts(settings.scalar);
+            return bounds::of_parts(settings.scalar) * steps;
         }
         match name {
             // A rounding of 1/z shows in the farthest range by the ratio of both ends.
             "sweep.range" => 4.0 * f64::EPSILON * (settings.range.end / settings.range.start).max(16.0),
-            // Differences of neighbours: a rounding of either is one of a step, and a quarter of a microsecond has many.
-            "dpp.derivative" => {
-                let steps = 0.25e-6 * settings.timebase.sample_rate().hertz();
-                bounds::of(settings.scalar) * steps.max(1.0)
-            }
             "fg.height" | "fg.slope.u" | "fg.slope.v" | "fg.reflectivity" | "mu.reflectivity"
             | "sm.video" => bounds::of(settings.scalar) + self.of_craters(),
-            _ => bounds::of(settings.scalar),
+            _ => bounds::of(settings.scalar) * steps,
         }
     }
 

@@ -195,7 +195,9 @@ impl<'a> Beam<'a> {
     fn margins(&self, occluded: &Occluded, end: usize) -> [Vec<f64>; 2] {
         [0.0, self.blanking()].map(|later| {
             let near = |sample: usize| {
-                let turns = occluded.turns.iter().map(|turn| (turn + later - sample as f64).abs());
+                // A turn at a sample itself is one that the begin of a step holds back: both engines have it there.
+                let turns = occluded.turns.iter().filter(|turn| turn.fract() != 0.0);
+                let turns = turns.map(|turn| (turn + later - sample as f64).abs());
                 turns.map(|turn| turn * MARGINS[1]).fold(occluded.near[sample] * MARGINS[0], f64::min)
             };
             (0..end).map(near).collect()

@@ -269,9 +269,8 @@ impl Chain<'_> {
 
     /// What zone the first sample lies in.
     fn zone_at_first(&self) -> Zone {
-        let passed =
-            self.crossings.iter().filter(|crossing| crossing.load == self.load && crossing.sample == 0);
-        passed.last().map_or(Zone::Outside, |crossing| crossing.zones[1])
+        let own = |crossing: &&Crossing| crossing.load == self.load && crossing.sample == 0;
+        self.crossings.iter().rfind(own).map_or(Zone::Outside, |crossing| crossing.zones[1])
     }
 
     /// At rest in the zone of the first sample, or outside a sample before the first crossing.
