@@ -129,6 +129,8 @@ impl Walker<'_> {
             features.surface = self.chains(samples, craters);
         }
         if analog.features_are_ideal() {
+            // Ideal sub-generators are seen to have late words at the next sample.
+            features.surface.bends.retain(|bend| !bend.is_late);
             self.follow_the_law(samples, &mut features);
         } else {
             self.follow_the_chains(&mut features);

@@ -170,16 +170,18 @@ impl Sides<'_> {
             "dpp.derivative" => (0.25e-6 * settings.timebase.sample_rate().hertz()).max(1.0),
             _ => 1.0,
         };
-        if lies_behind_parts(name, &settings.analog) {
-            return bounds::of_parts(settings.scalar) * steps;
-        }
-        match name {
+        let craters = match name {
+            "fg.height" | "fg.slope.u" | "fg.slope.v" | "fg.reflectivity" | "mu.reflectivity"
+            | "sm.video" => self.of_craters(),
+            _ => 0.0,
+        };
+        let own = match name {
             // A rounding of 1/z shows in the farthest range by the ratio of both ends.
             "sweep.range" => 4.0 * f64::EPSILON * (settings.range.end / settings.range.start).max(16.0),
-            "fg.height" | "fg.slope.u" | "fg.slope.v" | "fg.reflectivity" | "mu.reflectivity"
-            | "sm.video" => bounds::of(settings.scalar) + self.of_craters(),
-            _ => bounds::of(settings.scalar) * steps,
-        }
+            _ if lies_behind_parts(name, &settings.analog) => bounds::of_parts(settings.scalar),
+            _ => bounds::of(settings.scalar),
+        };
+        own * steps + craters
     }
 
     fn of_craters(&self) -> f64 {

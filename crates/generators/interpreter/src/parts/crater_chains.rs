@@ -49,6 +49,8 @@ pub struct Bend {
     pub slopes: [[f64; 2]; 2],
     /// Whether there is a footprint just before and just behind it.
     pub present: [bool; 2],
+    /// Whether no circle is crossed, but late words have come.
+    pub is_late: bool,
 }
 
 /// What all sub-generators add up to.
@@ -80,6 +82,8 @@ struct Crossing {
     zones: [Zone; 2],
     /// First sample behind it.
     sample: usize,
+    /// Whether it is where late words come.
+    is_late: bool,
 }
 
 /// The sub-generators of `loads` along a sweep; `of_comparators` says whether comparators that mind how a footprint is met make the
@@ -112,7 +116,7 @@ fn crossings(ranges: &[f64], loads: &[Loaded], passages: &[Passage]) -> Vec<Cros
             // A circle counts to what is outside of it.
             let inward = zones[1] > zones[0];
             let sample = ranges.partition_point(|place| *place < range || inward && *place == range);
-            Crossing { range, load, zones, sample }
+            Crossing { range, load, zones, sample, is_late: range == loads[load].from }
         })
     };
     let mut all: Vec<Crossing> = passages.iter().enumerate().flat_map(of_load).collect();
@@ -216,6 +220,7 @@ fn bend(ranges: &[f64], crossing: &Crossing, present: [bool; 2]) -> Bend {
         height: 0.0,
         slopes: [[0.0; 2]; 2],
         present,
+        is_late: crossing.is_late,
     }
 }
 
