@@ -136,6 +136,12 @@ pub fn landscape(seed: u64) -> ComparedScene {
             scene.parts.0.amplifier.recovery = 0.0;
         }
     }
+    scene
+}
+
+/// The same landscape on a machine of which every block may have real parts.
+pub fn machine(seed: u64) -> ComparedScene {
+    let mut scene = landscape(seed);
     let mut dice = Dice::new(seed ^ 0x6265_616d);
     if dice.count(0, 2) == 0 {
         scene.parts.1 = seed;
