@@ -1,7 +1,7 @@
 //! Headers that claim sixteen gigabytes, or more than can be counted, in files of some hundred bytes.
 
 use crate::build::{Tiff, npy};
-use crate::mutation::resealed;
+use crate::mutation::{resealed, resealed_state};
 use crate::readers::reader;
 use crate::seeds::seeds;
 
@@ -58,6 +58,11 @@ fn sizes_in_headers_are_held_against_the_file() {
 #[test]
 fn every_word_of_a_bank_may_claim() {
     claims_everywhere("bank", 400, resealed);
+}
+
+#[test]
+fn every_word_of_a_state_may_claim() {
+    claims_everywhere("state", 400, resealed_state);
 }
 
 #[test]

@@ -178,3 +178,16 @@ pub fn resealed(mut bytes: Vec<u8>) -> Vec<u8> {
     bytes[32..64].copy_from_slice(table.as_bytes());
     bytes
 }
+
+/// A state of a machine whose length and checksum are right again (docs/state-format.md).
+pub fn resealed_state(mut bytes: Vec<u8>) -> Vec<u8> {
+    if bytes.len() < 64 {
+        return bytes;
+    }
+    let length = bytes.len() as u64;
+    bytes[16..24].copy_from_slice(&length.to_le_bytes());
+    let mut hasher = blake3::Hasher::new();
+    hasher.update(&bytes[..32]).update(&bytes[64..]);
+    bytes[32..64].copy_from_slice(hasher.finalize().as_bytes());
+    bytes
+}

@@ -28,7 +28,7 @@ pub struct Reader {
 }
 
 /// All readers that are given damaged files.
-pub const READERS: [Reader; 15] = [
+pub const READERS: [Reader; 16] = [
     Reader { name: "scenario", file: "scene.toml", read: |path| said(Scenario::read(path)) },
     Reader {
         name: "path-csv",
@@ -55,6 +55,7 @@ pub const READERS: [Reader; 15] = [
     Reader { name: "baseline", file: "timing.json", read: |path| said(timing::read(path)) },
     Reader { name: "run", file: "run.json", read: |path| said(replay::HeldRun::read(folder(path))) },
     Reader { name: "poses", file: "poses.csv", read: |path| said(vehicle_shadow::read_poses(path)) },
+    Reader { name: "state", file: "there.state", read: |path| said(state::State::read(path)) },
     Reader { name: "camera", file: "camera.json", read: |path| said(Camera::read(path)) },
 ];
 

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use lunoid_tests::Dice;
 
-use crate::mutation::{damaged, resealed};
+use crate::mutation::{damaged, resealed, resealed_state};
 use crate::readers::{READERS, Reader};
 use crate::seeds::seeds;
 
@@ -19,7 +19,11 @@ fn file(reader: &Reader, seeds: &[Vec<u8>], number: u64) -> Vec<u8> {
     let seed = &seeds[dice.count(0, seeds.len() - 1)];
     let other = &seeds[dice.count(0, seeds.len() - 1)];
     let bytes = damaged(&mut dice, seed, other);
-    if reader.name == "bank" && dice.count(0, 4) > 0 { resealed(bytes) } else { bytes }
+    match reader.name {
+        "bank" if dice.count(0, 4) > 0 => resealed(bytes),
+        "state" if dice.count(0, 4) > 0 => resealed_state(bytes),
+        _ => bytes,
+    }
 }
 
 /// Reads files `numbers` of `reader`; how many it refused. Whatever fails says how to make the file again.

@@ -1,8 +1,12 @@
 //! Whole files, from which damaged ones are made.
 
+use std::sync::Arc;
+
 use landscape::{Bank, Georeference};
 use lunoid_tests::{level_of, plane};
 use picture::{Depth, GreyPicture, encode_png};
+use run_record::Program;
+use state::{Block, BlockKind, Hashes, Head, Identity, Place, State};
 
 use crate::build::{Tiff, doubles, npy};
 
@@ -79,6 +83,7 @@ pub fn seeds(name: &str) -> Vec<Vec<u8>> {
             npy("<i2", "(3, 4)", &[7; 24]),
             npy(">f4", "(2, 2)", &[0; 16]),
         ],
+        "state" => vec![state(0, 3), state(2, 0)],
         "png" => [Depth::Eight, Depth::Sixteen].into_iter().map(png).collect(),
         _ => texts.iter().map(|text| text.as_bytes().to_vec()).collect(),
     }
@@ -105,6 +110,31 @@ fn written(bank: &Bank) -> Vec<u8> {
     let path = folder.path().join("a.bank");
     landscape::bank_file::write(&path, bank).expect("a bank that can be written");
     std::fs::read(path).expect("what was written")
+}
+
+/// A machine in frame `frame` at the start of sweep `sweep`, whose tubes keep all frames before.
+fn state(frame: u64, sweep: u32) -> Vec<u8> {
+    let hash = || "00ff".to_owned();
+    let hashes = Hashes { settings: hash(), view: hash(), ground: hash(), scenery: hash(), mission: hash() };
+    let program = Program {
+        name: "lunoid".into(),
+        version: "0.1.0".into(),
+        commit: "unknown".into(),
+        result_family: "unfused".into(),
+    };
+    let block = |kind, frame, rows: u64, row: u64| {
+        let values = Arc::new(vec![0.5; (rows * row) as usize]);
+        Block { kind, frame, rows, row, values }
+    };
+    let rows = block(BlockKind::Rows, frame, sweep.into(), 6);
+    let stores = (0..frame).map(|frame| block(BlockKind::Store, frame, 8, 6));
+    let pictures = (0..frame).map(|frame| block(BlockKind::Picture, frame, 5, 8));
+    let identity = Identity { program, machine: "ideal".into(), scenario: "Craters".into(), hashes };
+    let place = Place::start(frame, sweep);
+    let words = vec!["craters.toml".into(), "--sweeps".into(), "8".into()];
+    let head = Head { identity, words, place, tick: 77, time_s: 0.1 };
+    let blocks = [rows].into_iter().chain(stores).chain(pictures).collect();
+    State { head, digital: "{\n  \"levels\": []\n}\n".into(), blocks }.bytes()
 }
 
 fn png(depth: Depth) -> Vec<u8> {

@@ -1,11 +1,14 @@
 //! Drums of a view that turns (hardware sections 4.7 and 8, number 10).
 
-use control_plane::ControlPlane;
+use control_plane::{ControlPlane, DigitalUnit, EventWord, MachineStage};
+use generator::Planes;
 use hardware_model::{Channels, DataBanks, Drum, DrumQueue};
 use landscape::Attitude;
 use lunoid_tests::ComparedScene;
-use quantities::radians;
+use machine::Prepare;
+use quantities::{SweepTime, radians};
 use scenario::Pose;
+use signal::Probe;
 use sweep_program::{Event, NO_CORNER};
 use timing::{Deadline, FrameTiming};
 
@@ -38,13 +41,18 @@ fn course(scene: &ComparedScene, degrees: f64) -> Vec<Pose> {
 
 /// A turn at `degrees` a second behind one drum.
 fn turning(degrees: f64) -> (ControlPlane, Vec<Pose>) {
+    let (stage, course) = turning_stage(degrees);
+    (ControlPlane::new(stage), course)
+}
+
+fn turning_stage(degrees: f64) -> (MachineStage, Vec<Pose>) {
     let scene = scene();
     let course = course(&scene, degrees);
     let mut stage = on_course(&scene, course.clone());
     let drum = Drum { rotation: ROTATION, word: WORD, record_words: 9, queue: DrumQueue::Fifo, count: 1 };
     stage.settings.data_banks =
         DataBanks { drum: Some(drum), channels: Channels::default(), buffer_words: Some(9 * 900) };
-    (ControlPlane::new(stage), course)
+    (stage, course)
 }
 
 /// The last two thirds of the turn: before them the buffer lives on what it was filled with.
@@ -135,4 +143,46 @@ fn every_corner_that_is_asked_for_is_a_deadline() {
         let blank = home.chain(loads).filter(|&corner| corner == NO_CORNER).count();
         assert_eq!(blank, misses.iter().filter(|missed| missed.sweep == sweep).count(), "sweep {sweep}");
     }
+}
+
+/// The wires of a drum over all sweeps of a frame: it comes round once a revolution, brings what the list of events says, and what
+/// the frame waits for becomes less by each record.
+#[test]
+fn wires_of_a_drum_tell_what_it_brings() {
+    let (stage, course) = turning_stage(50.0);
+    let (control, session) = (ControlPlane::new(stage.clone()), stage.clone().prepare());
+    let (number, pose) = (80, &course[80]);
+    let mut probe = Probe::new(vec!["drum.*".into()], 0..stage.settings.raster.sweeps);
+    session.frame(number, pose, &mut Planes::new(0, 0, &[]), &mut probe).unwrap();
+    let wire = |name: &str| -> Vec<(u64, f64)> {
+        let of_wire = probe.waveforms.iter().filter(|wave| wave.signal.name == name);
+        let ticks = of_wire.flat_map(|wave| {
+            let clock = stage.settings.timebase.sweep_clock(number, wave.sweep);
+            let tick = move |time: &f64| clock.tick_at_or_after(SweepTime(*time)).0;
+            wave.times.iter().map(tick).zip(wave.values.iter().copied()).collect::<Vec<_>>()
+        });
+        ticks.collect()
+    };
+    let turns = wire("drum.0.index");
+    let rotation = control.drums(0)[0].rotation;
+    assert!(!turns.is_empty());
+    for pair in turns.windows(2) {
+        assert_eq!((pair[1].0 - pair[0].0, pair[1].1 - pair[0].1), (rotation, 1.0));
+    }
+    let columns = stage.landscape.level().corners()[1] as i64;
+    let events = control.sweeps(number, pose).unwrap().frame_events();
+    let brought = events.iter().filter(|event| event.event == EventWord::Record);
+    let brought: Vec<(u64, f64)> = brought
+        .map(|event| {
+            assert_eq!(event.unit, DigitalUnit::Drum(0, 0));
+            let [north, east] = event.corner.unwrap();
+            (event.tick.0, (north * columns + east) as f64)
+        })
+        .collect();
+    assert_eq!(wire("drum.0.record"), brought);
+    assert!(brought.len() > 1 && wire("drum.1.record").is_empty());
+    let waiting = wire("drum.0.waiting");
+    let (first, last) = (waiting[0].1, waiting[waiting.len() - 1].1);
+    assert_eq!(first - last, brought.len() as f64, "{waiting:?}");
+    assert!(waiting.windows(2).all(|pair| pair[1].1 <= pair[0].1));
 }

@@ -92,7 +92,7 @@ struct Around {
 const REACHES: [usize; 2] = [40, 30];
 
 /// Samples before a crossing between two folds: more than the lead of the ramps, 0.48 µs with a smoother of 300 ns.
-const BETWEEN: Range<usize> = 32..38;
+pub const BETWEEN: Range<usize> = 32..38;
 
 /// Heights of the plane within which no part saturates (m).
 const CLEAR: f64 = 100.0;
@@ -199,7 +199,7 @@ pub fn facets(look: &Look<'_>) -> f64 {
 }
 
 /// Half of the length over which a bend is taken (regions).
-const REACH: f64 = 0.06;
+pub const REACH: f64 = 0.06;
 
 /// Step of a word of six bits, with its sign, in the height of the rows (m).
 pub const LEAST: f64 = FULL_SCALE / 32.0;

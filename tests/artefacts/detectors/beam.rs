@@ -221,13 +221,21 @@ fn power_of_dwell(look: &Look<'_>, sweep: u32) -> f64 {
     let [place, level] = ["dpp.y", "sm.write"].map(|name| look.run.wave(sweep, name));
     let mut points = Vec::new();
     for (line, &level) in level.iter().enumerate() {
-        let inside = |line: f64| place.partition_point(|&place| place > line) as f64;
-        let dwell = inside(line as f64) - inside(line as f64 + 1.0);
+        let dwell = reached(place, line as f64) - reached(place, line as f64 + 1.0);
         if dwell >= 3.0 && level > 0.0 && level < 0.9 * SATURATED {
             points.push([libm::log(dwell), libm::log(-libm::log1p(-level / SATURATED))]);
         }
     }
     slope(&points)
+}
+
+/// When the beam, on its way up, reaches a line (samples): straight between samples.
+fn reached(place: &[f64], line: f64) -> f64 {
+    let next = place.partition_point(|&place| place > line);
+    match (next.checked_sub(1).map(|before| place[before]), place.get(next)) {
+        (Some(before), Some(after)) => next as f64 - 1.0 + (before - line) / (before - after),
+        _ => next as f64,
+    }
 }
 
 /// Slope of the straight line of least squares; 0 if there is none.

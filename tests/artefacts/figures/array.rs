@@ -1,12 +1,12 @@
 //! What the array bends (A6 to A12, A25).
 
-use std::f64::consts::PI;
+use std::f64::consts::{LN_2, PI};
 
 use parts::Spread;
 
 use crate::detectors::{array, late};
 use crate::figures::{Figure, figure, looked};
-use crate::look::{largest, mean, median};
+use crate::look::{Look, largest, mean, median};
 use crate::scenes::{PLATEAU, WAVE};
 
 /// Time constant of a bandwidth (µs).
@@ -45,25 +45,44 @@ pub fn a7() -> Figure {
     })
 }
 
-/// What a second-order smoother of 1/w = `time` (µs) lacks of a ramp at its group delay.
-fn deviation(time: f64, damping: f64) -> f64 {
+/// Answer to a ramp of slope 1 of a second-order smoother of 1/w = `time` (µs), `t` (µs) after the ramp begins.
+fn to_a_ramp(t: f64, time: f64, damping: f64) -> f64 {
     let (w, wd) = (1.0 / time, (1.0 - damping * damping).sqrt() / time);
     let step = |t: f64| {
         1.0 - libm::exp(-damping * w * t) * (libm::cos(wd * t) + damping * w / wd * libm::sin(wd * t))
     };
-    let (end, steps) = (2.0 * damping / w, 10_000);
+    let (end, steps) = (t.max(0.0), 4_000);
     (0..steps).map(|k| step((f64::from(k) + 0.5) * end / f64::from(steps)) * end / f64::from(steps)).sum()
+}
+
+/// What the ramp lacks of its place (µs of its way) `t` (µs) after a fold: the smoother's answer to the corner, which the ramps'
+/// lead brings forward by the smoother's delay. Before and behind come the corners of the folds `period` (µs) earlier, in turn.
+fn behind_corners(t: f64, period: f64) -> f64 {
+    let (time, damping) = (0.3, 0.8);
+    let corner = |t: f64| to_a_ramp(t + 2.0 * damping * time, time, damping) - t.max(0.0);
+    corner(t) - corner(t + period) + corner(t + 2.0 * period)
+}
+
+/// The shortfall of a sweep as the detector sees it: led back from the two samples beside the fold, and less what stands in the middle
+/// between two folds.
+fn shortfall(look: &Look<'_>, sweep: u32) -> f64 {
+    let north = look.direction(sweep)[0];
+    let (dt, period) = (look.clean.sample(), look.scene.region() / look.speed() / north);
+    let at = |samples: f64| 2.0 * look.speed() * behind_corners(samples * dt, period);
+    let middle = mean(&array::BETWEEN.map(|k| at(-(k as f64 + 1.0))).collect::<Vec<_>>());
+    let [before, behind] = [-1.0, 1.0].map(|side| 2.0 * at(side) - at(2.0 * side));
+    (before - middle).min(behind + middle)
 }
 
 pub fn a8() -> Figure {
     looked(8, |look| {
-        let predicted = 2.0 * deviation(0.3, 0.8) * look.speed();
+        let predicted = median(&look.own().map(|sweep| shortfall(look, sweep)).collect::<Vec<_>>());
         figure(
             8,
             "ramp short of its stop by",
-            [array::fold_shortfall(look), predicted, 0.03 * predicted],
+            [array::fold_shortfall(look), predicted, 0.01 * predicted],
             "m",
-            "`2 v` times the smoother's answer to a ramp, at its delay",
+            "`2 v` times the smoother's answer to a ramp, at its delay, less what is left of the fold before",
         )
     })
 }
@@ -112,16 +131,30 @@ fn quilt() -> f64 {
 
 pub fn a11() -> Figure {
     looked(11, |look| {
-        let knee = 1.0 / array::SEGMENTS;
-        let bend = (late::smooth(2.0 * knee) - 2.0 * late::smooth(knee)) / knee;
+        // What is seen at samples goes straight between them: a rounded knee is seen flatter still.
+        let step = look.pace() / look.scene.region();
+        let flatter = 2.0 * ROUNDING * LN_2 + step * step / (24.0 * ROUNDING);
+        let bend = knee() * (1.0 - flatter / array::REACH);
         figure(
             11,
             "break of slope at the first and last knee",
-            [array::facets(look), bend, 0.1 * bend],
+            [array::facets(look), bend, 0.01 * bend],
             "a region",
-            "`n (S0(2/n) - 2 S0(1/n))`, about `S0''/n`",
+            "`n (S0(2/n) - 2 S0(1/n) + m/2)`, flatter by the rounding of the knee and by samples",
         )
     })
+}
+
+/// Width of the knees of the overlay (share of full scale).
+const ROUNDING: f64 = 0.005;
+
+/// Jump of slope at the first knee: both knees of the second segment lie off the function by half of its largest sag.
+fn knee() -> f64 {
+    let segment = 1.0 / array::SEGMENTS;
+    let [first, second] = [segment, 2.0 * segment].map(late::smooth);
+    let sag = |share: f64| first + (second - first) * share - late::smooth(segment * (1.0 + share));
+    let largest = largest((0..=1000).map(|k| sag(f64::from(k) / 1000.0)));
+    (second - 2.0 * first + 0.5 * largest) / segment
 }
 
 pub fn a12() -> Figure {

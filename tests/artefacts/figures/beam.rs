@@ -112,7 +112,7 @@ pub fn a18() -> Figure {
 
 pub fn a19() -> Figure {
     let found = looked(19, beam::exposure);
-    figure(19, "power of the dwell that the charge follows", [found, 1.0, 0.05], "", "charge as `1/(dy/dt)`")
+    figure(19, "power of the dwell that the charge follows", [found, 1.0, 0.01], "", "charge as `1/(dy/dt)`")
 }
 
 pub fn a20() -> Figure {

@@ -90,14 +90,30 @@ pub fn a3() -> Figure {
 pub fn a4() -> Figure {
     looked(4, |look| {
         let count: Vec<f64> = look.own().map(|sweep| late_sets(look, sweep).count() as f64).collect();
-        let expected = look.own().map(|sweep| {
-            let [cos, sin] = look.direction(sweep);
-            let (end, size) = (look.clean.settings.range.end, look.scene.region());
-            end * look.speed() * 0.3 * 2.0 * (cos * sin).abs() / (size * size)
-        });
-        let expected = mean(&expected.collect::<Vec<_>>());
-        figure(4, "late sets a sweep", [mean(&count), expected, 0.1 * expected], "", "`R v t_u sin 2θ / d²`")
+        let expected = mean(&look.own().map(|sweep| near_corners(look, sweep, 0.3)).collect::<Vec<_>>());
+        figure(
+            4,
+            "late sets a sweep",
+            [mean(&count), expected, 0.01 * expected],
+            "",
+            "boundaries of both axes passed within `t_u`: on the average `R v t_u sin 2θ / d²`",
+        )
     })
+}
+
+/// How often a sweep passes boundaries of both axes within `time` (µs) of one another, by its line over the ground.
+fn near_corners(look: &Look<'_>, sweep: u32, time: f64) -> f64 {
+    let (direction, size) = (look.direction(sweep), look.scene.region());
+    let end = look.clean.settings.range.end;
+    let passed = |axis: usize| {
+        let (from, rate) = (look.scene.eye[axis] / size, direction[axis] / size);
+        let first = from.ceil() as i64;
+        let lines = first..(from + end * rate).ceil() as i64;
+        lines.map(move |line| (line as f64 - from) / rate / look.speed()).collect::<Vec<f64>>()
+    };
+    let [north, east] = [passed(0), passed(1)];
+    let near = |at: &f64| east.iter().filter(|other| (*other - at).abs() < time).count();
+    north.iter().map(near).sum::<usize>() as f64
 }
 
 pub fn a5() -> Figure {

@@ -185,6 +185,7 @@ impl Signal {
             "mu" => "mixing-unit",
             "dpp" => "display-projection-processor",
             "pg" => "polyhedron-generator",
+            "drum" => "data-bank",
             "vs" => "vehicle-shadow",
             "sm" | "yoke" => "sweep-memory",
             // Other generators have their own name before the dot.

@@ -11,6 +11,7 @@ use crate::channel::{self, ChannelWork};
 use crate::drum::{DrumAtWork, DrumUnit};
 use crate::layout::Layout;
 use crate::span::Span;
+use crate::state::{BankState, OrderedRecord};
 use crate::{Demand, FrameSupply, Missing};
 
 /// Drums, queues and storage buffer of one level.
@@ -101,6 +102,20 @@ impl DataBank {
     /// The drums as the seed drew them.
     pub fn drums(&self) -> impl ExactSizeIterator<Item = DrumUnit> {
         self.drums.iter().map(|drum| drum.unit)
+    }
+
+    /// What the bank remembers between the frames that it has followed and the next one.
+    pub fn state(&self) -> BankState {
+        let ordered = |(&record, order): (&u32, &Order)| OrderedRecord {
+            requested: order.requested,
+            wanted: order.need.of(record),
+        };
+        BankState {
+            loaded: self.loaded,
+            held: self.buffer.records().map(|(record, need)| need.of(record)).collect(),
+            orders: self.orders.iter().map(ordered).collect(),
+            drums: self.drums.iter().map(DrumAtWork::state).collect(),
+        }
     }
 
     /// What it takes to fill the buffer with the first demand of a mission, which a bank that has not begun yet finds there

@@ -3,6 +3,8 @@
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 
+use crate::state::HeldRecord;
+
 /// How much a record is needed; the least is dropped first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Need {
@@ -10,6 +12,13 @@ pub(crate) struct Need {
     pub(crate) frame: u64,
     /// Its place in that demand, from 0 for the most urgent.
     pub(crate) rank: Reverse<u32>,
+}
+
+impl Need {
+    /// The need of a record, as it is written down.
+    pub(crate) fn of(self, record: u32) -> HeldRecord {
+        HeldRecord { record, frame: self.frame, rank: self.rank.0 }
+    }
 }
 
 /// Records held, each with its need.
@@ -39,6 +48,11 @@ impl StorageBuffer {
     /// Returns the number of records that the buffer holds.
     pub(crate) fn len(&self) -> usize {
         self.records.len()
+    }
+
+    /// The records held, ascending, each with its need.
+    pub(crate) fn records(&self) -> impl Iterator<Item = (u32, Need)> {
+        self.records.iter().map(|(&record, &need)| (record, need))
     }
 
     /// Takes a record in.

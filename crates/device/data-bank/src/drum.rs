@@ -6,6 +6,7 @@ use hardware_model::{Channels, Drum, DrumQueue};
 use quantities::unit_interval;
 
 use crate::span::Span;
+use crate::state::{DrumState, Heads};
 
 /// Spread of the speed of drums, one standard deviation (hardware section 2.3).
 const SPEED_SPREAD: f64 = 0.005;
@@ -58,24 +59,6 @@ impl DrumUnit {
 /// A request that waits: place that decides (0 for all under FIFO), rank in the demand, record.
 type Waiting = (u64, u32, u32);
 
-/// What a drum is at.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Heads {
-    Idle,
-    /// It turns to a record, which is to be read from `under` on.
-    Turning {
-        record: u32,
-        begun: u64,
-        under: u64,
-    },
-    /// It reads one, over its channel.
-    Reading {
-        record: u32,
-        begun: u64,
-        under: u64,
-    },
-}
-
 /// What happens next to a drum, and when; of one tick, what stands first comes first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Event {
@@ -123,6 +106,11 @@ impl DrumAtWork {
             };
             self.waiting.insert((place, rank, record));
         }
+    }
+
+    /// Heads and queue as they are.
+    pub(crate) fn state(&self) -> DrumState {
+        DrumState { heads: self.heads, waiting: self.waiting.iter().map(|&(_, _, record)| record).collect() }
     }
 
     /// Requests open, with the one under the heads.

@@ -42,9 +42,11 @@ mod corners;
 mod drum;
 mod layout;
 mod span;
+mod state;
 mod supply;
 
 pub use bank::DataBank;
 pub use corners::{corners_of, nearest_first};
 pub use drum::DrumUnit;
+pub use state::{BankState, DrumState, Heads, HeldRecord, OrderedRecord};
 pub use supply::{Demand, FrameSupply, Missing};

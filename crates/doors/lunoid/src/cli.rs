@@ -4,7 +4,7 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::commands::{
     augment, bank, cartridge, check, compare, explain, info, list, lockstep, model, netlist, page, probe,
-    replay, sizing, study, survey, timing, trace, trigger,
+    replay, sizing, state, study, survey, timing, trace, trigger,
 };
 use crate::output::Colour;
 
@@ -104,6 +104,8 @@ pub enum Command {
     Lockstep(lockstep::LockstepCommand),
     /// Write the terrain generator's chain of one sweep as a circuit that ngspice runs.
     Netlist(netlist::NetlistCommand),
+    /// Write the whole machine at the start of a sweep, go on from there, or step from place to place.
+    State(state::StateCommand),
     /// Measure error against run time.
     Study(study::StudyCommand),
     /// Run test cartridges: scenes whose answer is known in closed form.

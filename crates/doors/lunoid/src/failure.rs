@@ -20,6 +20,7 @@ use report::ReportError;
 use run_compare::RunCompareError;
 use run_page::{PageError, RequestError};
 use scope::ScopeError;
+use state::StateError;
 use survey::SurveyError;
 use timing::RecordError;
 use trigger_search::SearchError;
@@ -281,6 +282,7 @@ impl From<InfoError> for Failure {
             InfoError::Open(error) => error.into(),
             InfoError::File(error) => error.into(),
             InfoError::Bank(error) => error.into(),
+            InfoError::State(error) => error.into(),
             InfoError::Picture(error) => error.into(),
             InfoError::Run(error) => error.into(),
             InfoError::Survey(error) => (*error).into(),
@@ -335,6 +337,16 @@ impl From<WaveformError> for Failure {
         match error {
             WaveformError::File(error) => error.into(),
             other => Self::input(other),
+        }
+    }
+}
+
+impl From<StateError> for Failure {
+    fn from(error: StateError) -> Self {
+        match error {
+            StateError::File(error) => error.into(),
+            StateError::Place(_) | StateError::Registers(_) => Self::usage(error),
+            StateError::Fault { .. } | StateError::Frame(_) | StateError::Path(_) => Self::input(error),
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The control plane of a stage: what all its frames share.
 
-use data_bank::DrumUnit;
+use data_bank::{BankState, DrumUnit};
 use generator::FrameError;
 use remote_shadow::Footings;
 use scenario::Pose;
@@ -8,7 +8,7 @@ use sweep_generator::RangeTable;
 
 use crate::blocks::Blocks;
 use crate::crossings::Crossings;
-use crate::digital::{Digital, DigitalFrame};
+use crate::digital::{Digital, DigitalFrame, banks_before};
 use crate::elaboration::Elaboration;
 use crate::frame_plan::FramePlan;
 use crate::raster::WrittenRaster;
@@ -42,6 +42,12 @@ impl ControlPlane {
     /// The drums of the fine level (0) or of the coarse one (1) as the seed drew them; none where all words are at hand.
     pub fn drums(&self, level: usize) -> Vec<DrumUnit> {
         self.digital.drums(level)
+    }
+
+    /// What the data banks of the fine and of the coarse level remember as frame `frame` begins, before its demand is read;
+    /// none where all words are at hand. They are followed from the start of the mission.
+    pub fn banks_before(&self, frame: u64) -> [Option<BankState>; 2] {
+        banks_before(&self.stage, &self.blocks, &self.raster, frame)
     }
 
     pub(crate) fn stage(&self) -> &MachineStage {

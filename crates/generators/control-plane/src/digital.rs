@@ -3,7 +3,7 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::stage::MachineStage;
-use data_bank::{DataBank, Demand, DrumUnit, FrameSupply, corners_of, nearest_first};
+use data_bank::{BankState, DataBank, Demand, DrumUnit, FrameSupply, corners_of, nearest_first};
 use dpu::{CpuFrame, CpuLoad, CrossingTime, MissingCorner, Sector, cpu_frame, held_by_set_ups};
 use hardware_model::{CrossingServer, DataBanks, Settings};
 use landscape::Level;
@@ -40,6 +40,8 @@ struct History {
 pub struct DigitalFrame {
     /// Corners that are not in the storage buffers, by level.
     pub missing: [Vec<MissingCorner>; 2],
+    /// Drums by level; none where all words are at hand.
+    pub drums: [Vec<DrumUnit>; 2],
     /// What the data banks did, by level.
     pub supplies: [Option<Arc<FrameSupply>>; 2],
     /// The processor, if it takes any time.
@@ -120,6 +122,7 @@ impl Digital {
             };
             out.missing[number] = supply.missing.iter().map(convert).collect();
             out.supplies[number] = Some(supply);
+            out.drums[number] = self.drums(number);
         }
         if self.is_timed {
             let starts = starts(stage, crossings.plan.frame);
@@ -154,12 +157,37 @@ pub(crate) fn first_loads(
     blocks: &Blocks,
     raster: &WrittenRaster,
 ) -> [Option<FrameSupply>; 2] {
+    with_banks(stage, blocks, raster, |bank, sight| bank.first_load(&sight.demand(0)))
+}
+
+/// What the data banks of the fine and of the coarse level remember as frame `frame` begins, before its demand is read.
+pub(crate) fn banks_before(
+    stage: &MachineStage,
+    blocks: &Blocks,
+    raster: &WrittenRaster,
+    frame: u64,
+) -> [Option<BankState>; 2] {
+    with_banks(stage, blocks, raster, |mut bank, sight| {
+        (0..frame).for_each(|earlier| {
+            bank.frame(&sight.demand(earlier));
+        });
+        bank.state()
+    })
+}
+
+/// What `ask` makes of the data bank of each level that is drawn, as the mission finds it.
+fn with_banks<T>(
+    stage: &MachineStage,
+    blocks: &Blocks,
+    raster: &WrittenRaster,
+    ask: impl Fn(DataBank, &Sight<'_>) -> T,
+) -> [Option<T>; 2] {
     let levels = stage.landscape.bank().levels();
     let drawn = 1 + usize::from(stage.settings.levels.is_some());
     [0, 1].map(|number| {
         let bank = bank_of(stage, number).filter(|_| number < drawn)?;
         let sight = Sight { stage, raster, level: &levels[number], reach: reach(stage, blocks, number) };
-        Some(bank.first_load(&sight.demand(0)))
+        Some(ask(bank, &sight))
     })
 }
 

@@ -35,6 +35,7 @@
 //! | 5 | `sweep_recorder` | what the service of one sweep did |
 //! | 6 | `digital` | data banks and processor of a frame |
 //! | 6 | `delivery` | shadow gates, polyhedra and craters of a frame |
+//! | 7 | `drum_waveforms` | digital wires of the drums over a sweep |
 //! | 7 | `control_plane` | what all frames of a stage share |
 //! | 8 | `before_mission` | tasks before frame 0 |
 //! | 8 | `frame_sweeps` | the sweeps of one frame |
@@ -51,6 +52,7 @@ mod crossings;
 mod delivery;
 mod digital;
 mod digital_event;
+mod drum_waveforms;
 mod elaboration;
 mod event_list;
 mod feature_loads;
@@ -77,6 +79,7 @@ pub use delivery::{Delivery, Supply};
 pub use digital::{Digital, DigitalFrame};
 pub use digital_event::{DigitalEvent, DigitalUnit, EventWord, LoadedPart};
 pub use dpu::Register;
+pub use drum_waveforms::{DRUM_WIRES, drum_changes, drum_of};
 
 pub use elaboration::{Block, Elaboration};
 pub use feature_loads::FeatureLoads;

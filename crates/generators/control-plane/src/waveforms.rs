@@ -77,7 +77,7 @@ pub struct Changes {
 }
 
 impl Changes {
-    fn push(&mut self, time: f64, value: f64) {
+    pub(crate) fn push(&mut self, time: f64, value: f64) {
         self.times.push(time);
         self.values.push(value);
     }

@@ -96,7 +96,11 @@ impl<S: Real> Elaborated<S> {
     }
 
     /// The picture that was read in an earlier frame, read again if nobody has kept it; `None` if its pose is not known.
-    fn read_before(&self, tube: &PictureTube, frame: u64) -> Option<Result<Arc<Vec<f32>>, FrameError>> {
+    pub(crate) fn read_before(
+        &self,
+        tube: &PictureTube,
+        frame: u64,
+    ) -> Option<Result<Arc<Vec<f32>>, FrameError>> {
         if let Some(read) = self.pictures.get(frame) {
             return Some(Ok(read));
         }

@@ -23,6 +23,7 @@
 //!
 //! | floor | module | what it holds |
 //! |---|---|---|
+//! | 1 | `again` | some sweeps of a frame drawn without a look at any signal |
 //! | 1 | `counts` | what a frame takes |
 //! | 1 | `omissions` | what the elaborated machine leaves out |
 //! | 1 | `pool` | buffers that are used again |
@@ -34,10 +35,12 @@
 //! | 5 | `display` | pictures that were read, and what the picture tube shows of them |
 //! | 6 | `session` | a frame, from its pose to its planes |
 //! | 6 | `on_time` | a frame twice: as it is, and with late words on time |
+//! | 6 | `resumed` | what a machine remembers at the start of a sweep, and how it goes on |
 //! | 7 | `prepare` | from a stage to a session |
 //! | 7 | `unprobed` | the machine without probes |
 //! | 8 | `hybrid_machine` | the machine as a generator |
 
+mod again;
 mod counts;
 mod display;
 mod elaborated;
@@ -49,6 +52,7 @@ mod picture;
 mod pool;
 mod prepare;
 mod residue;
+mod resumed;
 mod session;
 mod tube;
 mod unprobed;
@@ -57,6 +61,7 @@ pub use counts::COUNTERS;
 pub use hybrid_machine::HybridMachine;
 pub use on_time::{OnTime, Twice, prepare_twice};
 pub use prepare::Prepare;
+pub use resumed::{Memory, Resumes, Sizes, prepare_resumes};
 pub use unprobed::prepare_unprobed;
 
 // The command still asks the machine for what the planes hold.

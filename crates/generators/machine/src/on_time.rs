@@ -8,9 +8,10 @@ use std::sync::Arc;
 use control_plane::{FramePlan, LateCrossing, MachineStage};
 use generator::{FrameError, PlaneKind, Planes};
 use scenario::{Pose, Scalar};
-use signal::{Real, Waveform};
-use signal_plane::{Look, Recorded, Wanted};
+use signal::Real;
+use signal_plane::Wanted;
 
+use crate::again::Again;
 use crate::elaborated::Elaborated;
 use crate::residue::Written;
 
@@ -167,15 +168,4 @@ impl<S: Real> Elaborated<S> {
         let would_be = would_be.collect::<Result<_, _>>()?;
         Ok([is, would_be])
     }
-}
-
-/// Looks at no signal, and has these sweeps drawn.
-struct Again<'a>(&'a Range<u32>);
-
-impl Look for Again<'_> {
-    fn wants_any_of(&self, sweeps: Range<u32>) -> bool {
-        sweeps.start < self.0.end && self.0.start < sweeps.end
-    }
-
-    fn look<S: Real>(&self, _: &Recorded<'_, S>, _: usize, _: u32, _: &mut Vec<Waveform>) {}
 }

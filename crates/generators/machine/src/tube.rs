@@ -53,7 +53,7 @@ impl<S: Real> Elaborated<S> {
     }
 
     /// What was written in an earlier frame, drawn again if nobody has kept it; `None` if its pose is not known.
-    fn written(&self, frame: u64) -> Option<Result<Arc<Written>, FrameError>> {
+    pub(crate) fn written(&self, frame: u64) -> Option<Result<Arc<Written>, FrameError>> {
         if let Some(written) = self.stores_before.get(frame) {
             return Some(Ok(written));
         }

@@ -1,6 +1,6 @@
 //! Which wires an elaborated machine has, and what full scale means on them.
 
-use control_plane::{Blocks, MachineStage, WrittenRaster};
+use control_plane::{Blocks, MachineStage, WrittenRaster, drum_of};
 use display_projection_processor::DERIVATIVE;
 use hardware_model::Settings;
 use scenario::Occlusion;
@@ -49,10 +49,17 @@ fn is_there(signal: &Signal, blocks: &Blocks, settings: &Settings) -> bool {
         ("txg", _) => blocks.texture,
         ("pg", _) => blocks.bodies,
         ("yoke", _) => settings.yoke.is_some(),
+        ("drum", name) => drum_of(name).is_some_and(|(drum, _)| drum < drums(blocks, settings)),
         (_, "dpp.derivative") => settings.laws.occlusion == Occlusion::Derivative,
         (_, name) if name.contains(".coarse.") => blocks.coarse.is_some(),
         _ => true,
     }
+}
+
+/// Drums of all levels.
+fn drums(blocks: &Blocks, settings: &Settings) -> usize {
+    let of_level = settings.data_banks.drum.map_or(0, |drum| drum.count as usize);
+    of_level * if blocks.coarse.is_some() { 2 } else { 1 }
 }
 
 impl Scales {

@@ -32,7 +32,7 @@ use crate::merge::merged;
 pub struct Between<'a> {
     /// Both engines of the machine.
     pub engines: &'a Engines,
-    /// Threads that draw.
+    /// Threads that draw the sweeps.
     pub pool: &'a ThreadPool,
     /// Number of the frame, counted at the update rate.
     pub frame: u64,
@@ -40,7 +40,7 @@ pub struct Between<'a> {
     pub pose: &'a Pose,
     /// Clocks of the machine.
     pub clocks: Timebase,
-    /// The same, divided.
+    /// The same clocks with more steps.
     pub divided: Timebase,
     /// Wires that went straight from sample to sample so far, and why.
     pub straight: Mutex<BTreeMap<&'static str, &'static str>>,

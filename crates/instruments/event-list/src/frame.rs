@@ -4,11 +4,13 @@ use std::str::FromStr;
 
 use generator::FrameError;
 use landscape::Level;
-use machine::{ControlPlane, FrameSweeps, MachineStage};
+use machine::{ControlPlane, DigitalEvent, FrameSweeps, MachineStage};
 use quantities::{SweepTime, Tick, Timebase};
 use scenario::Pose;
+use serde_json::Value;
 
 use crate::EventListError;
+use crate::listing::document;
 
 /// An instant of a frame: `TICK`, or `SWEEP:SAMPLE`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -69,6 +71,16 @@ impl<'a> DigitalFrame<'a> {
         }?;
         let levels = stage.landscape.bank().levels();
         Ok(Self { number, timebase: stage.settings.timebase, levels, sweeps })
+    }
+
+    /// The sweeps of the frame.
+    pub fn sweeps(&self) -> &FrameSweeps<'a> {
+        &self.sweeps
+    }
+
+    /// An event of the frame as an object of the documents of schema `lunoid.trace/1`.
+    pub fn event_json(&self, event: &DigitalEvent) -> Value {
+        document(event, self.microseconds(event.tick))
     }
 
     /// When the digital side sees an instant of a sweep.

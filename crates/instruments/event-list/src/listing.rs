@@ -217,7 +217,8 @@ fn row(event: &DigitalEvent, time: f64) -> String {
     .join(",")
 }
 
-fn document(event: &DigitalEvent, time: f64) -> Value {
+/// One event as an object; `time` from the start of its frame (µs).
+pub(crate) fn document(event: &DigitalEvent, time: f64) -> Value {
     json!({
         "tick": event.tick.0,
         "time_us": time,

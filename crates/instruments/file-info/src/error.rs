@@ -8,6 +8,7 @@ use front_door::OpenError;
 use landscape::bank_file::BankFileError;
 use photographs::PhotographFileError;
 use replay::ReplayError;
+use state::StateError;
 use survey::SurveyError;
 
 /// Why it cannot be said what a file holds.
@@ -18,7 +19,7 @@ pub enum InfoError {
     Other(String),
     /// The file begins like none that is known.
     #[error(
-        "{}: starts with {found}; expected a bank, an elevation file (GeoTIFF, PDS3, .npy), a scenario or a hardware model (.toml), a grey PNG, or the folder of a run",
+        "{}: starts with {found}; expected a bank, a state of a machine, an elevation file (GeoTIFF, PDS3, .npy), a scenario or a hardware model (.toml), a grey PNG, or the folder of a run",
         .file.display()
     )]
     UnknownStart {
@@ -27,6 +28,9 @@ pub enum InfoError {
         /// How it begins, in words.
         found: String,
     },
+    /// A state of a machine is damaged, or cannot be read.
+    #[error(transparent)]
+    State(#[from] StateError),
     /// Faults of a file that people write.
     #[error(transparent)]
     Problems(#[from] ProblemList),

@@ -1,6 +1,6 @@
 //! What a file or the folder of a run holds, in words and as a document.
 //!
-//! [`Held::of`] knows banks, elevation files, scenarios, hardware models, pictures (PNG, JPEG), and run folders. Banks and models are
+//! [`Held::of`] knows banks, states of a machine, elevation files, scenarios, hardware models, pictures (PNG, JPEG), and run folders. Banks and models are
 //! also told by themselves ([`bank_text`], [`model_document_with`] and others).
 
 mod bank;
@@ -18,6 +18,7 @@ use front_door::{KNOWN, Kind};
 use hardware_model::HardwareModel;
 use landscape::bank_file;
 use serde_json::Value;
+use state::State;
 
 use crate::model::model_document;
 
@@ -48,11 +49,21 @@ impl Held {
                 let bank = bank_file::read(path)?;
                 Ok(Self { document: bank_document(path, &bank), text: bank_text(&bank) })
             }
+            [b'L', b'U', b'N', b'O', b'S', b'T', b'A', b'T', ..] => state(path),
             [0x89, b'P', b'N', b'G', ..] | [0xFF, 0xD8, 0xFF, ..] => run::picture(path),
             _ if path.extension().is_some_and(|extension| extension == "toml") => toml(path),
             _ => elevation::elevation(path),
         }
     }
+}
+
+/// A state of a machine, whatever machine it is of.
+fn state(path: &Path) -> Result<Held, InfoError> {
+    let state = State::read(path)?;
+    let mut document = state.json();
+    document["schema"] = "lunoid.info.state/1".into();
+    document["file"] = path.display().to_string().into();
+    Ok(Held { document, text: state.text() })
 }
 
 /// A file that people write: a scenario or a model; what else there is says who reads it.

@@ -3,12 +3,14 @@
 //! ```text
 //! signal table, wires, patterns ─▶ Choice ─┐
 //! session, pose ─▶ Look ───────────────────┴─▶ trace ─▶ file of waveforms, some sweeps at a time
-//!                    └─▶ Recorded, ScopeWishes ─▶ draw ─▶ page of one sweep: PNG, SVG
+//!                    ├─▶ Recorded, ScopeWishes ─▶ draw ─▶ page of one sweep: PNG, SVG
+//!                    └─▶ sweep_space ─▶ a signal of the display, a column a sweep: PNG
 //! ```
 
 mod choice;
 mod error;
 mod page;
+mod sweep_space;
 mod trace;
 mod wishes;
 
@@ -20,6 +22,7 @@ use signal::{Waveform, Wire};
 pub use choice::{Choice, expect_known};
 pub use error::ScopeError;
 pub use page::runs_along;
+pub use sweep_space::sweep_space;
 pub use trace::{Look, Looking, Order, Tracing, WINDOW, Written, size, trace, write};
 pub use wishes::ScopeWishes;
 

@@ -7,9 +7,7 @@ use std::sync::{Mutex, PoisonError};
 use std::thread;
 
 use generator::{PlaneKind, Planes, Session};
-use landscape::Attitude;
 use picture::{AnyPicture, Encoder, PictureError};
-use quantities::degrees;
 use rayon::ThreadPool;
 use scenario::{PoseRow, View};
 use signal::Probe;
@@ -19,6 +17,7 @@ use crate::folder::{RunFolder, picture_name};
 use crate::job::{Control, Progress};
 use crate::journal::Journal;
 use crate::performance::StepTimes;
+use crate::picture_png::picture_png;
 use run_record::FrameRecord;
 use run_record::Program;
 use run_record::{FileRecord, hash};
@@ -164,19 +163,7 @@ impl Drawing<'_> {
     fn png(&self, row: &PoseRow, index: u64, picture: &AnyPicture) -> Result<Vec<u8>, PictureError> {
         let is_update = self.showings == 1;
         let rate = if is_update { self.view.update } else { self.view.refresh };
-        let [x, y, z] = row.pose.eye;
-        let Attitude { roll, pitch, heading } = row.pose.attitude;
-        let [heading, pitch, roll] = [heading, pitch, roll].map(degrees);
-        let texts = [
-            ("Software", format!("{} {}", self.program.name, self.program.version)),
-            ("Frame", index.to_string()),
-            ("Time", format!("{} s", index as f64 / rate.hertz())),
-            (
-                "Pose",
-                format!("x_m={x} y_m={y} z_m={z} heading_deg={heading} pitch_deg={pitch} roll_deg={roll}"),
-            ),
-        ];
-        picture.encode_png(&texts.each_ref().map(|(key, text)| (*key, text.as_str())))
+        picture_png(self.program, (index, rate), row, picture)
     }
 
     fn write(&self, file: String, bytes: &[u8]) -> Result<FileRecord, ReplayError> {

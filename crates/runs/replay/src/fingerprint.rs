@@ -1,6 +1,6 @@
 //! What decides the pixels of a run, in one hash.
 
-use run_record::{GroundRecord, PathRecord, SunRecord, VehicleRecord, hash};
+use run_record::{PathRecord, SunRecord, VehicleRecord, hash};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -15,7 +15,7 @@ pub(crate) fn fingerprint(job: &Job, world: &World) -> String {
         "generator": job.generator.name(),
         "view": value(&world.view),
         "settings": world.settings,
-        "ground": ground_alone(&world.ground),
+        "ground": world.ground.content(),
         "scenery": value(&world.scenery),
         "sun": SunRecord::from(&job.stage.scenery.sun(0.0)),
         "vehicle": VehicleRecord::from(&job.scenario.vehicle),
@@ -28,17 +28,6 @@ pub(crate) fn fingerprint(job: &Job, world: &World) -> String {
         document["colour"] = true.into();
     }
     hash(document.to_string().as_bytes())
-}
-
-/// The words of the ground, wherever they came from.
-fn ground_alone(ground: &GroundRecord) -> Value {
-    let mut ground = value(ground);
-    if let Some(keys) = ground.as_object_mut() {
-        for key in ["source", "title", "generator"] {
-            keys.remove(key);
-        }
-    }
-    ground
 }
 
 fn value(record: &impl Serialize) -> Value {

@@ -31,6 +31,7 @@ mod job;
 mod journal;
 mod lock;
 mod performance;
+mod picture_png;
 mod record;
 mod run;
 mod truth;
@@ -43,5 +44,6 @@ pub use folder::{PAGE, PAGE_DATA, RunFolder, SCOPE_KIND, SCOPES, is_run_file, pi
 pub use held::{HeldRun, RUN_RECORD};
 pub use job::{Control, Job, Pictures, Progress};
 pub use performance::{Phase, peak_memory};
+pub use picture_png::picture_png;
 pub use run::{Outcome, run};
 pub use truth::{TruthItems, TruthOutcome, write_truth};

@@ -94,6 +94,17 @@ impl GroundRecord {
             generator,
         }
     }
+
+    /// What decides the ground as a document: its words, wherever they came from and whatever they are called.
+    pub fn content(&self) -> Value {
+        let mut ground = json!(self);
+        if let Some(keys) = ground.as_object_mut() {
+            for key in ["source", "title", "generator"] {
+                keys.remove(key);
+            }
+        }
+        ground
+    }
 }
 
 /// Parameters of a generated landscape, in the keys of a scenario file.

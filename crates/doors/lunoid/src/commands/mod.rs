@@ -19,6 +19,7 @@ pub mod probe;
 pub mod replay;
 mod scope;
 pub mod sizing;
+pub mod state;
 pub mod study;
 pub mod survey;
 pub mod timing;
@@ -56,5 +57,6 @@ pub fn run(cli: &Cli) -> Result<Verdict, Failure> {
         Command::Cartridge(cartridge) => cartridge.run(),
         Command::Lockstep(lockstep) => lockstep.run(),
         Command::Netlist(netlist) => netlist.run(),
+        Command::State(state) => state.run(),
     }
 }

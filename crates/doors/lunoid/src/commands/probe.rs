@@ -1,5 +1,6 @@
 //! `lunoid probe`: waveforms of some signals of some sweeps.
 
+mod raster;
 mod target;
 
 use std::collections::BTreeMap;
@@ -46,7 +47,7 @@ const AFTER: &str = "Examples:
 
 The file is what its name says, or --format. FST and VCD open in GTKWave (`gtkwave tg.fst.gtkw` draws curves at once), FST in
 Surfer, NPZ in numpy, raw in ngspice, sr in PulseView; docs/waveform-files.md says what each holds. PNG and SVG are a
-page of the scope, of one sweep. About how large the file will be is said before it is written.";
+page of the scope, of one sweep; of several sweeps a PNG shows one signal of the display, sm.write, a column a sweep. About how large the file will be is said before it is written.";
 
 /// Record waveforms of some signals of some sweeps.
 #[derive(Debug, Args)]
@@ -102,10 +103,12 @@ impl ProbeCommand {
         self.expect_fitting(target)?;
         expect_outputs(&target.places("--out", &self.out), &self.chosen.stage.sources())?;
         let opened = self.chosen.stage.load()?;
-        let sweeps = self.sweeps(&opened, target)?;
         let generator = &opened.generator;
         let table = generator.signals();
         expect_known(table, &self.signals, generator.name())?;
+        let sweeps = self.sweeps(&opened)?;
+        let is_of_display = raster::of_display(target, table, &self.signals).is_some();
+        self.expect_one_sweep(target, sweeps.clone(), is_of_display)?;
         let pool = self.chosen.threads.pool()?;
         let stage = pool.install(|| opened.stage())?;
         let pose = self.pose(&opened, &stage)?;
@@ -124,6 +127,9 @@ impl ProbeCommand {
             .map(|engines| Between::new(engines, &pool, (self.chosen.frame, &pose), [clocks, scan.timebase]));
         let look: &dyn Looking = between.as_ref().map_or(&at_samples, |between| between);
         let written = match target {
+            Target::Picture if sweeps.len() > 1 => {
+                self.draw_raster(look, &choice, sweeps.clone(), &opened.settings.display)?
+            }
             Target::Picture => {
                 let seen = Seen { look, wires: &session.wires(), columns: &columns, scan };
                 self.draw(&seen, &opened, &choice, sweeps.start)?
@@ -164,15 +170,12 @@ impl ProbeCommand {
         }
     }
 
-    fn sweeps(&self, opened: &Opened, target: Target) -> Result<Range<u32>, Failure> {
+    fn sweeps(&self, opened: &Opened) -> Result<Range<u32>, Failure> {
         let (span, all) = (self.sweep, scan(opened)?.timebase.sweeps);
         let sweeps = span.within(&(0..u64::from(all))).ok_or_else(|| {
             Failure::usage(format!("--sweep {span}: a frame has sweeps 0..{all}; expected a range inside"))
         })?;
         self.chosen.expect_in(opened)?;
-        if target == Target::Picture && sweeps.end - sweeps.start != 1 {
-            return Err(Failure::usage(format!("--sweep {span}: a picture shows one sweep; expected one")));
-        }
         Ok(sweeps.start as u32..sweeps.end as u32)
     }
 

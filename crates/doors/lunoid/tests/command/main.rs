@@ -21,4 +21,5 @@ mod scene;
 mod shadow;
 mod side_by_side;
 mod stability;
+mod state;
 mod timing;

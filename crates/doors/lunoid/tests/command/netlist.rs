@@ -6,7 +6,9 @@ use serde_json::Value;
 
 use crate::scene::Scene;
 
-const CHAIN: &[&str] = &["netlist", "tiny.toml", "--frame", "1", "--sweep", "5", "--out", "chain.cir"];
+/// Samples so near one another that what is straight between them for the machine is nearly straight in the circuit.
+const CHAIN: &[&str] =
+    &["netlist", "tiny.toml", "--frame", "1", "--sweep", "5", "--samples", "640", "--out", "chain.cir"];
 
 /// Parts slow enough for the samples of the scene: a time constant that is wrong by a third shows.
 const SLOW: &[&str] = &[

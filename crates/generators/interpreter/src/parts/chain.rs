@@ -46,14 +46,20 @@ impl<'a> CellCircuit<'a> {
         }
     }
 
-    /// Product and what the D/A puts out a `share` of the step to `sample` later, of which `after` is the end.
-    fn towards(&self, after: &Self, sample: i64, share: f64) -> [f64; 2] {
+    /// Product and what the D/A puts out a `share` of the step to `sample` later, of which `after` is the end; `input` is what the
+    /// multiplier has then. What stands before a lag goes straight to its end; a part without a lag follows its input.
+    fn towards(&self, after: &Self, input: [f64; 2], sample: i64, share: f64) -> [f64; 2] {
         let straight = |from: f64, to: f64| from + (to - from) * share;
-        let lag = LagMap::of(share * self.step, self.figures.tau);
-        let product = lag.step(self.product, [self.raw, straight(self.raw, after.raw)]);
-        let mut part = self.clone();
+        let (figures, mut part) = (self.figures, self.clone());
+        let product = if figures.tau == 0.0 && figures.leak == 0.0 {
+            figures.multiply(input)
+        } else {
+            let lag = LagMap::of(share * self.step, figures.tau);
+            lag.step(self.product, [self.raw, straight(self.raw, after.raw)])
+        };
         part.divided([sample as f64 - 1.0, share], [self.product, after.product]);
-        [product, part.term]
+        let term = if figures.converter_tau == 0.0 { product * part.weight } else { part.term };
+        [product, term]
     }
 
     /// What the D/A sends to its sum a step later, at `sample`; `moved` is the change of the first input.
@@ -215,17 +221,29 @@ impl<'a> Chain<'a> {
         let mut wires = self.clone();
         for axis in 0..2 {
             wires.ramp[axis] = self.ramps[axis].towards(&after.ramps[axis], share);
-            wires.functions[axis].outputs = self.functions[axis].towards(&after.functions[axis], share);
+            let ramp = wires.ramp[axis];
+            wires.functions[axis].outputs = self.functions[axis].towards(&after.functions[axis], share, ramp);
+            let polarity = self.polarity_at(axis, sample as f64 - 1.0 + share);
+            wires.signed[axis] = with_signs(&wires.functions[axis].outputs, polarity);
         }
         for sum in 0..3 {
             let ends = self.cells[sum].iter().zip(&after.cells[sum]);
-            for (cell, (before, after)) in wires.cells[sum].iter_mut().zip(ends) {
-                [cell.product, cell.term] = before.towards(after, sample, share);
+            let signed = &wires.signed;
+            for (term, (cell, (before, after))) in wires.cells[sum].iter_mut().zip(ends).enumerate() {
+                let input = factors(signed, sum, term);
+                [cell.product, cell.term] = before.towards(after, input, sample, share);
             }
             let terms: Vec<f64> = wires.cells[sum].iter().map(|cell| cell.term).collect();
             wires.sums[sum] = self.trees[sum].towards(&after.trees[sum], share, &terms);
         }
         wires
+    }
+
+    /// Polarity of an axis with the turns up to an instant (steps).
+    fn polarity_at(&self, axis: usize, at: f64) -> f64 {
+        let turned =
+            self.turns.iter().take_while(|(turn, _)| *turn <= at).filter(|(_, of)| *of == axis).count();
+        if turned % 2 == 1 { -self.polarity[axis] } else { self.polarity[axis] }
     }
 
     /// Writes the wires at an instant into a sample (steps from the first sample); the datum is trimmed by `trim` (m).

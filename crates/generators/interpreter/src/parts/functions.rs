@@ -42,9 +42,14 @@ impl<'a> FunctionCircuits<'a> {
         self.input = now;
     }
 
-    /// Outputs a `share` of a step later, of which `after` is the end: what stands before the lags goes straight there.
-    pub fn towards(&self, after: &Self, share: f64) -> [f64; UNITS] {
+    /// Outputs a `share` of a step later, of which `after` is the end, with the ramp at `ramp`: what stands before the lags goes
+    /// straight there. A generator without a lag follows the ramp.
+    pub fn towards(&self, after: &Self, share: f64, ramp: f64) -> [f64; UNITS] {
+        let now = self.inputs(ramp);
         std::array::from_fn(|unit| {
+            if self.figures[unit].tau == 0.0 {
+                return now[unit];
+            }
             let (from, to) = (self.input[unit], after.input[unit]);
             let lag = LagMap::of(share * self.step, self.figures[unit].tau);
             lag.step(self.outputs[unit], [from, from + (to - from) * share])

@@ -2,8 +2,8 @@
 
 mod inner;
 
-use control_plane::RANGE;
 use control_plane::waveforms::{Changes, changes, feature_centres};
+use control_plane::{RANGE, drum_changes, drum_of};
 use mixing_unit::Inputs;
 use polyhedron_generator::Overlay;
 use scenario::Occlusion;
@@ -46,6 +46,7 @@ impl<S: Real> Recorded<'_, S> {
             let Changes { times, values } = match signal.axis {
                 Axis::Ground => sampled(self.along_the_ground(signal.name, lane, &mut together)),
                 Axis::Display => sampled(self.down_the_display(signal.name, lane, sweep)),
+                Axis::Changes if drum_of(signal.name).is_some() => self.drum(signal.name, sweep),
                 Axis::Changes => self.digital(signal.name, lane, &mut together),
             };
             Waveform { signal: *signal, frame: self.group.plan.frame, sweep, times, values }
@@ -64,6 +65,12 @@ impl<S: Real> Recorded<'_, S> {
             _ if group.blocks.coarse.is_some() => changes(name, &work.coarse[lane]),
             _ => Changes::default(),
         }
+    }
+
+    fn drum(&self, name: &str, sweep: u32) -> Changes {
+        let (group, clocks) = (self.group, &self.group.stage.settings.timebase);
+        let clock = clocks.sweep_clock(group.plan.frame, sweep);
+        drum_changes(name, group.digital, &clock, clocks.sweep_samples())
     }
 
     fn along_the_ground(&self, name: &str, lane: usize, together: &mut Together) -> Vec<f64> {

@@ -326,7 +326,8 @@ fn is_stdout(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-fn program() -> Program {
+/// This program, for records.
+pub fn program() -> Program {
     Program {
         name: "lunoid".into(),
         version: env!("CARGO_PKG_VERSION").into(),
