@@ -61,6 +61,7 @@ pub fn walk(scene: &ComparedScene) -> Record {
             frame: &frame,
             draw: |_, _| 0.0,
             lines: &[],
+            shadow_edges: (false, &[]),
             shadow: &[],
             parts: drawn(0, &[]),
             between: 1,

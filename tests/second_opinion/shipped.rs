@@ -1,8 +1,7 @@
 //! A few sweeps of every shipped scenario, under every shipped hardware model, on both engines.
 //!
-//! Under a model as it is, the real parts of the terrain generator are compared, from the accumulators to height and light; other
-//! blocks of real parts are not. With its parts replaced by ideal ones, everything else of the model is: raster, range programme,
-//! loader, processor, laws.
+//! Under a model as it is, all blocks of real parts are compared, from the accumulators to the video. With its parts replaced by ideal
+//! ones, everything else of the model is: raster, range programme, loader, processor, laws.
 
 use control_plane::MachineStage;
 use hardware_model::{HardwareModel, ModelSource, Settings};

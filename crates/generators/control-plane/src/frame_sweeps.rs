@@ -146,6 +146,11 @@ impl FrameSweeps<'_> {
         self.plan.direction(sweep)
     }
 
+    /// The shadow gate of a sweep, if gates were asked for.
+    pub fn gate(&self, sweep: u32) -> Option<&Gate> {
+        self.gates.get(sweep as usize)
+    }
+
     /// Shadow boundaries that the gates of all sweeps were given, and crossings that united with others and are none; 0
     /// where no gates were asked for.
     pub fn shadow_edges(&self) -> [u64; 2] {

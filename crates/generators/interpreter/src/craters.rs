@@ -18,10 +18,25 @@ pub struct Relief {
 /// A circle on which the slope jumps, where the sweep crosses it: ground range (m).
 pub type Kink = f64;
 
-/// The sum over `craters` at a place relative to the eye's foot, (north, east) in metres; `foot` is that of the eye.
-pub fn relief(craters: &[Crater], foot: [f64; 2], place: [f64; 2]) -> Relief {
+/// A crater on a sweep.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Met {
+    /// The crater.
+    pub crater: Crater,
+    /// Ground range from which it is drawn (m); negative infinity if its words were in time.
+    pub from: f64,
+}
+
+/// The sum over `craters` at a place relative to the eye's foot, (north, east) in metres, at a ground range (m); `foot` is that of the eye.
+pub fn relief(craters: &[Met], foot: [f64; 2], place: [f64; 2], range: f64) -> Relief {
     let mut sum = Relief { height: 0.0, slopes: [0.0; 2], present: false, clear: f64::INFINITY };
-    for crater in craters {
+    for Met { crater, from } in craters {
+        if from.is_finite() {
+            sum.clear = sum.clear.min((range - from).abs() / outermost(crater));
+        }
+        if range <= *from {
+            continue;
+        }
         let centre = crater.centre();
         let offset = [place[0] - (centre[0] - foot[0]), place[1] - (centre[1] - foot[1])];
         let rho = (offset[0] * offset[0] + offset[1] * offset[1]).sqrt();
@@ -40,9 +55,9 @@ pub fn relief(craters: &[Crater], foot: [f64; 2], place: [f64; 2]) -> Relief {
 }
 
 /// Ground ranges beyond the foot at which a sweep crosses a circle of any crater, ascending.
-pub fn kinks(craters: &[Crater], foot: [f64; 2], direction: [f64; 2]) -> Vec<Kink> {
+pub fn kinks(craters: &[Met], foot: [f64; 2], direction: [f64; 2]) -> Vec<Kink> {
     let mut found = Vec::new();
-    for crater in craters {
+    for Met { crater, from } in craters {
         let centre = crater.centre();
         let (north, east) = (centre[0] - foot[0], centre[1] - foot[1]);
         let along = north * direction[0] + east * direction[1];
@@ -50,7 +65,8 @@ pub fn kinks(craters: &[Crater], foot: [f64; 2], direction: [f64; 2]) -> Vec<Kin
         for circle in circles(crater) {
             let half = circle * circle - beside * beside;
             if half > 0.0 {
-                found.extend([along - half.sqrt(), along + half.sqrt()]);
+                let both = [along - half.sqrt(), along + half.sqrt()];
+                found.extend(both.into_iter().filter(|range| range >= from));
             }
         }
     }

@@ -2,6 +2,7 @@
 
 use crate::frame::Frame;
 use crate::parts::Drawn;
+use crate::parts::gates::Edge;
 use crate::shadows::ShadowLine;
 
 /// What the interpreter does not work out and takes as the machine has it.
@@ -17,6 +18,8 @@ pub struct Given<'a> {
     pub lines: &'a [ShadowLine],
     /// Gate of remote shadow at each sample, 0 or 1; empty where there is no shadow.
     pub shadow: &'a [f64],
+    /// The same gate between samples: whether it is open at the eye, and where it changes, as its line generators have it.
+    pub shadow_edges: (bool, &'a [Edge]),
     /// What a seed drew for the parts of the model.
     pub parts: Drawn<'a>,
     /// Steps of the scene's clock in a sample of the machine: 1, or more where it is told between samples.
@@ -36,4 +39,11 @@ pub fn straight(mut values: Vec<f64>, between: usize) -> Vec<f64> {
         }
     }
     values
+}
+
+/// Values at every sample of the machine as a wire of `count` steps, `between` in each sample; what is a gate stays until the next.
+pub(crate) fn spread(values: &[f64], between: usize, count: usize, is_gate: bool) -> Vec<f64> {
+    let of = |step: usize| values.get(step / between).copied().unwrap_or(0.0);
+    let wire = (0..count).map(of).collect();
+    if is_gate { wire } else { straight(wire, between) }
 }

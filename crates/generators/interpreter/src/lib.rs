@@ -15,7 +15,7 @@
 //! Files, by part of the drawing: [`scene`] and [`given`](mod@given) (what is given), [`fan`] (azimuths, ranges), [`clock`] (ticks), [`ramp`],
 //! [`registers`] and [`server`] (hold, preload registers, pointers, words on their way), [`terrain`] (function
 //! generators, products, sums), [`parts`] (the same of real parts), [`wires`] (their names), [`walk`] (one terrain generator along a sweep), [`levels`] (two of them), [`light`],
-//! [`craters`], [`loads`] (their words), [`shadows`] (words of boundaries), [`mixing`], [`output_amplifiers`], [`projector`], [`sweep`] (one sweep in order), [`coverage`] (what it does not model). For a whole
+//! [`craters`], [`loads`] (their words), [`shadows`] (words of boundaries), [`mixing`], `composite` and `switching` (generators and mixing unit, of ideal and of real parts), [`output_amplifiers`], [`projector`], `projecting` (it along a sweep), [`sweep`] (one sweep in order), [`coverage`] (what it does not model). For a whole
 //! frame: [`frame`](mod@frame), [`processor`] (set-ups), [`drums`] (with queues and storage buffer), [`demand`] (what a frame asks of them).
 //!
 //! **Our choices.** Ground range of the samples is taken as it is given, so that both engines look at the same places;
@@ -23,6 +23,7 @@
 //! before the mission.
 
 pub mod clock;
+mod composite;
 pub mod coverage;
 pub mod craters;
 pub mod demand;
@@ -38,6 +39,7 @@ pub mod mixing;
 pub mod output_amplifiers;
 pub mod parts;
 pub mod processor;
+mod projecting;
 pub mod projector;
 pub mod ramp;
 pub mod registers;
@@ -45,6 +47,7 @@ pub mod scene;
 pub mod server;
 pub mod shadows;
 pub mod sweep;
+mod switching;
 pub mod terrain;
 pub mod walk;
 pub mod wires;

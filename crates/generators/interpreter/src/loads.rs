@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use features::Crater;
-use hardware_model::Organisation;
+use hardware_model::{LatePolicy, Organisation};
 
 use crate::clock::Clock;
 use crate::event::{Event, Happening, Outcome, Part};
@@ -29,6 +29,19 @@ pub struct Passing<'a> {
 }
 
 impl Passing<'_> {
+    /// Ground range that the sweep passes at an instant (m); nothing lies behind the last sample.
+    fn range_at(&self, time: f64) -> f64 {
+        let ranges = self.ranges;
+        if time <= 0.0 {
+            return ranges[0] * (1.0 + time).max(0.0);
+        }
+        let before = time.floor() as usize;
+        match (ranges.get(before), ranges.get(before + 1)) {
+            (Some(near), Some(far)) => near + (far - near) * (time - before as f64),
+            _ => f64::INFINITY,
+        }
+    }
+
     /// When the sweep passes a ground range (accumulator steps): between two samples it goes on at one rate.
     fn time_of(&self, range: f64) -> f64 {
         let ranges = self.ranges;
@@ -47,6 +60,19 @@ pub struct Loads {
     pub events: Vec<Event>,
     /// Whether rounding says which tick sees one of them.
     pub undecided: bool,
+    /// Craters that are drawn, in the order of the list.
+    pub drawn: Vec<DrawnCrater>,
+}
+
+/// A crater in a sub-generator.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DrawnCrater {
+    /// Its number in the list.
+    pub crater: u32,
+    /// The sub-generator of its type that draws it.
+    pub sub_generator: u32,
+    /// Ground range from which it is drawn, if its words came behind its edge (m); negative infinity if they were in time.
+    pub from: f64,
 }
 
 /// A load that a sweep asks for, in the order in which it comes to need them.
@@ -74,6 +100,8 @@ pub struct Line<'a> {
     ticks: Option<i64>,
     /// Tick from which on the line is free.
     free: i64,
+    /// Whether words that come late act from then on.
+    strobes_through: bool,
     loads: Loads,
 }
 
@@ -85,7 +113,8 @@ impl<'a> Line<'a> {
         // Times of a model are rounded: a last bit makes no tick.
         let ticks = |rate: f64| (words * timebase.master.hertz() / rate * (1.0 - 1e-9)).ceil() as i64;
         let free = clock.seen(-f64::from(timebase.retrace_samples));
-        Self { passing, clock, ticks: rate.map(ticks), free, loads: Loads::default() }
+        let strobes_through = scene.settings.loader.late_policy == LatePolicy::StrobeThrough;
+        Self { passing, clock, ticks: rate.map(ticks), free, strobes_through, loads: Loads::default() }
     }
 
     /// Gives a part to each request; there are `limit` of each kind, any number if there is none.
@@ -126,7 +155,10 @@ impl<'a> Line<'a> {
 
     /// Brings words to a part that is free from ground range `free` on, or always was (m).
     fn load(&mut self, Request { part, due, end, not_before, .. }: Request, free: Option<f64>) {
-        let Some(ticks) = self.ticks else { return self.at_once(part, Outcome::InTime, due) };
+        let Some(ticks) = self.ticks else {
+            self.draw(part, f64::NEG_INFINITY);
+            return self.at_once(part, Outcome::InTime, due);
+        };
         let sets_out = not_before.map_or(free, |range| Some(free.map_or(range, |free| free.max(range))));
         let begins = sets_out.map_or(self.free, |range| self.free.max(self.seen(range)));
         if self.clock.time_of(begins) >= self.passing.time_of(end) {
@@ -137,6 +169,18 @@ impl<'a> Line<'a> {
         let slack = last_in_time - self.free;
         let outcome = if slack < 0 { Outcome::Late } else { Outcome::InTime };
         self.note(self.free, part, outcome, Some(slack));
+        let comes = self.passing.range_at(self.clock.time_of(self.free));
+        match outcome {
+            Outcome::InTime => self.draw(part, f64::NEG_INFINITY),
+            _ if self.strobes_through && comes < end => self.draw(part, comes),
+            _ => {}
+        }
+    }
+
+    fn draw(&mut self, part: Part, from: f64) {
+        if let Part::Crater { crater, sub_generator: Some(sub_generator) } = part {
+            self.loads.drawn.push(DrawnCrater { crater, sub_generator, from });
+        }
     }
 
     /// Words that could not set out before the sweep had left what they are for.
@@ -170,8 +214,10 @@ pub fn craters(scene: &SceneData<'_>, passing: &Passing<'_>) -> Loads {
     let mut requests: Vec<Request> =
         all.filter_map(|(number, crater)| request(scene, passing, number, &crater)).collect();
     requests.sort_by(|a, b| a.taken[0].total_cmp(&b.taken[0]).then(a.due.total_cmp(&b.due)));
-    Line::new(scene, passing, CRATER_WORDS, scene.settings.feature_words)
-        .serve(&requests, parts.sub_generators)
+    let mut loads = Line::new(scene, passing, CRATER_WORDS, scene.settings.feature_words)
+        .serve(&requests, parts.sub_generators);
+    loads.drawn.sort_by_key(|drawn| drawn.crater);
+    loads
 }
 
 /// What a crater asks for; none if the sweep does not meet it.

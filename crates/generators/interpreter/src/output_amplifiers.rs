@@ -7,6 +7,8 @@
 use hardware_model::WireParts;
 
 use crate::given::{Given, straight};
+use crate::parts::drawn::Drawn;
+use crate::parts::figures::sigma;
 use crate::scene::SceneData;
 
 /// Which wires lag, in accumulator steps and in their own units.
@@ -17,6 +19,9 @@ pub struct OutputAmplifiers<'a> {
     step: f64,
     between: usize,
     units: &'a [(&'static str, f64)],
+    drawn: Drawn<'a>,
+    /// Whether amplifiers differ from one another.
+    differ: bool,
 }
 
 /// One amplifier on its way along a sweep.
@@ -39,14 +44,23 @@ impl<'a> OutputAmplifiers<'a> {
             step,
             between: given.between,
             units: given.full_scales,
+            drawn: given.parts,
+            differ: analog.spread,
         }
     }
 
     /// The amplifier of a wire that lags.
     fn amplifier(&self, name: &str) -> Amplifier {
-        let tau = self.parts.bandwidth.map_or(0.0, |band| 1.0 / (2.0 * std::f64::consts::PI * band));
+        let figure = |figure: &str, nominal: f64, sigma: f64| {
+            self.drawn.figure(&format!("{name}.{figure}"), 0, nominal, if self.differ { sigma } else { 0.0 })
+        };
+        let tau = self.parts.bandwidth.map_or(0.0, |band| {
+            1.0 / (2.0 * std::f64::consts::PI * figure("driver", band, sigma::BANDWIDTH))
+        });
         let unit = self.units.iter().find(|(wire, _)| *wire == name).map_or(1.0, |(_, unit)| *unit);
-        let rate = self.parts.slew.map_or(f64::INFINITY, |slew| slew / self.full_scale * unit * self.step);
+        let rate = self.parts.slew.map_or(f64::INFINITY, |slew| {
+            figure("driver.slew", slew, sigma::SLEW) / self.full_scale * unit * self.step
+        });
         Amplifier { tau: tau / self.step, rate, last: None }
     }
 

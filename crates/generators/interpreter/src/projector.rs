@@ -128,4 +128,38 @@ impl Deflection {
         let (lines, tan_half_height) = self.raster;
         0.5 * lines * (1.0 + down / tan_half_height)
     }
+    /// Lines of the raster.
+    pub fn lines(&self) -> f64 {
+        self.raster.0
+    }
+
+    /// Middle and half of the tangents between both edges of the picture; 0 and 1 where the sweep does not run from the lower edge
+    /// to the upper one.
+    pub fn field(&self) -> [f64; 2] {
+        let [top, bottom] = [-self.raster.1, self.raster.1].map(|down| self.tangent(down));
+        let is_sound = top > bottom && top.is_finite() && bottom.is_finite();
+        if is_sound { [0.5 * (top + bottom), 0.5 * (top - bottom)] } else { [0.0, 1.0] }
+    }
+
+    /// Tangent of the elevation that is `down` below the middle of the picture, of the distance: [`line`](Self::line) solved for it.
+    fn tangent(&self, down: f64) -> f64 {
+        let (sin, cos) = (libm::sin(self.pitch), libm::cos(self.pitch));
+        let cos_beta = libm::cos(self.beta);
+        match self.law {
+            Projection::AsReported => (sin - down * cos) / (cos + down * sin),
+            Projection::Corrected => -down * cos_beta,
+            Projection::Exact => cos_beta * (sin - down * cos) / (cos + down * sin),
+        }
+    }
+}
+
+/// The cubic with value and derivative (a step) at both ends: its value and derivative at `s`.
+pub(crate) fn hermite(s: f64, [y0, m0]: [f64; 2], [y1, m1]: [f64; 2]) -> (f64, f64) {
+    let (s2, s3) = (s * s, s * s * s);
+    let value = (2.0 * s3 - 3.0 * s2 + 1.0) * y0
+        + (s3 - 2.0 * s2 + s) * m0
+        + (3.0 * s2 - 2.0 * s3) * y1
+        + (s3 - s2) * m1;
+    let slope = 6.0 * (s2 - s) * (y0 - y1) + (3.0 * s2 - 4.0 * s + 1.0) * m0 + (3.0 * s2 - 2.0 * s) * m1;
+    (value, slope)
 }

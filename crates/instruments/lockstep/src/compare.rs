@@ -2,6 +2,7 @@
 
 use control_plane::DigitalEvent;
 use features::{Crater, Shape};
+use hardware_model::AnalogParts;
 use interpreter::clock::Clock;
 use interpreter::{Event, Record, SceneData, Unknown, range_programme, why_not};
 use scenario::Scalar;
@@ -164,21 +165,23 @@ impl Sides<'_> {
 
     fn bound(&self, name: &str) -> f64 {
         let settings = self.scene.settings;
-        if name != "sweep.range" && !settings.analog.terrain_is_ideal() {
-            return bounds::of_parts(settings.scalar);
-        }
-        match name {
+        // Differences of neighbours: a rounding of either is one of a step, and a quarter of a microsecond has many.
+        let steps = match name {
+            "dpp.derivative" => (0.25e-6 * settings.timebase.sample_rate().hertz()).max(1.0),
+            _ => 1.0,
+        };
+        let craters = match name {
+            "fg.height" | "fg.slope.u" | "fg.slope.v" | "fg.reflectivity" | "mu.reflectivity"
+            | "sm.video" => self.of_craters(),
+            _ => 0.0,
+        };
+        let own = match name {
             // A rounding of 1/z shows in the farthest range by the ratio of both ends.
             "sweep.range" => 4.0 * f64::EPSILON * (settings.range.end / settings.range.start).max(16.0),
-            // Differences of neighbours: a rounding of either is one of a step, and a quarter of a microsecond has many.
-            "dpp.derivative" => {
-                let steps = 0.25e-6 * settings.timebase.sample_rate().hertz();
-                bounds::of(settings.scalar) * steps.max(1.0)
-            }
-            "fg.height" | "fg.slope.u" | "fg.slope.v" | "fg.reflectivity" | "mu.reflectivity"
-            | "sm.video" => bounds::of(settings.scalar) + self.of_craters(),
+            _ if lies_behind_parts(name, &settings.analog) => bounds::of_parts(settings.scalar),
             _ => bounds::of(settings.scalar),
-        }
+        };
+        own * steps + craters
     }
 
     fn of_craters(&self) -> f64 {
@@ -190,6 +193,7 @@ impl Sides<'_> {
     fn is_doubtful(&self, name: &str, sample: usize) -> bool {
         let margin = self.record.margins.get(name).and_then(|margins| margins.get(sample));
         let limit = match (name, self.scene.settings.scalar) {
+            (_, scalar) if lies_behind_parts(name, &self.scene.settings.analog) => bounds::undecided(scalar),
             ("dpp.blank" | "sm.video", Scalar::F64) => 4.0 * bounds::F64,
             ("dpp.blank" | "sm.video", Scalar::F32) => 4.0 * bounds::F32,
             (_, scalar) => bounds::undecided(scalar),
@@ -199,6 +203,20 @@ impl Sides<'_> {
         });
         stairs || margin.is_some_and(|&margin| margin < limit)
     }
+}
+
+/// Whether a signal comes from real parts, or from blocks that are driven by some.
+fn lies_behind_parts(name: &str, parts: &AnalogParts) -> bool {
+    let features = !parts.features_are_ideal();
+    let mixed = features || !parts.texture_is_ideal() || !parts.switching_is_ideal();
+    let own = match name.split('.').next() {
+        Some("fg") => features,
+        Some("mu") => mixed,
+        Some("dpp" | "sm") => mixed || !parts.beam_is_ideal(),
+        Some("txg") => return !parts.texture_is_ideal(),
+        _ => false,
+    };
+    name != "sweep.range" && (own || !parts.terrain_is_ideal())
 }
 
 /// Width of the narrowest ring of a crater, or the radius of its bowl (m).

@@ -5,16 +5,18 @@ use std::collections::HashSet;
 use control_plane::{ControlPlane, DigitalUnit, FrameSweeps, MachineStage};
 use data_bank::DrumUnit;
 use generator::{FrameError, Planes, Session};
+use interpreter::parts::gates::Edge;
 use interpreter::parts::{Array, Drawn};
 use interpreter::{
-    DrumFigures, Event, Frame, FrameGiven, Given, Happening, Outcome, Part, Record, SceneData, ShadowLine,
-    Unknown, interpret, range_programme, straight, why_not,
+    DrumFigures, Frame, FrameGiven, Given, Record, SceneData, ShadowLine, Unknown, interpret,
+    range_programme, straight, why_not,
 };
 use machine::Prepare;
 use parts::{NoiseSource, Spread};
 use quantities::{Timebase, unit_interval};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use scenario::Pose;
+use shadow_controller::PartsLines;
 use signal::{Axis, Probe, Waveform};
 use terrain_generator::broken_lines;
 
@@ -170,6 +172,7 @@ impl Engines {
             frame: self.frame(&scene, digital),
             scene,
             lines: self.control.shadow_lines(digital, pose.time),
+            gates: self.shadow_gates(digital),
             full_scales: self
                 .session
                 .wires()
@@ -178,6 +181,24 @@ impl Engines {
                 .collect(),
             parts: drawn(self.stage.settings.seed, &self.broken_lines),
         }
+    }
+
+    /// Gates of remote shadow of all sweeps as their line generators have them.
+    fn shadow_gates(&self, digital: &FrameSweeps<'_>) -> Vec<(bool, Vec<Edge>)> {
+        let settings = &self.stage.settings;
+        let is_real = !settings.analog.shadow_lines_are_ideal();
+        let own = || PartsLines::new(&settings.shadow_controller, &settings.analog, settings.seed);
+        let lines = is_real.then(own).flatten();
+        let gate = |sweep: u32| {
+            let gate = digital.gate(sweep)?;
+            let mut edges = gate.edges().collect();
+            if let Some(lines) = &lines {
+                lines.displace(gate, &mut edges);
+            }
+            let edges = edges.iter().map(|edge| Edge { range: edge.range, slope: edge.slope });
+            Some((gate.dark_at_start, edges.collect()))
+        };
+        (0..settings.raster.sweeps).map(|sweep| gate(sweep).unwrap_or_default()).collect()
     }
 
     /// Points of the broken lines of function generators ([`terrain_generator::broken_lines`]).
@@ -221,6 +242,8 @@ struct Own<'a> {
     scene: SceneData<'a>,
     frame: Frame,
     lines: Vec<ShadowLine>,
+    /// Gates of remote shadow by sweep: whether they are open at the eye, and where they change.
+    gates: Vec<(bool, Vec<Edge>)>,
     full_scales: Vec<(&'static str, f64)>,
     parts: Drawn<'a>,
 }
@@ -234,7 +257,10 @@ impl Own<'_> {
         });
         let steps = between as usize;
         let ranges = straight(stretched(ranges, steps), steps);
-        interpret(scene, sweep, &self.given(&ranges, &stretched(shadow, steps), steps))
+        let shadow = stretched(shadow, steps);
+        let (dark, edges) = &self.gates[self.frame.set_ups[sweep as usize] as usize];
+        let given = Given { shadow_edges: (*dark, edges), ..self.given(&ranges, &shadow, steps) };
+        interpret(scene, sweep, &given)
     }
 
     fn given<'g>(&'g self, ranges: &'g [f64], shadow: &'g [f64], between: usize) -> Given<'g> {
@@ -244,6 +270,7 @@ impl Own<'_> {
             draw: |seed, words| unit_interval(seed, &words),
             lines: &self.lines,
             shadow,
+            shadow_edges: (false, &[]),
             parts: self.parts,
             between,
             full_scales: &self.full_scales,
@@ -258,7 +285,7 @@ fn stretched(values: &[f64], between: usize) -> Vec<f64> {
 }
 
 fn unknown(record: &Record) -> Unknown {
-    Unknown { craters: record.events.iter().any(has_lost_a_crater), breaks: record.has_breaks }
+    Unknown { breaks: record.has_breaks }
 }
 
 /// What a seed draws for the parts of a model with these broken lines ([`terrain_generator::broken_lines`]), for the interpreter.
@@ -275,9 +302,4 @@ pub fn drawn(seed: u64, broken_lines: &[Vec<f64>]) -> Drawn<'_> {
 
 fn figures(DrumUnit { rotation, transfer, start_angle }: DrumUnit) -> DrumFigures {
     DrumFigures { rotation, transfer, start_angle }
-}
-
-fn has_lost_a_crater(event: &Event) -> bool {
-    let Happening::Words { part: Part::Crater { .. }, outcome, .. } = event.what else { return false };
-    outcome != Outcome::InTime
 }

@@ -2,8 +2,8 @@
 
 use features::{Crater, Shape};
 use hardware_model::{
-    Channels, CrossingServer, DataBanks, Drum, DrumQueue, FeatureParts, IoProcessor, LatePolicy, LevelSwitch,
-    Organisation, ShadowParts,
+    Channels, CrossingServer, DataBanks, Drum, DrumQueue, FeatureParts, Gate, IoProcessor, LatePolicy,
+    LevelSwitch, Organisation, ShadowParts,
 };
 use landscape::{Layer, Photometry, Sun};
 use quantities::{radians, unit_interval};
@@ -11,7 +11,7 @@ use scenario::{
     Curvature, FeatureLight, Occlusion, Projection, RangeLaw, RangeProgramme, ShadowFineness, TextureInShadow,
 };
 
-use crate::random_parts::parts;
+use crate::random_parts::{behind_the_terrain, parts};
 use crate::scene::{ComparedScene, UPDATE_HZ, level_of};
 
 /// Throws that depend on the seed and their number alone.
@@ -135,6 +135,22 @@ pub fn landscape(seed: u64) -> ComparedScene {
             // The coarse array begins where it is seen, and has forgotten all but e^-7 of an overload before that.
             scene.parts.0.amplifier.recovery = 0.0;
         }
+    }
+    scene
+}
+
+/// The same landscape on a machine of which every block may have real parts.
+pub fn machine(seed: u64) -> ComparedScene {
+    let mut scene = landscape(seed);
+    let mut dice = Dice::new(seed ^ 0x6265_616d);
+    if dice.count(0, 2) == 0 {
+        scene.parts.1 = seed;
+        behind_the_terrain(&mut dice, scene.step(), &mut scene.parts.0);
+        scene.gate = dice.choose(&[Gate::Presence, Gate::Presence, Gate::SelfKeyed]);
+    }
+    if !scene.parts.0.beam_is_ideal() {
+        // Without it rounding says whether level ground falls.
+        scene.parts.0.comparator.hysteresis = dice.choose(&[0.001, 0.01]);
     }
     scene
 }

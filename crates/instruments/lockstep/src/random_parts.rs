@@ -1,15 +1,16 @@
-//! Real parts of a terrain generator from a seed.
+//! Real parts from a seed.
 
 use std::f64::consts::PI;
 
 use hardware_model::{
-    AmplifierParts, AnalogParts, ComparatorParts, FoldDetect, FunctionGeneratorParts, MultiplierParts,
-    MultiplyingDacParts, ReflectivityParts, SweepParts,
+    AmplifierParts, AnalogParts, ComparatorParts, FeatureChainParts, FoldDetect, FunctionGeneratorParts,
+    MultiplierParts, MultiplyingDacParts, ProjectionParts, ReflectivityParts, SampleHoldParts,
+    ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts,
 };
 
 use crate::random::Dice;
 
-/// Parts for samples of `step` seconds: time constants from a twentieth of a sample to two samples, or none; every fault of a part
+/// Parts of a terrain generator, and comparators, for samples of `step` seconds: time constants from a twentieth of a sample to two samples, or none; every fault of a part
 /// there or not.
 pub fn parts(dice: &mut Dice, step: f64) -> AnalogParts {
     let full_scale = dice.choose(&[1.0, 10.0]);
@@ -48,6 +49,32 @@ pub fn parts(dice: &mut Dice, step: f64) -> AnalogParts {
         reflectivity: ReflectivityParts { delay_mismatch: dice.choose(&[0.0, 0.5 * step]) },
         ..AnalogParts::ideal()
     }
+}
+
+/// Parts of feature generator, texture generator, mixing unit and projection processor, in the same way.
+pub fn behind_the_terrain(dice: &mut Dice, step: f64, parts: &mut AnalogParts) {
+    let full_scale = parts.full_scale;
+    parts.feature = FeatureChainParts { error: dice.choose(&[0.0, 0.01]), bandwidth: bandwidth(dice, step) };
+    parts.texture =
+        TextureParts { bits: dice.choose(&[None, Some(4), Some(8)]), bandwidth: bandwidth(dice, step) };
+    parts.video_switch = VideoSwitchParts {
+        time: dice.choose(&[0.0, 0.4 * step, 3.0 * step]),
+        level_mismatch: dice.choose(&[0.0, 0.01]),
+        gain_mismatch: dice.choose(&[0.0, 0.01]),
+        delay_mismatch: dice.choose(&[0.0, 0.1 * step, 1.7 * step]),
+        crosstalk: dice.choose(&[None, Some(0.01)]),
+    };
+    parts.video_bandwidth = bandwidth(dice, step);
+    parts.projection = ProjectionParts { error: dice.choose(&[0.0, 0.01]), bandwidth: bandwidth(dice, step) };
+    parts.sample_hold = SampleHoldParts {
+        acquire: dice.choose(&[0.0, 8.0 * step]),
+        droop: dice.choose(&[0.0, 1e-4 * full_scale / step]),
+        pedestal: dice.choose(&[0.0, 0.001 * full_scale]),
+        aperture: dice.choose(&[0.0, 0.4 * step, 2.5 * step]),
+        jitter: dice.choose(&[0.0, 0.02 * step]),
+    };
+    parts.comparator.delay = dice.choose(&[0.0, 0.4 * step, 1.3 * step]);
+    parts.shadow_line = ShadowLineParts { error: dice.choose(&[0.0, 0.01]) };
 }
 
 /// Bandwidth of a part whose time constant is a part of a sample, or a few; none where it follows at once.

@@ -6,8 +6,8 @@ use control_plane::MachineStage;
 use features::{Crater, Features};
 use generator::{FrameCounts, FrameError, PlaneKind, Planes};
 use hardware_model::{
-    AnalogParts, Cpu, DataBanks, FeatureParts, HardwareModel, LatePolicy, LevelSwitch, Loader, Raster,
-    Settings, ShadowParts, SweepMemoryKind,
+    AnalogParts, Cpu, DataBanks, FeatureParts, Gate, HardwareModel, LatePolicy, LevelSwitch, Loader,
+    MixingParts, Raster, Settings, ShadowParts, SweepMemoryKind,
 };
 use landscape::{Attitude, Bank, CornerWords, Landscape, Layer, Level, Photometry, Source, Sun, Texture};
 use machine::Prepare;
@@ -85,6 +85,8 @@ pub struct ComparedScene {
     pub segment_words: Option<f64>,
     /// Turn of the view from frame to frame (rad).
     pub turn: f64,
+    /// What opens the switch of the features.
+    pub gate: Gate,
     /// Real parts, and the seed that draws their figures and their noise.
     pub parts: (AnalogParts, u64),
 }
@@ -147,6 +149,7 @@ impl ComparedScene {
             shadow_controller: ShadowParts::Digital { line_generators: None },
             segment_words: None,
             turn: 0.0,
+            gate: Gate::Presence,
             parts: (AnalogParts::ideal(), 0),
         }
     }
@@ -229,6 +232,7 @@ impl ComparedScene {
             shadows: self.shadows,
             shadow_controller: self.shadow_controller,
             segment_words: self.segment_words,
+            mixing_unit: MixingParts { gate: self.gate, ..ideal.mixing_unit },
             analog: self.parts.0.clone(),
             seed: self.parts.1,
             ..ideal

@@ -6,7 +6,7 @@ use std::ops::Range;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use scenario::Scalar;
 
-use crate::random::landscape;
+use crate::random::machine;
 use crate::report::Report;
 use crate::scene::ComparedScene;
 use crate::shrink::{Shrunk, shrink};
@@ -14,7 +14,7 @@ use crate::shrink::{Shrunk, shrink};
 /// A scene that differs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fault {
-    /// Seed of the scene, for [`random::landscape`](crate::random::landscape).
+    /// Seed of the scene, for [`random::machine`](crate::random::machine).
     pub seed: u64,
     /// Scalar of the machine.
     pub scalar: Scalar,
@@ -52,7 +52,7 @@ pub struct Trials {
 /// The scene of every seed, all sweeps of one frame.
 pub fn trials(seeds: Range<u64>, scalar: Scalar) -> Trials {
     let one = |seed: u64| {
-        let scene = ComparedScene { scalar, ..landscape(seed) };
+        let scene = ComparedScene { scalar, ..machine(seed) };
         let frame = frame_of(seed);
         let report = scene.lockstep(frame).ok();
         let difference = report.as_ref().and_then(Report::first_difference);

@@ -17,17 +17,18 @@ pub const PEAKS: [f64; 6] = [1.0, 16.0 / 81.0, 108.0 / 6250.0, 1.875, 1.0, SLOPE
 const SLOPE_OF_ORDER_TWO: f64 = 0.067_787_753_826_796_28;
 
 /// Relative deviations of parts that differ (section 0).
-mod sigma {
+pub(crate) mod sigma {
     pub const BANDWIDTH: f64 = 0.20;
     pub const SLEW: f64 = 0.15;
     pub const SWITCHING: f64 = 0.25;
     pub const SETTLING: f64 = 0.30;
+    pub const CHARGE: f64 = 0.50;
 }
 
 /// Leaks are given as shares of a sine wave of this frequency (Hz).
 const LEAKS_AT: f64 = 1e6;
 /// A converter has settled when this share of the step is left.
-const SETTLED: f64 = 1e-3;
+pub(super) const SETTLED: f64 = 1e-3;
 
 /// A ramp's converter and smoother.
 #[derive(Debug, Clone, Copy)]
@@ -152,7 +153,8 @@ pub struct Figures {
     pub preset: bool,
 }
 
-fn time_constant(bandwidth: f64) -> f64 {
+/// Time constant of a bandwidth (Hz), in seconds.
+pub(super) fn time_constant(bandwidth: f64) -> f64 {
     1.0 / (2.0 * PI * bandwidth)
 }
 
