@@ -160,7 +160,7 @@ fn an_ideal_ramp_has_its_corners_between_samples() {
         let (before, after) = ((ramp[place] - stop).abs(), (ramp[place + 1] - stop).abs());
         let share = at - at.floor();
         assert!((before * (1.0 - share) - after * share).abs() < 1e-9, "fold at {at}: {before}, {after}");
-        between += usize::from(place % 16 != 0);
+        between += usize::from(!place.is_multiple_of(16));
     }
     assert!(between > 3, "{between} folds between samples");
 }
@@ -190,7 +190,7 @@ fn a_word_acts_at_its_own_instant() {
         let is_drawn = after < product.len() - 10 * STEPS;
         if !is_alone
             || !is_drawn
-            || before % STEPS == 0
+            || before.is_multiple_of(STEPS)
             || [before, after].iter().any(|k| product[*k].abs() < 1e-7)
         {
             continue;
