@@ -21,7 +21,7 @@ pub type Kink = f64;
 /// A crater on a sweep.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Met {
-    /// The crater.
+    /// Crater of the list.
     pub crater: Crater,
     /// Ground range from which it is drawn (m); negative infinity if its words were in time.
     pub from: f64,

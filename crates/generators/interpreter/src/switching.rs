@@ -20,7 +20,7 @@ struct LitBend {
     sample: usize,
     /// Part of the step.
     share: f64,
-    /// Its instant (steps).
+    /// Instant of the edge (steps).
     at: f64,
     /// Whether there is a footprint just before and just behind it.
     present: [bool; 2],

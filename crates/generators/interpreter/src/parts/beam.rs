@@ -12,7 +12,7 @@ use super::sample_hold::SampleHold;
 use super::series::LagMap;
 use crate::projector::Deflection;
 
-/// Seconds.
+/// Length of a microsecond (s).
 const MICROSECOND: f64 = 1e-6;
 
 /// What leaves the divider is held within this share of the field.

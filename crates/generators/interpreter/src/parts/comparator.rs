@@ -87,7 +87,7 @@ struct Line {
 }
 
 impl Comparator {
-    /// With this output.
+    /// A comparator with this output.
     pub fn new(figures: ComparatorFigures, high: bool) -> Self {
         Self { figures, high, passing: None, nearest: f64::INFINITY }
     }

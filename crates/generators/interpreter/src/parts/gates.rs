@@ -5,7 +5,7 @@ use super::comparator::ComparatorFigures;
 /// Where a sweep takes what a comparator sees past its threshold.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Edge {
-    /// Ground range (m).
+    /// Ground range of the edge (m).
     pub range: f64,
     /// Slope of what the comparator sees (full scales a metre); infinite for a jump.
     pub slope: f64,

@@ -10,7 +10,7 @@ use crate::scene::SceneData;
 /// What parts are made from.
 #[derive(Debug, Clone, Copy)]
 pub struct Kit<'a> {
-    /// The model's figures.
+    /// Figures of the hardware model.
     pub analog: &'a AnalogParts,
     /// What the seed drew.
     pub drawn: &'a Drawn<'a>,

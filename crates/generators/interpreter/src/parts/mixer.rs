@@ -27,12 +27,12 @@ pub struct Inputs {
     pub texture_first: bool,
 }
 
-/// The unit's parts.
+/// Parts of the mixing unit.
 #[derive(Debug, Clone, Copy)]
 pub struct MixerFigures {
     /// Comparators of presence and of remote shadow.
     pub comparators: [ComparatorFigures; 2],
-    /// VS1 and VS2.
+    /// Figures of VS1 and of VS2.
     switches: [SwitchFigures; 2],
     /// Time constant of the video amplifier (steps).
     tau: f64,

@@ -53,7 +53,7 @@ impl SubGeneratorFigures {
 /// Part of a crater, from the outside inwards.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Zone {
-    /// Beyond the footprint.
+    /// The place lies beyond the footprint.
     Outside,
     /// Between the outer foot of the rim and the hollow.
     Ring,
@@ -64,7 +64,7 @@ pub enum Zone {
 /// A crater as a sub-generator has it on one sweep.
 #[derive(Debug, Clone, Copy)]
 pub struct Passage {
-    /// Its shape.
+    /// Shape and place of the crater.
     pub crater: Crater,
     /// Ground range at which the sweep is nearest to its centre (m).
     pub middle: f64,

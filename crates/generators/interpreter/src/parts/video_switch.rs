@@ -9,7 +9,7 @@ use super::series::LagMap;
 /// Crosstalk is told at this frequency (Hz).
 const CROSSTALK_AT: f64 = 5e6;
 
-/// One switch.
+/// Figures of one video switch.
 #[derive(Debug, Clone, Copy)]
 pub struct SwitchFigures {
     /// What input S is multiplied by, and what is added to it.
