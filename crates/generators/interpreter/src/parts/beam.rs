@@ -54,7 +54,7 @@ pub struct Driven {
 /// 1e-9 of a margin is 1e-10 of full scale, or 1e-6 of a step.
 const MARGINS: [f64; 2] = [10.0, 1e-3];
 
-/// The processor.
+/// The projection processor of the model.
 pub struct Beam<'a> {
     kit: &'a Kit<'a>,
     law: Occlusion,
@@ -78,7 +78,7 @@ impl<'a> Beam<'a> {
         }
     }
 
-    /// Projects a sweep.
+    /// Projects the samples of a sweep.
     pub fn project(&self, profile: &Profile) -> Driven {
         let end = profile.tangents.len();
         let [middle, half] = self.deflection.field();
