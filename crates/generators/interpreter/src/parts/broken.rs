@@ -1,6 +1,6 @@
 //! A signal that is straight between its samples, but for places at which it jumps or bends.
 
-/// Such a place.
+/// A place at which a signal jumps or bends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Jump {
     /// Its instant (steps from the first sample).

@@ -41,7 +41,7 @@ pub struct Bend {
     pub sample: usize,
     /// Part of the step, 0..=1.
     pub share: f64,
-    /// Ground range (m).
+    /// Ground range of the place (m).
     pub range: f64,
     /// What craters add to the height there (m).
     pub height: f64,

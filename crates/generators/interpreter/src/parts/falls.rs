@@ -15,7 +15,7 @@ const NOISE_BAND: f64 = 10e6;
 /// Time constants after which a parabola has settled.
 const SETTLED: f64 = 45.0;
 
-/// Differentiator and comparator.
+/// Differentiator and comparator of the beam.
 #[derive(Debug, Clone, Copy)]
 pub struct Falls {
     /// Poles of the differentiator over a sample; none where it has no lag.

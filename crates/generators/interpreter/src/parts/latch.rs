@@ -46,7 +46,7 @@ impl Occluded {
 /// Parts of the circuit.
 #[derive(Clone, Copy)]
 pub struct Parts<'a> {
-    /// The sample-and-hold.
+    /// Sample-and-hold of the latch.
     pub hold: &'a SampleHold,
     /// The comparator of elevation against hold.
     pub comparator: ComparatorFigures,
