@@ -14,6 +14,20 @@ pub fn why_not(signal: &str, settings: &Settings, unknown: Unknown) -> Option<&'
     behind_amplifiers(signal, settings, unknown).or_else(|| inside_blocks(signal, settings, unknown))
 }
 
+/// Why the interpreter has `signal` at the samples of the machine alone, and straight between them; `None` if it has it at every step.
+pub fn why_straight(signal: &str, settings: &Settings) -> Option<&'static str> {
+    let parts = &settings.analog;
+    let features = || (!parts.features_are_ideal()).then_some("real parts of the feature generator");
+    let switching = || (!parts.switching_is_ideal()).then_some("real parts of the mixing unit");
+    let beam = || (!parts.beam_is_ideal()).then_some("real parts of projection processor or write gun");
+    match signal.split('.').next() {
+        Some("fg" | "sc" | "mu") => features().or_else(switching),
+        Some("dpp") => features().or_else(beam),
+        Some("sm") => features().or_else(switching).or_else(beam),
+        _ => None,
+    }
+}
+
 /// Main signals and what lies behind them, where they have output amplifiers: the terrain's it knows everywhere, the others between
 /// rims and edges of shadow.
 fn behind_amplifiers(signal: &str, settings: &Settings, unknown: Unknown) -> Option<&'static str> {

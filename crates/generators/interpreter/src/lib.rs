@@ -52,7 +52,7 @@ pub mod terrain;
 pub mod walk;
 pub mod wires;
 
-pub use coverage::{Unknown, why_not};
+pub use coverage::{Unknown, why_not, why_straight};
 pub use drums::{Arrivals, DrumFigures};
 pub use event::{AskedFor, Event, FromDrum, Happening, Outcome, Part, Register};
 pub use fan::range_programme;

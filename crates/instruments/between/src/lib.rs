@@ -11,7 +11,7 @@
 //! **How it is computed.** The second engine follows the sweep on a divided clock. It agrees with the machine at samples to 1e-9 of
 //! full scale; what is left there is taken off in between, straight from sample to sample. At samples the values are the machine's own bits.
 //! **Our choices.** A gate is what it is at each instant. A wire on which the second engine has no opinion goes straight from sample to
-//! sample, a gate of that kind stays, and [`Between::straight`] names them. Beyond the stored ground a wire keeps its value.
+//! sample, as behind real parts of feature generator, mixing unit and projection processor; a gate of that kind stays, and [`Between::straight`] names them. Beyond the stored ground a wire keeps its value.
 
 mod merge;
 
@@ -31,19 +31,19 @@ use crate::merge::merged;
 /// Looks at the sweeps of a frame between samples.
 pub struct Between<'a> {
     /// Both engines of the machine.
-    pub engines: &'a Engines,
+    engines: &'a Engines,
     /// Threads that draw the sweeps.
-    pub pool: &'a ThreadPool,
+    pool: &'a ThreadPool,
     /// Number of the frame, counted at the update rate.
-    pub frame: u64,
+    frame: u64,
     /// Where it is seen from.
-    pub pose: &'a Pose,
+    pose: &'a Pose,
     /// Clocks of the machine.
-    pub clocks: Timebase,
+    clocks: Timebase,
     /// The same clocks with more steps.
-    pub divided: Timebase,
+    divided: Timebase,
     /// Wires that went straight from sample to sample so far, and why.
-    pub straight: Mutex<BTreeMap<&'static str, &'static str>>,
+    straight: Mutex<BTreeMap<&'static str, &'static str>>,
 }
 
 impl<'a> Between<'a> {
@@ -70,7 +70,7 @@ impl<'a> Between<'a> {
         let steps = (self.divided.sweep_samples() / self.clocks.sweep_samples()) as usize;
         let mut straight = self.straight.lock().unwrap_or_else(PoisonError::into_inner);
         let one = |wave: Waveform| {
-            let why = self.engines.why_not(wave.signal.name, &record);
+            let why = self.engines.why_straight(wave.signal.name, &record);
             let own = record.signals.get(wave.signal.name).filter(|_| why.is_none());
             if let Some(why) = why {
                 straight.insert(wave.signal.name, why);

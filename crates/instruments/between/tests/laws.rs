@@ -9,7 +9,7 @@ use lockstep::Engines;
 use machine::Prepare;
 use scenario::{Pose, Scalar};
 use scope::{Look, Looking};
-use signal::Waveform;
+use signal::{Unit, Waveform};
 
 const FRAME: u64 = 1;
 const SWEEP: u32 = 20;
@@ -91,6 +91,29 @@ fn at_samples_the_values_are_the_machines_bits() {
             };
             let expected: Vec<u64> = plain.values.iter().map(|value| value.to_bits()).collect();
             assert_eq!(at_samples, expected, "{machine}: {name}");
+        }
+    }
+}
+
+/// A wire that goes straight from sample to sample is named with its reason, and no other is.
+#[test]
+fn what_goes_straight_is_named() {
+    for (machine, named) in [("pra-nominal", true), ("ideal", false)] {
+        let told = Told::new("full-drive", machine, &[]);
+        let clocks = told.opened.settings.timebase;
+        let divided = clocks.divided(2).unwrap();
+        let between = Between::new(&told.engines, &told.pool, (FRAME, &told.pose), [clocks, divided]);
+        let names = ["tg.sum.height", "fg.height", "mu.vs1", "dpp.y", "sm.video"];
+        let waves = between.at(names.map(str::to_owned).to_vec(), SWEEP..SWEEP + 1).unwrap();
+        let straight = between.straight();
+        assert!(!straight.contains_key("tg.sum.height"));
+        for wave in waves.iter().filter(|wave| wave.signal.name != "tg.sum.height") {
+            assert_eq!(straight.contains_key(wave.signal.name), named, "{machine}: {straight:?}");
+            let halves = wave.values.chunks_exact(2).zip(wave.values.iter().skip(2).step_by(2));
+            let is_straight = |(pair, next): (&[f64], &f64)| pair[1] == pair[0] + (next - pair[0]) * 0.5;
+            if named && wave.signal.unit != Unit::Gate {
+                assert!(halves.into_iter().all(is_straight), "{machine}: {}", wave.signal.name);
+            }
         }
     }
 }

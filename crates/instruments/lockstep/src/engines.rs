@@ -9,7 +9,7 @@ use interpreter::parts::gates::Edge;
 use interpreter::parts::{Array, Drawn};
 use interpreter::{
     DrumFigures, Frame, FrameGiven, Given, Record, SceneData, ShadowLine, Unknown, interpret,
-    range_programme, straight, why_not,
+    range_programme, straight, why_not, why_straight,
 };
 use machine::Prepare;
 use parts::{NoiseSource, Spread};
@@ -164,6 +164,11 @@ impl Engines {
     /// Why the interpreter has no opinion on a signal of a sweep, as it has followed it.
     pub fn why_not(&self, signal: &str, record: &Record) -> Option<&'static str> {
         why_not(signal, &self.stage.settings, unknown(record))
+    }
+
+    /// Why the interpreter has nothing to say of a signal of a sweep between samples.
+    pub fn why_straight(&self, signal: &str, record: &Record) -> Option<&'static str> {
+        self.why_not(signal, record).or_else(|| why_straight(signal, &self.stage.settings))
     }
 
     fn own<'a>(&'a self, digital: &FrameSweeps<'_>, (frame, pose): (u64, &Pose)) -> Own<'a> {
