@@ -24,7 +24,7 @@ use quantities::Timebase;
 use rayon::ThreadPool;
 use scenario::Pose;
 use scope::{Looking, ScopeError};
-use signal::Waveform;
+use signal::{Axis, Waveform};
 
 use crate::merge::merged;
 
@@ -72,7 +72,7 @@ impl<'a> Between<'a> {
         let one = |wave: Waveform| {
             let why = self.engines.why_straight(wave.signal.name, &record);
             let own = record.signals.get(wave.signal.name).filter(|_| why.is_none());
-            if let Some(why) = why {
+            if let Some(why) = why.filter(|_| wave.signal.axis == Axis::Ground) {
                 straight.insert(wave.signal.name, why);
             }
             merged(wave, own.map(Vec::as_slice), steps)
