@@ -51,7 +51,7 @@ pub fn walk(scene: &ComparedScene) -> Record {
         frame: 0,
         course: &[],
     };
-    let frame = interpreter::frame(&scene, &FrameGiven { crossings: &[], vertices: 0, drums: [&[], &[]] });
+    let frame = interpreter::frame(&scene, &FrameGiven { crossings: &[], vertices: 0, banks: &[] });
     let ranges = range_programme(&stage.settings.range, stage.settings.raster.samples);
     interpret(
         &scene,

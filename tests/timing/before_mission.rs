@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use control_plane::{ControlPlane, MachineStage};
-use data_bank::DataBank;
+use data_bank::{Contents, DataBank, StoreDesign};
 use dpu::HOME_SETS;
 use hardware_model::{Channels, Cpu, CrossingServer, DataBanks, Drum, DrumQueue, IoProcessor, Loader};
 use lunoid_tests::ComparedScene;
@@ -91,8 +91,11 @@ fn the_first_sector_comes_from_the_drums_of_the_mission() {
         shared.push(task.ticks);
         // Every record of the sector is read by one of two drums, and each needs its place under the heads.
         let level = scene().level;
-        let bank = DataBank::new(drums(channels).drum.unwrap(), channels, Some(9 * 800), level.corners(), 0);
-        let units: Vec<_> = bank.drums().collect();
+        let drum = drums(channels).drum.unwrap();
+        let contents = Contents::Corners(level.corners());
+        let record_words = drum.record_words;
+        let store = StoreDesign { contents, record_words, buffer_words: Some(9 * 800), edit: 0.0 };
+        let units: Vec<_> = DataBank::new(drum, channels, &[store], 0).drums(0).collect();
         let transfer = units.iter().map(|unit| unit.transfer).min().unwrap();
         let at_once = channels.count.map_or(2, u64::from);
         assert!(task.pieces > 20 && task.ticks > task.pieces / at_once * transfer, "{task:?}");

@@ -1,6 +1,6 @@
 //! Drums of a view that turns (hardware sections 4.7 and 8, number 10).
 
-use control_plane::{ControlPlane, DigitalUnit, EventWord, MachineStage};
+use control_plane::{ControlPlane, DataKind, DigitalUnit, EventWord, MachineStage};
 use generator::Planes;
 use hardware_model::{Channels, DataBanks, Drum, DrumQueue};
 use landscape::Attitude;
@@ -164,7 +164,7 @@ fn wires_of_a_drum_tell_what_it_brings() {
         ticks.collect()
     };
     let turns = wire("drum.0.index");
-    let rotation = control.drums(0)[0].rotation;
+    let rotation = control.drums(DataKind::Fine)[0].rotation;
     assert!(!turns.is_empty());
     for pair in turns.windows(2) {
         assert_eq!((pair[1].0 - pair[0].0, pair[1].1 - pair[0].1), (rotation, 1.0));
@@ -174,7 +174,7 @@ fn wires_of_a_drum_tell_what_it_brings() {
     let brought = events.iter().filter(|event| event.event == EventWord::Record);
     let brought: Vec<(u64, f64)> = brought
         .map(|event| {
-            assert_eq!(event.unit, DigitalUnit::Drum(0, 0));
+            assert_eq!(event.unit, DigitalUnit::Drum(DataKind::Fine, 0));
             let [north, east] = event.corner.unwrap();
             (event.tick.0, (north * columns + east) as f64)
         })

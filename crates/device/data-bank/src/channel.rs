@@ -1,24 +1,26 @@
 //! Drums that share a channel, followed in order of time.
 
 use crate::drum::{DrumAtWork, Event};
+use crate::key::Key;
 use crate::span::Span;
 
 /// What a channel and its drums did.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(crate) struct ChannelWork {
-    /// Ticks in which it carried a record.
-    pub(crate) carried: u64,
-    /// Ticks in which each of its drums turned to a record or read it.
-    pub(crate) busy: Vec<u64>,
+    /// Ticks in which it carried a record, by store.
+    pub(crate) carried: Vec<u64>,
+    /// Ticks in which each of its drums turned to a record or read it, by store.
+    pub(crate) busy: Vec<Vec<u64>>,
     /// Records that arrived, with their tick.
-    pub(crate) arrived: Vec<(u32, u64)>,
+    pub(crate) arrived: Vec<(Key, u64)>,
 }
 
-/// The drums of one channel through `span`: what arrives with its last tick belongs to it. With `serves` a drum that is free
+/// The drums of one channel through `span`, with records of `stores` stores: what arrives with its last tick belongs to it. With `serves` a drum that is free
 /// turns to its next request. A record that passes while the channel carries another waits for the next turn; of two that
 /// pass in one tick that of the drum with the lower number is read (our choice).
-pub(crate) fn work(drums: &mut [&mut DrumAtWork], span: Span, serves: bool) -> ChannelWork {
-    let mut done = ChannelWork { busy: vec![0; drums.len()], ..ChannelWork::default() };
+pub(crate) fn work(drums: &mut [&mut DrumAtWork], stores: usize, span: Span, serves: bool) -> ChannelWork {
+    let (carried, busy) = (vec![0; stores], vec![vec![0; stores]; drums.len()]);
+    let mut done = ChannelWork { carried, busy, arrived: Vec::new() };
     if serves && span.start < span.end {
         drums
             .iter_mut()
@@ -55,8 +57,8 @@ fn next_event(drums: &[&mut DrumAtWork]) -> Option<(u64, Event, usize)> {
 impl ChannelWork {
     /// Counts the record that a drum is at.
     fn count(&mut self, number: usize, drum: &DrumAtWork, span: Span) {
-        let [busy, carried] = drum.time_at_record(span);
-        self.busy[number] += busy;
-        self.carried += carried;
+        let Some((key, [busy, carried])) = drum.time_at_record(span) else { return };
+        self.busy[number][key.store as usize] += busy;
+        self.carried[key.store as usize] += carried;
     }
 }

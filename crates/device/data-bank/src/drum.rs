@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use hardware_model::{Channels, Drum, DrumQueue};
 use quantities::unit_interval;
 
+use crate::key::Key;
 use crate::span::Span;
 use crate::state::{DrumState, Heads};
 
@@ -56,8 +57,11 @@ impl DrumUnit {
     }
 }
 
-/// A request that waits: place that decides (0 for all under FIFO), rank in the demand, record.
-type Waiting = (u64, u32, u32);
+/// A request that waits: place that decides (0 for all under FIFO), rank in the demands, record.
+type Waiting = (u64, u32, Key);
+
+/// Before all records.
+const FIRST: Key = Key { store: 0, record: 0 };
 
 /// What happens next to a drum, and when; of one tick, what stands first comes first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -71,7 +75,8 @@ pub(crate) enum Event {
 /// A drum with its queue.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct DrumAtWork {
-    pub(crate) unit: DrumUnit,
+    /// The drum with the transfer of a record of each store.
+    units: Vec<DrumUnit>,
     discipline: DrumQueue,
     /// Drums that share the records.
     count: u32,
@@ -80,37 +85,45 @@ pub(crate) struct DrumAtWork {
 }
 
 impl DrumAtWork {
-    /// An idle drum, one of `count`.
-    pub(crate) fn new(unit: DrumUnit, discipline: DrumQueue, count: u32) -> Self {
-        Self { unit, discipline, count, waiting: BTreeSet::new(), heads: Heads::Idle }
+    /// An idle drum, one of `count`, as each store sees it.
+    pub(crate) fn new(units: Vec<DrumUnit>, discipline: DrumQueue, count: u32) -> Self {
+        Self { units, discipline, count, waiting: BTreeSet::new(), heads: Heads::Idle }
+    }
+
+    /// The drum with the transfer of a record of store `store`.
+    pub(crate) fn unit(&self, store: u32) -> DrumUnit {
+        self.units[store as usize]
     }
 
     /// Forgets the queue at `tick`, and the record that it turns to or reads unless it is `wanted` still. One that had to
     /// pass because the channel was taken is looked at again.
-    pub(crate) fn clear(&mut self, tick: u64, wanted: impl Fn(u32) -> bool) {
+    pub(crate) fn clear(&mut self, tick: u64, wanted: impl Fn(Key) -> bool) {
         self.waiting.clear();
-        if self.record().is_some_and(|record| !wanted(record)) {
+        if self.record().is_some_and(|key| !wanted(key)) {
             self.heads = Heads::Idle;
         }
-        if let Heads::Turning { record, begun, .. } = self.heads {
-            self.heads = self.turning(record, begun, tick);
+        if let Heads::Turning { store, record, begun, .. } = self.heads {
+            self.heads = self.turning(Key { store, record }, begun, tick);
         }
     }
 
     /// Puts a record in the queue, unless it is under the heads.
-    pub(crate) fn enqueue(&mut self, record: u32, rank: u32) {
-        if self.record() != Some(record) {
+    pub(crate) fn enqueue(&mut self, key: Key, rank: u32) {
+        if self.record() != Some(key) {
             let place = match self.discipline {
                 DrumQueue::Fifo => 0,
-                DrumQueue::ShortestLatency => self.place_of(record),
+                DrumQueue::ShortestLatency => self.place_of(key),
             };
-            self.waiting.insert((place, rank, record));
+            self.waiting.insert((place, rank, key));
         }
     }
 
     /// Heads and queue as they are.
     pub(crate) fn state(&self) -> DrumState {
-        DrumState { heads: self.heads, waiting: self.waiting.iter().map(|&(_, _, record)| record).collect() }
+        DrumState {
+            heads: self.heads,
+            waiting: self.waiting.iter().map(|&(_, _, key)| (key.store, key.record)).collect(),
+        }
     }
 
     /// Requests open, with the one under the heads.
@@ -119,10 +132,12 @@ impl DrumAtWork {
     }
 
     /// The record that it turns to or reads.
-    fn record(&self) -> Option<u32> {
+    fn record(&self) -> Option<Key> {
         match self.heads {
             Heads::Idle => None,
-            Heads::Turning { record, .. } | Heads::Reading { record, .. } => Some(record),
+            Heads::Turning { store, record, .. } | Heads::Reading { store, record, .. } => {
+                Some(Key { store, record })
+            }
         }
     }
 
@@ -131,7 +146,7 @@ impl DrumAtWork {
         match self.heads {
             Heads::Idle => None,
             Heads::Turning { under, .. } => Some((under, Event::Passage)),
-            Heads::Reading { under, .. } => Some((self.read_until(under), Event::Arrival)),
+            Heads::Reading { store, under, .. } => Some((self.read_until(store, under), Event::Arrival)),
         }
     }
 
@@ -142,34 +157,35 @@ impl DrumAtWork {
 
     /// The record that passes is read.
     pub(crate) fn read(&mut self) {
-        if let Heads::Turning { record, begun, under } = self.heads {
-            self.heads = Heads::Reading { record, begun, under };
+        if let Heads::Turning { store, record, begun, under } = self.heads {
+            self.heads = Heads::Reading { store, record, begun, under };
         }
     }
 
     /// The record passes, for the channel is taken until `free`.
     pub(crate) fn let_pass(&mut self, free: u64) {
-        if let Heads::Turning { record, begun, .. } = self.heads {
-            self.heads = self.turning(record, begun, free);
+        if let Heads::Turning { store, record, begun, .. } = self.heads {
+            self.heads = self.turning(Key { store, record }, begun, free);
         }
     }
 
     /// The record that has been read, with its tick.
-    pub(crate) fn finish(&mut self) -> Option<(u32, u64)> {
-        let Heads::Reading { record, under, .. } = self.heads else { return None };
+    pub(crate) fn finish(&mut self) -> Option<(Key, u64)> {
+        let Heads::Reading { store, record, under, .. } = self.heads else { return None };
         self.heads = Heads::Idle;
-        Some((record, self.read_until(under)))
+        Some((Key { store, record }, self.read_until(store, under)))
     }
 
-    /// Ticks of `span` in which it turned to its present record or read it, and in which its channel carried it.
-    pub(crate) fn time_at_record(&self, span: Span) -> [u64; 2] {
-        match self.heads {
+    /// Its present record, with the ticks of `span` in which it turned to it or read it, and in which its channel carried it.
+    pub(crate) fn time_at_record(&self, span: Span) -> Option<(Key, [u64; 2])> {
+        let ticks = match self.heads {
             Heads::Idle => [0, 0],
             Heads::Turning { begun, .. } => [span.part(begun, span.end), 0],
-            Heads::Reading { begun, under, .. } => {
-                [begun, under].map(|from| span.part(from, self.read_until(under)))
+            Heads::Reading { store, begun, under, .. } => {
+                [begun, under].map(|from| span.part(from, self.read_until(store, under)))
             }
-        }
+        };
+        Some((self.record()?, ticks))
     }
 
     /// Turns to the request that the discipline serves from `now` on, if any waits.
@@ -177,9 +193,9 @@ impl DrumAtWork {
         // All FIFO requests wait at place 0, so that the first at or behind 0 is the first of all.
         let angle = match self.discipline {
             DrumQueue::Fifo => 0,
-            DrumQueue::ShortestLatency => self.unit.angle(now),
+            DrumQueue::ShortestLatency => self.units[0].angle(now),
         };
-        let next = self.waiting.range((angle, 0, 0)..).next().or_else(|| self.waiting.first()).copied();
+        let next = self.waiting.range((angle, 0, FIRST)..).next().or_else(|| self.waiting.first()).copied();
         if let Some(next) = next {
             self.waiting.remove(&next);
             self.heads = self.turning(next.2, now, now);
@@ -187,15 +203,16 @@ impl DrumAtWork {
     }
 
     /// Turning to a record since `begun`, to read it where it passes from `tick` on.
-    fn turning(&self, record: u32, begun: u64, tick: u64) -> Heads {
-        Heads::Turning { record, begun, under: self.unit.passes(self.place_of(record), tick) }
+    fn turning(&self, key: Key, begun: u64, tick: u64) -> Heads {
+        let under = self.unit(key.store).passes(self.place_of(key), tick);
+        Heads::Turning { store: key.store, record: key.record, begun, under }
     }
 
-    fn read_until(&self, under: u64) -> u64 {
-        under.saturating_add(self.unit.transfer)
+    fn read_until(&self, store: u32, under: u64) -> u64 {
+        under.saturating_add(self.unit(store).transfer)
     }
 
-    fn place_of(&self, record: u32) -> u64 {
-        self.unit.place(record / self.count)
+    fn place_of(&self, key: Key) -> u64 {
+        self.unit(key.store).place(key.record / self.count)
     }
 }

@@ -3,20 +3,29 @@
 /// A data bank between two frames. With the figures of its model it decides all frames that follow.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct BankState {
+    /// The stores of its kinds of data, in their order.
+    pub stores: Vec<StoreState>,
+    /// The drums, by number.
+    pub drums: Vec<DrumState>,
+}
+
+/// The store of one kind of data between two frames.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct StoreState {
     /// Whether the buffer was filled for the first frame.
     pub loaded: bool,
     /// Records in the storage buffer, ascending.
     pub held: Vec<HeldRecord>,
     /// Records on order, ascending.
     pub orders: Vec<OrderedRecord>,
-    /// The drums, by number.
-    pub drums: Vec<DrumState>,
+    /// Records that the I/O processor edits, each with the tick at which it is done.
+    pub editing: Vec<(u32, u64)>,
 }
 
 /// A record in the storage buffer.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct HeldRecord {
-    /// Number of the record in its level.
+    /// Number of the record in its store.
     pub record: u32,
     /// Frame that demanded it last.
     pub frame: u64,
@@ -38,8 +47,8 @@ pub struct OrderedRecord {
 pub struct DrumState {
     /// What its heads are at.
     pub heads: Heads,
-    /// Records that wait for it, in the order of its queue.
-    pub waiting: Vec<u32>,
+    /// Records that wait for it, in the order of its queue: number of the store, number of the record.
+    pub waiting: Vec<(u32, u32)>,
 }
 
 /// What the heads of a drum are at; times in ticks of the master clock.
@@ -49,7 +58,9 @@ pub enum Heads {
     Idle,
     /// The drum turns to a record.
     Turning {
-        /// Number of the record.
+        /// Number of the store that it is of.
+        store: u32,
+        /// Number of the record in its store.
         record: u32,
         /// When the drum began to turn to it.
         begun: u64,
@@ -58,7 +69,9 @@ pub enum Heads {
     },
     /// The drum reads a record, over its channel.
     Reading {
-        /// Number of the record.
+        /// Number of the store that it is of.
+        store: u32,
+        /// Number of the record in its store.
         record: u32,
         /// When the drum began to turn to it.
         begun: u64,

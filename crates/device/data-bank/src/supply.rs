@@ -11,26 +11,44 @@ pub struct Demand {
     pub start: Tick,
     /// End of the frame: the start of the next demand.
     pub end: Tick,
-    /// Corners, as indices into the words of their level; most urgent first. A corner may be named twice.
-    pub corners: Vec<u32>,
+    /// What each store is asked for, most urgent first. A piece may be named twice.
+    pub wants: Vec<Vec<Piece>>,
 }
 
-/// A demanded corner that the storage buffer does not hold as the frame begins.
+/// A piece of data that is wanted whole.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Piece {
+    /// Index of the corner into the words of its level, or number of the square of ground.
+    pub item: u32,
+    /// Records of its chain, at least 1; a corner has one.
+    pub records: u32,
+}
+
+impl Piece {
+    /// A piece that lies in one record.
+    pub fn one(item: u32) -> Self {
+        Self { item, records: 1 }
+    }
+}
+
+/// A demanded piece that the storage buffer does not hold whole as the frame begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Missing {
-    /// Index into the words of the level.
-    pub corner: u32,
-    /// Drum that has its record.
+    /// Index of the corner into the words of its level, or number of the square of ground.
+    pub item: u32,
+    /// Drum that has its first record.
     pub drum: u32,
-    /// When its words are in the buffer; `None` if not before the frame ends.
+    /// When its last words are in the buffer; `None` if not before the frame ends.
     pub arrival: Option<Tick>,
 }
 
-/// What the data bank did in one frame. Counts are of records.
+/// What a data bank did in one frame for one store. Counts are of records.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct FrameSupply {
-    /// Demanded corners that are not there at the start, ascending.
+    /// Demanded pieces that are not there at the start, ascending.
     pub missing: Vec<Missing>,
+    /// Pieces that the demand names, each once.
+    pub pieces: u64,
     /// Records that the demand touches: those present, on order from frames before, requested now, without room.
     pub wanted: u64,
     /// Of these, held in the buffer at the start.
@@ -47,11 +65,13 @@ pub struct FrameSupply {
     pub evicted: u64,
     /// Requests that are still open as the frame ends.
     pub pending: u64,
-    /// Master ticks of the frame that each drum spent turning to a record and reading it.
+    /// Master ticks of the frame that each drum spent turning to records of the store and reading them.
     pub busy: Vec<u64>,
-    /// Master ticks of the frame in which each channel carried a record.
+    /// Master ticks of the frame in which each channel carried a record of the store.
     pub carried: Vec<u64>,
-    /// Longest queue of a drum, with the record under its heads.
+    /// Master ticks of the frame in which the I/O processor edited records.
+    pub edited: u64,
+    /// Longest queue of a drum, with the record under its heads and those of other stores.
     pub longest_queue: u32,
     /// Longest time from request to arrival, of the records delivered (ticks).
     pub latency_max: u64,

@@ -5,11 +5,11 @@ use landscape::Level;
 /// The ground that a frame's fan of sweeps covers: a sector less than half a turn wide, or all around.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sector {
-    /// Foot of the eye, in regions from the corner lattice's origin.
+    /// Foot of the eye: in regions from the corner lattice's origin, where regions are asked for.
     pub foot: [f64; 2],
     /// Cosine and sine of the azimuth of the leftmost and of the rightmost sweep; none of a sector that goes all around.
     pub edges: Option<[[f64; 2]; 2]>,
-    /// Ground range of the last sample, in regions.
+    /// Ground range of the last sample, in the same lengths.
     pub range: f64,
 }
 
@@ -46,14 +46,29 @@ impl Sector {
         [self.foot[1] + west - 2.0, self.foot[1] + east + 1.0]
     }
 
-    /// Whether a region has a corner on the inner side of both edges, if there are any, and is not beyond the range.
     fn touches(&self, [m, n]: [usize; 2]) -> bool {
-        let corner = |i: usize, j: usize| [(m + i) as f64 - self.foot[0], (n + j) as f64 - self.foot[1]];
-        let corners = [corner(0, 0), corner(0, 1), corner(1, 0), corner(1, 1)];
+        let from_foot = |m: usize, n: usize| [m as f64 - self.foot[0], n as f64 - self.foot[1]];
+        self.is_between(from_foot(m, n), from_foot(m + 1, n + 1))
+    }
+
+    /// Whether the sector may touch a rectangle, wherever it lies. `low` and `high`: its south-west and north-east corner, from the
+    /// foot, in the lengths of the sector.
+    pub fn meets(&self, low: [f64; 2], high: [f64; 2]) -> bool {
+        let is_ahead = |[left, right]: [[f64; 2]; 2]| {
+            let ahead = [left[0] + right[0], left[1] + right[1]];
+            let farthest = (0..2).map(|axis| (ahead[axis] * low[axis]).max(ahead[axis] * high[axis]));
+            farthest.sum::<f64>() >= -1e-9
+        };
+        self.edges.is_none_or(is_ahead) && self.is_between(low, high)
+    }
+
+    /// Whether a rectangle has a corner on the inner side of both edges, if there are any, and is not beyond the range.
+    fn is_between(&self, low: [f64; 2], high: [f64; 2]) -> bool {
+        let corners = [low, [low[0], high[1]], [high[0], low[1]], high];
         let cross = |a: [f64; 2], b: [f64; 2]| a[0] * b[1] - a[1] * b[0];
         // A sweep along a boundary belongs to both regions: rounding must not lose one.
         let inner = |side: f64| side >= -1e-9;
-        let nearest = corner(0, 0).map(|side| if side > 0.0 { side } else { (side + 1.0).min(0.0) });
+        let nearest = [0, 1].map(|axis| if low[axis] > 0.0 { low[axis] } else { high[axis].min(0.0) });
         let is_between = |[left, right]: [[f64; 2]; 2]| {
             corners.iter().any(|&corner| inner(cross(left, corner)))
                 && corners.iter().any(|&corner| inner(cross(corner, right)))
@@ -108,6 +123,28 @@ mod tests {
                 listed.len(),
                 walked.len()
             );
+        }
+    }
+
+    #[test]
+    fn rectangles_anywhere() {
+        let sector = |heading: f64| Sector {
+            foot: [0.0; 2],
+            edges: Some([direction(heading - 10.0), direction(heading + 10.0)]),
+            range: 50.0,
+        };
+        let square = |north: f64, east: f64, side: f64| ([north, east], [north + side, east + side]);
+        for (heading, (low, high), meets) in [
+            (0.0, square(20.0, -5.0, 10.0), true),
+            (0.0, square(-30.0, -5.0, 10.0), false),
+            (0.0, square(-5.0, -5.0, 10.0), true),
+            (180.0, square(-30.0, -5.0, 10.0), true),
+            (90.0, square(-5.0, 20.0, 10.0), true),
+            (90.0, square(-5.0, -30.0, 10.0), false),
+            (0.0, square(60.0, -5.0, 10.0), false),
+            (0.0, square(20.0, 15.0, 4.0), false),
+        ] {
+            assert_eq!(sector(heading).meets(low, high), meets, "{heading} {low:?}");
         }
     }
 

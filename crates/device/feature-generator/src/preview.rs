@@ -104,6 +104,7 @@ mod tests {
             region_origin: [0.0; 2],
             region_size: 100.0,
             among: None,
+            absent: &[],
         }
     }
 

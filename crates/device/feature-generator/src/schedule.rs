@@ -21,6 +21,8 @@ pub struct Schedule<'a> {
     pub region_size: f64,
     /// The craters that the sweep can meet, ascending, where that is known; otherwise all are asked.
     pub among: Option<&'a [u32]>,
+    /// Craters whose words no storage buffer has as the sweep begins, ascending: the sweep does not know of them.
+    pub absent: &'a [u32],
 }
 
 /// A crater in a sub-generator.
@@ -123,6 +125,9 @@ impl Schedule<'_> {
         match self.among {
             None => self.features.along(eye, direction, from, to, &mut program.found),
             Some(among) => self.features.along_among(among, eye, direction, from, to, &mut program.found),
+        }
+        if !self.absent.is_empty() {
+            program.found.retain(|crater| self.absent.binary_search(crater).is_err());
         }
     }
 

@@ -41,6 +41,16 @@ pub struct Cpu {
 const ENTRY_INSTRUCTIONS: u32 = 18;
 const ENTRY_MULTIPLICATIONS: u32 = 4;
 
+/// The same of the reflectivity of one face of a polyhedron: two edges, their cross product (6 multiplications, 9 subtractions), its
+/// product with the sun and with itself (6, 4 additions), root and division (4), albedo (1), and two moves a multiplication.
+const FACE_INSTRUCTIONS: u32 = 47;
+const FACE_MULTIPLICATIONS: u32 = 17;
+
+/// The same of one place on a profile of remote shadow: 36 products of the polynomial and 12 of its functions with 36 additions,
+/// the line of the sun (1, 1), the comparison, and two moves a multiplication.
+const SHADOW_INSTRUCTIONS: u32 = 136;
+const SHADOW_MULTIPLICATIONS: u32 = 49;
+
 /// A processor that takes no time.
 impl Default for Cpu {
     fn default() -> Self {
@@ -72,6 +82,16 @@ impl Cpu {
     /// A table of sine and cosine with `entries` entries, made before the mission.
     pub fn sine_table(&self, entries: u32) -> u64 {
         u64::from(entries) * self.program(ENTRY_INSTRUCTIONS, ENTRY_MULTIPLICATIONS)
+    }
+
+    /// The reflectivity of one face of a polyhedron, made before the mission (inferred).
+    pub fn face(&self) -> u64 {
+        self.program(FACE_INSTRUCTIONS, FACE_MULTIPLICATIONS)
+    }
+
+    /// One place on a profile of remote shadow, made before the mission (inferred).
+    pub fn shadow_place(&self) -> u64 {
+        self.program(SHADOW_INSTRUCTIONS, SHADOW_MULTIPLICATIONS)
     }
 
     fn program(&self, instructions: u32, multiplications: u32) -> u64 {
@@ -234,4 +254,66 @@ pub struct DataBanks {
     pub channels: Channels,
     /// Words of the storage buffer of each level; any number if `None`.
     pub buffer_words: Option<u32>,
+}
+
+/// Where the data of one kind lie beside the terrain's finest level (report, figures 14 and 15; hardware section 4.7).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum BankPlace {
+    /// All of them in a memory of their generator, loaded before the mission.
+    #[default]
+    Local,
+    /// On drums of their own, of the design that terrain has.
+    Apart,
+    /// On the drums of the finest level, with its channels.
+    Together,
+}
+
+/// The bank of one kind of data beside terrain: records, storage buffer, I/O processor. All that lies in a square of regions is
+/// one chain of records.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct KindBank {
+    /// Where the records lie.
+    pub place: BankPlace,
+    /// Words of one record.
+    pub record_words: u32,
+    /// Regions of the finest level along the side of a square.
+    pub record_regions: u32,
+    /// Words of the storage buffer; any number if `None`.
+    pub buffer_words: Option<u32>,
+    /// Master ticks that the I/O processor takes to edit one word.
+    pub edit: f64,
+}
+
+/// Banks of all kinds of data beside the terrain's finest level.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct KindBanks {
+    /// Whether the coarse level has drums of its own: [`BankPlace::Apart`] or [`BankPlace::Together`].
+    pub coarse: BankPlace,
+    /// Master ticks that the I/O processor of each level of terrain takes to edit one word.
+    pub terrain_edit: f64,
+    /// Parameters of features.
+    pub features: KindBank,
+    /// Boundaries of shadow.
+    pub shadows: KindBank,
+    /// Polyhedra: vertices and reflectivities of faces.
+    pub polyhedra: KindBank,
+}
+
+impl KindBanks {
+    /// Banks of features, of shadow boundaries, of polyhedra, with the tables of their keys.
+    pub fn kinds(&self) -> [(&'static str, &KindBank); 3] {
+        [
+            ("feature_bank", &self.features),
+            ("shadow_bank", &self.shadows),
+            ("polyhedron_bank", &self.polyhedra),
+        ]
+    }
+
+    /// Whether terrain alone has drums, each level its own, and nothing is edited.
+    pub fn is_plain(&self) -> bool {
+        self.coarse == BankPlace::Apart
+            && self.terrain_edit == 0.0
+            && self.kinds().iter().all(|(_, bank)| bank.place == BankPlace::Local)
+    }
 }

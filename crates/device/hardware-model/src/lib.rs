@@ -38,7 +38,8 @@ pub use budget::{
 pub use check::{Finding, Grade};
 pub use diagram::PartCounts;
 pub use digital::{
-    Channels, Cpu, CrossingServer, DataBanks, Drum, DrumQueue, IoProcessor, LatePolicy, LoadDelay, Loader,
+    BankPlace, Channels, Cpu, CrossingServer, DataBanks, Drum, DrumQueue, IoProcessor, KindBank, KindBanks,
+    LatePolicy, LoadDelay, Loader,
 };
 pub use faults::FAULTS;
 pub use loaded::{EffectiveValue, LoadedModel};

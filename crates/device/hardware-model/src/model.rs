@@ -3,7 +3,7 @@
 use quantities::Rate;
 use scenario::{Laws, RangeProgramme};
 
-use crate::{AnalogParts, Cpu, DataBanks, FeatureParts, Loader, MixingParts, ShadowParts, Yoke};
+use crate::{AnalogParts, Cpu, DataBanks, FeatureParts, KindBanks, Loader, MixingParts, ShadowParts, Yoke};
 
 /// What the machine is made of.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,8 +20,10 @@ pub struct HardwareModel {
     pub cpu: Cpu,
     /// Delivery of coefficient words to the registers.
     pub loader: Loader,
-    /// Drums and storage buffers.
+    /// Drums and storage buffers of terrain.
     pub data_banks: DataBanks,
+    /// Banks of the other kinds of data.
+    pub kind_banks: KindBanks,
     /// Seed of part-to-part spread and noise.
     pub seed: u64,
     /// Laws that the machine is wired for.

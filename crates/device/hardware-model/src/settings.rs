@@ -9,8 +9,8 @@ use scenario::{
 
 use crate::model::retrace;
 use crate::{
-    AnalogParts, Cpu, DataBanks, Economy, FeatureParts, HardwareModel, LevelSwitch, Loader, MixingParts,
-    ShadowParts, SweepMemoryKind, Yoke,
+    AnalogParts, Cpu, DataBanks, Economy, FeatureParts, HardwareModel, KindBanks, LevelSwitch, Loader,
+    MixingParts, ShadowParts, SweepMemoryKind, Yoke,
 };
 
 /// Everything that decides a picture of the hybrid machine but landscape, sun and pose.
@@ -32,8 +32,10 @@ pub struct Settings {
     pub cpu: Cpu,
     /// Delivery of coefficient words.
     pub loader: Loader,
-    /// Drums and storage buffers.
+    /// Drums and storage buffers of terrain.
     pub data_banks: DataBanks,
+    /// Banks of the other kinds of data.
+    pub kind_banks: KindBanks,
     /// Seed of part-to-part spread and noise.
     pub seed: u64,
     /// Kind of sweep memory.
@@ -162,6 +164,7 @@ impl Settings {
             cpu: model.cpu,
             loader: model.loader.clone(),
             data_banks: model.data_banks,
+            kind_banks: model.kind_banks,
             seed: model.seed,
             sweep_memory: model.sweep_memory,
             feature_generator: model.feature_generator,

@@ -30,6 +30,7 @@ impl Settings {
                 cpu: ideal.cpu,
                 loader: ideal.loader,
                 data_banks: ideal.data_banks,
+                kind_banks: ideal.kind_banks,
                 feature_generator: ideal.feature_generator,
                 feature_words: ideal.feature_words,
                 segment_words: ideal.segment_words,

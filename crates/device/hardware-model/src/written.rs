@@ -3,6 +3,7 @@
 mod analog;
 mod blocks;
 mod digital;
+mod kind_banks;
 mod loader;
 
 use analog::SharedTables;
@@ -26,11 +27,14 @@ pub(crate) fn model(root: &Reader, name: String) -> Option<HardwareModel> {
     let io_processor = root.table("io_processor").map(|table| loader::io_processor(&table, known_clock));
     let loader =
         root.table("loader").map(|table| loader::loader(&table, known_clock, io_processor.flatten()));
-    let drum = root.table("drum").map(|table| digital::drum(&table, known_clock));
+    let drums = root.table("drum");
+    let drum = drums.as_ref().map(|table| digital::drum(table, known_clock));
     let channels = root.table("channel").map(|table| digital::channels(&table, known_clock));
-    let buffer = root
-        .table("buffer")
-        .map(|table| digital::data_banks(drum.flatten().flatten(), channels.flatten(), &table));
+    let buffers = root.table("buffer");
+    let buffer = buffers
+        .as_ref()
+        .map(|table| digital::data_banks(drum.flatten().flatten(), channels.flatten(), table));
+    let kind_banks = kind_banks::kind_banks(root, [&drums, &buffers], known_clock);
     let spread = root.table("spread");
     let seed = spread.as_ref().map(|table| table.u64("seed").required());
     let (dpp, memory) = (root.table("dpp"), root.table("sweep_memory"));
@@ -58,6 +62,7 @@ pub(crate) fn model(root: &Reader, name: String) -> Option<HardwareModel> {
         cpu: cpu??,
         loader: loader??,
         data_banks: buffer??,
+        kind_banks: kind_banks?,
         seed: seed??,
         laws: laws?,
         sweep_memory: kind??,

@@ -21,7 +21,7 @@ fn only(sets: &[(&str, &str)], grade: Grade) -> Finding {
 
 #[test]
 fn what_cannot_be_built_is_refused() {
-    let cases: [(Sets, &str, &str); 9] = [
+    let cases: [(Sets, &str, &str); 12] = [
         (&[("loader.served_by", "io-processor")], "loader.words_per_access", "9 words an access"),
         (&[("loader.served_by", "cpu-interrupt")], "loader.served_by", "32-bit words: it brings 2"),
         (&[("buffer.words", "4096")], "buffer.words", "4096 words with no drum"),
@@ -35,6 +35,17 @@ fn what_cannot_be_built_is_refused() {
             "34 µs, longer than the drawn 33.33",
         ),
         (&[("sweep.fold_detect", "comparator")], "comparator.delay_ns", "there is none"),
+        (&[("drum.coarse", "together")], "drum.coarse", "drum.rotation_ms is 0"),
+        (&[("shadow_bank.drums", "apart")], "shadow_bank.drums", "records of [shadow_bank] lie on drums"),
+        (
+            &[
+                ("drum.rotation_ms", "17"),
+                ("feature_bank.drums", "together"),
+                ("feature_bank.buffer_words", "95"),
+            ],
+            "feature_bank.buffer_words",
+            "buffer_words = 96 would do",
+        ),
     ];
     for (sets, key, reason) in cases {
         let found = with(sets).check();

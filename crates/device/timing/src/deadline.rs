@@ -32,9 +32,25 @@ impl Deadline {
     /// The words of a shadow boundary are in its line generator before the sweep crosses it.
     pub const SEGMENT: Self = Self::new("segment");
 
+    /// The records of a square of craters are in the storage buffer before the frame that can show them begins.
+    pub const FEATURE_RECORD: Self = Self::new("feature-record");
+    /// The same of the boundaries of shadow in a square.
+    pub const SHADOW_RECORD: Self = Self::new("shadow-record");
+    /// The same of the bodies in a square.
+    pub const BODY_RECORD: Self = Self::new("body-record");
+
     /// All of them, in the order of records and tables.
-    pub const HYBRID: [Self; 6] =
-        [Self::TRANSFER, Self::SWEEP_SET_UP, Self::FRAME_TASKS, Self::CORNER, Self::FEATURE, Self::SEGMENT];
+    pub const HYBRID: [Self; 9] = [
+        Self::TRANSFER,
+        Self::SWEEP_SET_UP,
+        Self::FRAME_TASKS,
+        Self::CORNER,
+        Self::FEATURE,
+        Self::SEGMENT,
+        Self::FEATURE_RECORD,
+        Self::SHADOW_RECORD,
+        Self::BODY_RECORD,
+    ];
 }
 
 impl Deadline {

@@ -29,10 +29,10 @@ pub struct Missed {
     /// Crater, as an index into those of the ground.
     #[serde(deserialize_with = "Option::deserialize")]
     pub crater: Option<u32>,
-    /// Lattice corner, north index and east index.
+    /// Lattice corner, or south-west region of a square: north index and east index.
     #[serde(deserialize_with = "Option::deserialize")]
     pub region: Option<[i64; 2]>,
-    /// Ground range of the fold, of the crater's edge or of the shadow's (m).
+    /// Ground range of the fold, of the crater's edge or of the shadow's; none of a square (m).
     #[serde(deserialize_with = "Option::deserialize")]
     pub range_m: Option<f64>,
     /// When it was due (sweep clock, samples).

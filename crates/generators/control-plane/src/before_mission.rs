@@ -4,11 +4,12 @@ use crate::stage::MachineStage;
 use dpu::{HOME_SETS, home_load};
 use generator::FrameError;
 use hardware_model::{CrossingServer, Settings, Yoke};
+use remote_shadow::Tile;
 use scenario::Pose;
 use timing::Task;
 
 use crate::control_plane::ControlPlane;
-use crate::digital::first_loads;
+use crate::frame_plan::FramePlan;
 use crate::sight::vertices;
 
 impl ControlPlane {
@@ -28,6 +29,7 @@ impl ControlPlane {
             task("cpu", "tables", 1, cpu.frame_tables),
         ];
         tasks.extend(self.first_sectors());
+        tasks.extend(self.lights(&plan, first.time));
         tasks.push(task("cpu", "vertices", vertices, vertices * cpu.vertex));
         tasks.extend(first_angle(stage, first.yoke));
         tasks.push(self.home_registers());
@@ -36,14 +38,30 @@ impl ControlPlane {
         Ok(tasks)
     }
 
-    /// Records of the first sector, until the last is in the storage buffer.
+    /// Records of the first sector, kind by kind, until the last is in the storage buffer.
     fn first_sectors(&self) -> impl Iterator<Item = Task> {
-        let levels = ["drum.fine", "drum.coarse"].into_iter();
-        let loads = levels.zip(first_loads(self.stage(), self.blocks(), self.raster()));
-        loads.filter_map(|(unit, load)| {
-            let load = load?;
-            Some(task(unit, "first-sector", load.delivered, load.latency_max))
+        let loads = self.first_loads().into_iter();
+        loads.map(|(kind, load)| {
+            task(&format!("drum.{}", kind.name()), "first-sector", load.delivered, load.latency_max)
         })
+    }
+
+    /// What the processor works out of the sun: shadow on the ground that frame 0 can meet, place by place, and a reflectivity for
+    /// each face of the mission.
+    fn lights(&self, plan: &FramePlan, time: f64) -> [Task; 2] {
+        let cpu = &self.stage().settings.cpu;
+        let shadows = self.blocks().shadows.as_ref().filter(|_| cpu.shadow_place() > 0);
+        let foot = [plan.eye[0], plan.eye[1]];
+        let tiles = shadows.map_or(0, |shadows| {
+            shadows.bank.around(&plan.sun, foot, shadows.reach, Some(plan.edges())).len() as u64
+        });
+        let places = tiles * Tile::PLACES;
+        let bodies = self.stage().scenery.bodies(time);
+        let faces = bodies.map(|body| body.solid.faces().len() as u64).sum::<u64>();
+        [
+            task("cpu", "remote-shadows", places, places * cpu.shadow_place()),
+            task("cpu", "face-reflectivities", faces, faces * cpu.face()),
+        ]
     }
 
     /// Both levels have a loader of their own, side by side.

@@ -1,14 +1,16 @@
 //! The control plane of a stage: what all its frames share.
 
-use data_bank::{BankState, DrumUnit};
+use data_bank::{BankState, DrumUnit, FrameSupply};
 use generator::FrameError;
 use remote_shadow::Footings;
 use scenario::Pose;
 use sweep_generator::RangeTable;
 
+use crate::banks::BankDemand;
 use crate::blocks::Blocks;
 use crate::crossings::Crossings;
-use crate::digital::{Digital, DigitalFrame, banks_before};
+use crate::data_kind::DataKind;
+use crate::digital::{Digital, DigitalFrame, Surroundings};
 use crate::elaboration::Elaboration;
 use crate::frame_plan::FramePlan;
 use crate::raster::WrittenRaster;
@@ -29,25 +31,42 @@ impl ControlPlane {
     /// The control plane of a stage.
     pub fn new(stage: MachineStage) -> Self {
         let settings = &stage.settings;
+        let blocks = Blocks::new(&stage, &Elaboration::new(&stage));
+        let digital = Digital::new(&stage, &blocks);
         Self {
-            blocks: Blocks::new(&stage, &Elaboration::new(&stage)),
             table: RangeTable::new(&settings.range, settings.raster.samples as usize),
             raster: WrittenRaster::new(settings),
-            digital: Digital::new(&stage),
+            digital,
+            blocks,
             footings: Footings::default(),
             stage,
         }
     }
 
-    /// The drums of the fine level (0) or of the coarse one (1) as the seed drew them; none where all words are at hand.
-    pub fn drums(&self, level: usize) -> Vec<DrumUnit> {
-        self.digital.drums(level)
+    /// The drums that a kind of data lies on as the seed drew them, with the transfer of one of its records; none where all data
+    /// are at hand.
+    pub fn drums(&self, kind: DataKind) -> Vec<DrumUnit> {
+        self.digital.drums(kind)
     }
 
-    /// What the data banks of the fine and of the coarse level remember as frame `frame` begins, before its demand is read;
-    /// none where all words are at hand. They are followed from the start of the mission.
-    pub fn banks_before(&self, frame: u64) -> [Option<BankState>; 2] {
-        banks_before(&self.stage, &self.blocks, &self.raster, frame)
+    /// What the data banks remember as frame `frame` begins, before its demand is read: the kinds on the drums of each, and its
+    /// state. They are followed from the start of the mission.
+    pub fn banks_before(&self, frame: u64) -> Vec<(Vec<DataKind>, BankState)> {
+        self.digital.banks_before(&self.stage, self.surroundings(), frame)
+    }
+
+    /// What frames 0 to `last` ask of each bank, kind by kind; nothing where all data are at hand.
+    pub fn demands(&self, last: u64) -> Vec<Vec<BankDemand>> {
+        self.digital.demands(&self.stage, self.surroundings(), last)
+    }
+
+    /// What the data banks have to bring before the mission, kind by kind.
+    pub(crate) fn first_loads(&self) -> Vec<(DataKind, FrameSupply)> {
+        self.digital.first_loads(&self.stage, self.surroundings())
+    }
+
+    fn surroundings(&self) -> Surroundings<'_> {
+        Surroundings { blocks: &self.blocks, raster: &self.raster, footings: &self.footings }
     }
 
     pub(crate) fn stage(&self) -> &MachineStage {
@@ -72,7 +91,7 @@ impl ControlPlane {
 
     /// The digital side of the frame of `crossings`, in which `vertices` are to be transformed.
     pub(crate) fn digital_of(&self, crossings: &Crossings<'_>, vertices: u64) -> DigitalFrame {
-        self.digital.frame(crossings.stage, &self.blocks, &self.raster, crossings, vertices)
+        self.digital.frame(crossings.stage, self.surroundings(), crossings, vertices)
     }
 
     pub(crate) fn footings(&self) -> &Footings {

@@ -7,6 +7,7 @@ use landscape::Level;
 use sweep_generator::RangeTable;
 use sweep_program::SweepProgram;
 
+use crate::absent::AbsentCrater;
 use crate::blocks::Coarse;
 use crate::frame_plan::FramePlan;
 
@@ -26,6 +27,8 @@ pub struct Crossings<'a> {
     /// Ticks from the start of each sweep in which a processor that serves the crossings is at a set-up that no interrupt
     /// breaks; empty if there are none.
     pub held: &'a [u64],
+    /// Craters that are not in the storage buffer as the frame begins, ascending.
+    pub absent_craters: &'a [AbsentCrater],
 }
 
 impl<'a> Crossings<'a> {

@@ -6,14 +6,17 @@ use glam::DVec3;
 use hardware_model::ShadowParts;
 use landscape::Attitude;
 use polyhedron_generator::{Drawn, FaceLight, Field, LeftOut, PolyhedronGenerator, ViewPlane};
+use quantities::Tick;
 use rayon::prelude::*;
 use remote_shadow::{Footings, Outlines, Shade, Tile, UnderSun};
 use scenario::{BodyVisibility, ShadowedBodies};
 use shadow_controller::{Gate, SEGMENT_WORDS, ShadowController};
 use solids::Body;
+use std::ops::Range;
 use std::sync::Arc;
 use sweep_generator::RangeTable;
 
+use crate::absent::Absent;
 use crate::blocks::{Blocks, Shadows};
 use crate::craters_in_sight::CratersInSight;
 use crate::feature_loads::load_timing;
@@ -21,6 +24,7 @@ use crate::frame_plan::FramePlan;
 use crate::raster::WrittenRaster;
 use crate::refusal::Refusal;
 use crate::sight::InSight;
+use crate::ticks::start_of;
 
 /// Data of a frame, by sweep; the buffers are kept from frame to frame.
 #[derive(Debug, Default)]
@@ -53,6 +57,33 @@ pub struct Supply<'a> {
     pub table: &'a RangeTable,
     /// Vertices that the processor has ready, if it takes any time.
     pub ready: Option<u64>,
+    /// Boundaries of shadow that are not in the storage buffer, where any are not.
+    pub absent_shadows: Option<&'a Absent>,
+    /// Bodies that are not in the storage buffer, ascending.
+    pub absent_bodies: &'a [u32],
+}
+
+/// Outlines of all shadows that the sweeps of a frame can meet.
+struct Cast<'a> {
+    /// Those that lie in the shadow bank.
+    stored: &'a [&'a Outlines],
+    /// Those that the processor works out for the frame.
+    own: &'a [Outlines],
+}
+
+impl<'a> Cast<'a> {
+    fn all(&self) -> Vec<&'a Outlines> {
+        self.stored.iter().copied().chain(self.own).collect()
+    }
+}
+
+/// A boundary of shadow on the ground, shadow to its right.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShadowBoundary {
+    /// From, to: north, east (m).
+    pub ends: [[f64; 2]; 2],
+    /// From which tick on the storage buffer has it: 0 if it has it as the frame begins; none if not in this frame.
+    pub there_from: Option<Tick>,
 }
 
 impl Supply<'_> {
@@ -120,12 +151,13 @@ impl Supply<'_> {
         self.footings.under(self.plan.sun, bodies, &shadows.bank)
     }
 
-    /// Lines of shadow on the ground, of which the gates of the frame are made: each has its shadow to the right (north, east; m).
-    pub fn shadow_lines(&self, time: f64) -> Vec<[[f64; 2]; 2]> {
+    /// Boundaries of shadow on the ground, of which the gates of the frame are made.
+    pub fn shadow_lines(&self, time: f64) -> Vec<ShadowBoundary> {
         let (seen, _) = self.in_sight(time);
         let Some(shadows) = &self.blocks.shadows else { return Vec::new() };
-        let lines = |_: &[[f64; 2]], cast: &[&Outlines]| {
-            cast.iter().flat_map(|outlines| outlines.segments()).map(|line| [line.from, line.to]).collect()
+        let lines = |_: &[[f64; 2]], cast: &Cast<'_>| {
+            let stored = cast.stored.iter().flat_map(|outlines| boundaries(outlines, self.absent_shadows));
+            stored.chain(cast.own.iter().flat_map(|outlines| boundaries(outlines, None))).collect()
         };
         self.with_outlines(shadows, &self.under_sun(shadows), &seen, time, lines)
     }
@@ -146,13 +178,40 @@ impl Supply<'_> {
             Some(load_timing(self.stage, self.table, place, SEGMENT_WORDS, rate))
         };
         let foot = [self.plan.eye[0], self.plan.eye[1]];
-        self.with_outlines(shadows, under_sun, seen, time, |directions, cast| {
-            controller.gates_by(foot, directions, reach, cast, timing, gates);
+        self.with_outlines(shadows, under_sun, seen, time, |directions, cast| match self.absent_shadows {
+            None => controller.gates_by(foot, directions, reach, &cast.all(), timing, gates),
+            Some(absent) => {
+                gates.clear();
+                for sweeps in self.spells(absent) {
+                    let start = start_of(self.stage, self.plan.frame, sweeps.start);
+                    let there = |anchor: [f64; 2]| !absent.lacks(anchor, start);
+                    let stored: Vec<Outlines> =
+                        cast.stored.par_iter().map(|outlines| outlines.only(there)).collect();
+                    let all: Vec<&Outlines> = stored.iter().chain(cast.own).collect();
+                    let directions = &directions[sweeps.start as usize..sweeps.end as usize];
+                    let timing = |sweep: u32| timing(sweeps.start + sweep);
+                    let mut some = Vec::new();
+                    controller.gates_by(foot, directions, reach, &all, timing, &mut some);
+                    gates.append(&mut some);
+                }
+            }
         });
         // Beyond the reach no shadow is drawn.
         if reach < end {
             gates.iter_mut().for_each(|gate| gate.end_at(reach));
         }
+    }
+
+    /// Runs of sweeps in which the storage buffer lacks the same: what comes during a sweep is there from the next one on.
+    fn spells(&self, absent: &Absent) -> Vec<Range<u32>> {
+        let arrivals = absent.arrivals();
+        let sweeps = self.plan.fan.sweeps;
+        let start = |sweep: u32| start_of(self.stage, self.plan.frame, sweep);
+        let come = |sweep: u32| arrivals.partition_point(|&arrival| arrival <= start(sweep));
+        let begins: Vec<u32> =
+            (0..sweeps).filter(|&sweep| sweep == 0 || come(sweep) != come(sweep - 1)).collect();
+        let ends = begins.iter().skip(1).copied().chain([sweeps]);
+        begins.iter().zip(ends).map(|(&begin, end)| begin..end).collect()
     }
 
     /// Hands directions of the sweeps and lists of outlines of all shadows that they can meet to `take`.
@@ -162,7 +221,7 @@ impl Supply<'_> {
         under_sun: &UnderSun<'_>,
         seen: &[u32],
         time: f64,
-        take: impl FnOnce(&[[f64; 2]], &[&Outlines]) -> T,
+        take: impl FnOnce(&[[f64; 2]], &Cast<'_>) -> T,
     ) -> T {
         let sweeps = self.plan.fan.sweeps;
         let directions: Vec<[f64; 2]> = (0..sweeps).map(|sweep| self.plan.direction(sweep)).collect();
@@ -184,8 +243,7 @@ impl Supply<'_> {
         cast.par_extend(of_bodies);
         let (patches, own) = (self.patches(time), self.own_shadow(shadows, may_fall));
         cast.push(&patches);
-        cast.extend(&own);
-        take(&directions, &cast)
+        take(&directions, &Cast { stored: &cast, own: &own })
     }
 
     /// Outlines of the shadow that the vehicle casts on the ground: as of any body, but found anew for every pose.
@@ -228,7 +286,8 @@ impl Supply<'_> {
             let dark = under_sun.is_some_and(|sun| sun.is_dark(number, body));
             let vanishes = dark && laws.shadowed_bodies == ShadowedBodies::Vanish;
             let hidden = laws.body_visibility == BodyVisibility::AsReported && self.is_hidden(body.foot);
-            (!vanishes && !hidden).then_some(Drawn { aspect, dark })
+            let absent = self.absent_bodies.binary_search(&number).is_ok();
+            (!vanishes && !hidden && !absent).then_some(Drawn { aspect, dark })
         };
         let light = FaceLight { sun: DVec3::from_array(self.plan.sun.direction()) };
         polyhedra.run(&field, &light, seen, drawn).drawn
@@ -249,6 +308,21 @@ impl Supply<'_> {
             ground.is_some_and(|ground| tangent(ground, at) > own)
         })
     }
+}
+
+/// Boundaries of some outlines, each with the tick from which on it is there.
+fn boundaries<'a>(
+    outlines: &'a Outlines,
+    absent: Option<&'a Absent>,
+) -> impl Iterator<Item = ShadowBoundary> + 'a {
+    outlines.chains().flat_map(move |[first, last]| {
+        let comes = absent.and_then(|absent| absent.comes(outlines.corners().get(first)));
+        let there_from = comes.unwrap_or(Some(Tick(0)));
+        (first..last).map(move |number| {
+            let segment = outlines.segment(number);
+            ShadowBoundary { ends: [segment.from, segment.to], there_from }
+        })
+    })
 }
 
 /// Share of the way to a foot point over which ground may hide it: on the last hundredth it is its own ground.

@@ -1,38 +1,33 @@
 //! The digital side before any sweep is drawn: what the data banks hold, and what the processor has ready.
 
-use std::sync::{Arc, Mutex, PoisonError};
-
 use crate::stage::MachineStage;
-use data_bank::{BankState, DataBank, Demand, DrumUnit, FrameSupply, corners_of, nearest_first};
-use dpu::{CpuFrame, CpuLoad, CrossingTime, MissingCorner, Sector, cpu_frame, held_by_set_ups};
-use hardware_model::{CrossingServer, DataBanks, Settings};
-use landscape::Level;
-use quantities::wrap_heading;
+use data_bank::{BankState, DrumUnit, FrameSupply};
+use dpu::{CpuFrame, CpuLoad, CrossingTime, MissingCorner, cpu_frame, held_by_set_ups};
+use hardware_model::CrossingServer;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use scenario::Pose;
+use remote_shadow::Footings;
+use scenario::Standing;
 use timing::Vertices;
 
+use crate::absent::{Absent, AbsentCrater};
+use crate::banks::{Bank, BankDemand, Supplied, banks};
 use crate::blocks::Blocks;
 use crate::crossings::Crossings;
-use crate::frame_plan::FramePlan;
+use crate::data_kind::DataKind;
+use crate::demand::{Asking, Layout, Layouts};
 use crate::raster::WrittenRaster;
+use crate::squares::SquareGrid;
 use crate::sweep_recorder::SweepRecorder;
-use crate::ticks::{frame_ticks, start_of};
+use crate::ticks::start_of;
 
 /// The digital side of a mission.
 #[derive(Debug)]
 pub struct Digital {
-    /// Data banks of the fine and of the coarse level, where words are not all at hand.
-    banks: [Option<Mutex<History>>; 2],
+    layouts: Layouts,
+    /// Data banks, where data are not all at hand.
+    banks: Vec<Bank>,
     /// Whether the processor takes any time.
     is_timed: bool,
-}
-
-/// A data bank from the start of the mission on, worked out once, in order of frames.
-#[derive(Debug)]
-struct History {
-    bank: DataBank,
-    supplies: Vec<Arc<FrameSupply>>,
 }
 
 /// The digital side of one frame.
@@ -40,10 +35,16 @@ struct History {
 pub struct DigitalFrame {
     /// Corners that are not in the storage buffers, by level.
     pub missing: [Vec<MissingCorner>; 2],
-    /// Drums by level; none where all words are at hand.
-    pub drums: [Vec<DrumUnit>; 2],
-    /// What the data banks did, by level.
-    pub supplies: [Option<Arc<FrameSupply>>; 2],
+    /// What the banks did, kind by kind; none where all data are at hand.
+    pub supplies: Vec<Supplied>,
+    /// Squares of each kind beside terrain that has a bank.
+    pub grids: Vec<(DataKind, SquareGrid)>,
+    /// Craters that are not in the storage buffer as the frame begins, ascending.
+    pub absent_craters: Vec<AbsentCrater>,
+    /// Boundaries of shadow that are not, where any are not.
+    pub absent_shadows: Option<Absent>,
+    /// Bodies that are not, by their numbers in the list of the mission, ascending.
+    pub absent_bodies: Vec<u32>,
     /// The processor, if it takes any time.
     pub cpu: Option<CpuFrame>,
     /// Ticks of each sweep in which crossings wait for a set-up that they cannot interrupt; empty if they never do.
@@ -70,6 +71,34 @@ impl DigitalFrame {
         Vertices { asked: self.vertices, ready: self.ready_vertices().unwrap_or(self.vertices) }
     }
 
+    /// What the bank of a kind did, if it has one.
+    pub fn supplied(&self, kind: DataKind) -> Option<&Supplied> {
+        self.supplies.iter().find(|supplied| supplied.kind == kind)
+    }
+
+    /// Notes what the storage buffers lack.
+    fn note_missing(&mut self, stage: &MachineStage, layouts: &Layouts) {
+        for supplied in &self.supplies {
+            let supply = supplied.supply();
+            let layout = layouts.of(supplied.kind);
+            self.grids.extend(layout.map(|layout| (supplied.kind, layout.grid)));
+            let absent = layout.and_then(|layout| Absent::of(layout.grid, supply));
+            match supplied.kind {
+                DataKind::Fine | DataKind::Coarse => {
+                    let corner = |missing: &data_bank::Missing| MissingCorner {
+                        corner: missing.item,
+                        arrival: missing.arrival,
+                    };
+                    let level = supplied.kind as usize;
+                    self.missing[level] = supply.missing.iter().map(corner).collect();
+                }
+                DataKind::Features => self.absent_craters = absent_craters(stage, layout, absent.as_ref()),
+                DataKind::Shadows => self.absent_shadows = absent,
+                DataKind::Polyhedra => self.absent_bodies = absent_bodies(stage, layout, absent.as_ref()),
+            }
+        }
+    }
+
     /// Corners that are not in the storage buffer of the fine and of the coarse level.
     #[inline]
     pub fn missing(&self) -> [&[MissingCorner]; 2] {
@@ -77,23 +106,32 @@ impl DigitalFrame {
     }
 }
 
+/// What the frames of a mission have in common on their digital side.
+#[derive(Debug, Clone, Copy)]
+pub struct Surroundings<'a> {
+    /// Blocks that are there.
+    pub blocks: &'a Blocks,
+    /// What the sweeps write.
+    pub raster: &'a WrittenRaster,
+    /// Feet and shadows of bodies, found once a body and a sun.
+    pub footings: &'a Footings,
+}
+
 impl Digital {
-    /// The digital side of a mission that draws `stage`.
-    pub fn new(stage: &MachineStage) -> Self {
+    /// The digital side of a mission that draws `stage` with `blocks`.
+    pub fn new(stage: &MachineStage, blocks: &Blocks) -> Self {
         let settings = &stage.settings;
-        let history = |number: usize| {
-            let bank = bank_of(stage, number)?;
-            Some(Mutex::new(History { bank, supplies: Vec::new() }))
-        };
-        let second = settings.levels.and_then(|_| history(1));
         let serves = settings.loader.served_by == CrossingServer::CpuInterrupt;
-        Self { banks: [history(0), second], is_timed: settings.cpu.is_timed() || serves }
+        let layouts = Layouts::new(stage, blocks);
+        let banks = banks(stage, blocks, &layouts);
+        Self { layouts, banks, is_timed: settings.cpu.is_timed() || serves }
     }
 
-    /// The drums of a level as the seed drew them; none where all words are at hand.
-    pub fn drums(&self, level: usize) -> Vec<DrumUnit> {
-        let Some(history) = &self.banks[level] else { return Vec::new() };
-        history.lock().unwrap_or_else(PoisonError::into_inner).bank.drums().collect()
+    /// The drums that a kind lies on as the seed drew them, with the transfer of one of its records; none where all data are at
+    /// hand.
+    pub fn drums(&self, kind: DataKind) -> Vec<DrumUnit> {
+        let of_bank = |bank: &Bank| Some(bank.units(bank.kinds.iter().position(|&there| there == kind)?));
+        self.banks.iter().find_map(of_bank).unwrap_or_default()
     }
 
     /// Whether the processor takes any time.
@@ -105,25 +143,16 @@ impl Digital {
     pub fn frame(
         &self,
         stage: &MachineStage,
-        blocks: &Blocks,
-        raster: &WrittenRaster,
+        around: Surroundings<'_>,
         crossings: &Crossings<'_>,
         vertices: u64,
     ) -> DigitalFrame {
         let mut out = DigitalFrame { vertices, ..DigitalFrame::default() };
-        let levels = stage.landscape.bank().levels();
-        for (number, bank) in self.banks.iter().enumerate() {
-            let Some(bank) = bank else { continue };
-            let sight = Sight { stage, raster, level: &levels[number], reach: reach(stage, blocks, number) };
-            let supply = sight.supply(bank, crossings.plan.frame);
-            let convert = |missing: &data_bank::Missing| MissingCorner {
-                corner: missing.corner,
-                arrival: missing.arrival,
-            };
-            out.missing[number] = supply.missing.iter().map(convert).collect();
-            out.supplies[number] = Some(supply);
-            out.drums[number] = self.drums(number);
+        let asking = self.asking(stage, around);
+        for bank in &self.banks {
+            out.supplies.extend(bank.frame(&asking, crossings.plan.frame));
         }
+        out.note_missing(stage, &self.layouts);
         if self.is_timed {
             let starts = starts(stage, crossings.plan.frame);
             out.held = held(stage, &starts);
@@ -132,114 +161,69 @@ impl Digital {
         }
         out
     }
-}
 
-/// The data bank of a level as a mission finds it, where words are not all at hand.
-fn bank_of(stage: &MachineStage, number: usize) -> Option<DataBank> {
-    let Settings { data_banks, seed, .. } = &stage.settings;
-    let DataBanks { drum, channels, buffer_words } = *data_banks;
-    let level = stage.landscape.bank().levels().get(number)?;
-    Some(DataBank::new(drum?, channels, buffer_words, level.corners(), seed ^ number as u64))
-}
+    /// What the banks have to bring before the mission, kind by kind.
+    pub(crate) fn first_loads(
+        &self,
+        stage: &MachineStage,
+        around: Surroundings<'_>,
+    ) -> Vec<(DataKind, FrameSupply)> {
+        let asking = self.asking(stage, around);
+        let of_bank = |bank: &Bank| bank.kinds.clone().into_iter().zip(bank.first_load(&asking));
+        self.banks.iter().flat_map(of_bank).collect()
+    }
 
-/// Ground range up to which a level is drawn (m).
-fn reach(stage: &MachineStage, blocks: &Blocks, number: usize) -> f64 {
-    let end = stage.settings.range.end;
-    match (number, &blocks.coarse) {
-        (0, Some(coarse)) => coarse.switch.range.min(end),
-        _ => end,
+    /// What the banks remember as frame `frame` begins, before its demand is read: the kinds on the drums of each, and its state.
+    pub(crate) fn banks_before(
+        &self,
+        stage: &MachineStage,
+        around: Surroundings<'_>,
+        frame: u64,
+    ) -> Vec<(Vec<DataKind>, BankState)> {
+        let asking = self.asking(stage, around);
+        self.banks.iter().map(|bank| (bank.kinds.clone(), bank.before(&asking, frame))).collect()
+    }
+
+    /// What frames 0 to `last` ask of each bank, kind by kind.
+    pub(crate) fn demands(
+        &self,
+        stage: &MachineStage,
+        around: Surroundings<'_>,
+        last: u64,
+    ) -> Vec<Vec<BankDemand>> {
+        let asking = self.asking(stage, around);
+        self.banks.iter().map(|bank| bank.demands(&asking, last)).collect()
+    }
+
+    fn asking<'a>(&'a self, stage: &'a MachineStage, around: Surroundings<'a>) -> Asking<'a> {
+        let Surroundings { blocks, raster, footings } = around;
+        Asking { stage, blocks, raster, footings, layouts: &self.layouts }
     }
 }
 
-/// What the data banks of the fine and of the coarse level have to bring before the mission, where there are any.
-pub(crate) fn first_loads(
+/// Craters whose records are not all there, ascending.
+fn absent_craters(
     stage: &MachineStage,
-    blocks: &Blocks,
-    raster: &WrittenRaster,
-) -> [Option<FrameSupply>; 2] {
-    with_banks(stage, blocks, raster, |bank, sight| bank.first_load(&sight.demand(0)))
+    layout: Option<&Layout>,
+    absent: Option<&Absent>,
+) -> Vec<AbsentCrater> {
+    let (Some(layout), Some(absent)) = (layout, absent) else { return Vec::new() };
+    let craters = stage.landscape.features().craters();
+    let crater = |crater: u32| {
+        let records = layout.chains.records_of(&layout.grid, crater as usize, craters.circle(crater).0);
+        Some(AbsentCrater { crater, comes: absent.last_of(records)? })
+    };
+    (0..craters.len() as u32).filter_map(crater).collect()
 }
 
-/// What the data banks of the fine and of the coarse level remember as frame `frame` begins, before its demand is read.
-pub(crate) fn banks_before(
-    stage: &MachineStage,
-    blocks: &Blocks,
-    raster: &WrittenRaster,
-    frame: u64,
-) -> [Option<BankState>; 2] {
-    with_banks(stage, blocks, raster, |mut bank, sight| {
-        (0..frame).for_each(|earlier| {
-            bank.frame(&sight.demand(earlier));
-        });
-        bank.state()
-    })
-}
-
-/// What `ask` makes of the data bank of each level that is drawn, as the mission finds it.
-fn with_banks<T>(
-    stage: &MachineStage,
-    blocks: &Blocks,
-    raster: &WrittenRaster,
-    ask: impl Fn(DataBank, &Sight<'_>) -> T,
-) -> [Option<T>; 2] {
-    let levels = stage.landscape.bank().levels();
-    let drawn = 1 + usize::from(stage.settings.levels.is_some());
-    [0, 1].map(|number| {
-        let bank = bank_of(stage, number).filter(|_| number < drawn)?;
-        let sight = Sight { stage, raster, level: &levels[number], reach: reach(stage, blocks, number) };
-        Some(ask(bank, &sight))
-    })
-}
-
-/// What the frames of a mission can see of one level.
-struct Sight<'a> {
-    stage: &'a MachineStage,
-    raster: &'a WrittenRaster,
-    level: &'a Level,
-    /// Ground range up to which the level is drawn (m).
-    reach: f64,
-}
-
-impl Sight<'_> {
-    /// The data bank's supply of a frame, worked out from the first frame on.
-    fn supply(&self, history: &Mutex<History>, asked: u64) -> Arc<FrameSupply> {
-        let mut history = history.lock().unwrap_or_else(PoisonError::into_inner);
-        let History { bank, supplies } = &mut *history;
-        while supplies.len() as u64 <= asked {
-            let demand = self.demand(supplies.len() as u64);
-            supplies.push(Arc::new(bank.frame(&demand)));
-        }
-        Arc::clone(&supplies[asked as usize])
-    }
-
-    /// Corners that frame `frame` can meet, the nearest first, with the way that the view turns until the drum has come
-    /// round once and a half (hardware section 4.7).
-    fn demand(&self, frame: u64) -> Demand {
-        let [start, end] = frame_ticks(self.stage, frame);
-        let course = self.stage.scenery.course();
-        let pose = |frame: u64| course.get((frame as usize).min(course.len().saturating_sub(1)));
-        let Some(now) = pose(frame) else {
-            return Demand { frame, start, end, corners: Vec::new() };
-        };
-        let before = pose(frame.saturating_sub(1)).unwrap_or(now);
-        let turn = wrap_heading(now.attitude.heading - before.attitude.heading);
-        let turn = if turn > std::f64::consts::PI { turn - 2.0 * std::f64::consts::PI } else { turn };
-        let rotation = self.stage.settings.data_banks.drum.map_or(0, |drum| drum.rotation);
-        // Orders are given as frames begin: one a little short of a frame away is a frame away.
-        let margin = turn.abs() * (1.5 * rotation as f64 / (end.0 - start.0) as f64).ceil();
-        Demand { frame, start, end, corners: self.corners(frame, now, margin) }
-    }
-
-    fn corners(&self, frame: u64, pose: &Pose, margin: f64) -> Vec<u32> {
-        let Self { stage, raster, level, reach } = *self;
-        let foot = level.in_regions(pose.eye[0], pose.eye[1]);
-        let Ok(plan) = FramePlan::new(frame, pose, stage, &raster.field) else { return Vec::new() };
-        let edges = plan.edges_beside(margin);
-        let sector = Sector { foot, edges, range: reach / level.region_size() };
-        let mut corners = corners_of(sector.regions(level), level.corners());
-        nearest_first(&mut corners, level.corners()[1], foot);
-        corners
-    }
+/// Bodies whose records are not all there as the frame begins, ascending.
+fn absent_bodies(stage: &MachineStage, layout: Option<&Layout>, absent: Option<&Absent>) -> Vec<u32> {
+    let (Some(layout), Some(absent)) = (layout, absent) else { return Vec::new() };
+    let standing = stage.scenery.standing().iter().enumerate();
+    let lacks = |(number, standing): &(usize, &Standing)| {
+        absent.last_of(layout.records_of_body(*number, &standing.body)).is_some()
+    };
+    standing.filter(lacks).map(|(number, _)| number as u32).collect()
 }
 
 /// Starts of the sweeps of a frame and its end, in ticks from its start.

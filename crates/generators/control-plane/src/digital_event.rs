@@ -6,6 +6,8 @@ use dpu::Register;
 use quantities::{SweepTime, Tick};
 use sweep_program::{Colour, Fold, MissCause, WordMask};
 
+use crate::data_kind::DataKind;
+
 /// Unit of the digital side that an event belongs to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DigitalUnit {
@@ -17,8 +19,8 @@ pub enum DigitalUnit {
     IoProcessor,
     /// The central processor of the digital side.
     Cpu,
-    /// A drum: its level, 0 fine, 1 coarse, and its number there.
-    Drum(usize, u32),
+    /// A drum: the kind of data after which its bank is called, and its number there.
+    Drum(DataKind, u32),
     /// The registers of the terrain generator.
     Registers,
     /// The line over which craters come.
@@ -52,9 +54,7 @@ impl fmt::Display for DigitalUnit {
             Self::Loader(colour) => write!(f, "loader.{}", colour.name()),
             Self::IoProcessor => f.write_str("io-processor"),
             Self::Cpu => f.write_str("cpu"),
-            Self::Drum(level, number) => {
-                write!(f, "drum.{}.{number}", ["fine", "coarse"][usize::from(*level > 0)])
-            }
+            Self::Drum(kind, number) => write!(f, "drum.{}.{number}", kind.name()),
             Self::Registers => f.write_str("registers"),
             Self::FeatureGenerator => f.write_str("feature-generator.load"),
             Self::ShadowController => f.write_str("shadow-controller.load"),
@@ -129,8 +129,14 @@ words! {
     Tables = "tables",
     /// The frame ends before they are.
     TablesLate = "tables-late",
-    /// A record arrives from a drum.
+    /// A record of terrain arrives from a drum.
     Record = "record",
+    /// The last record of a square of craters is in the storage buffer.
+    FeatureRecord = "feature-record",
+    /// The same of the boundaries of shadow in a square.
+    ShadowRecord = "shadow-record",
+    /// The same of the bodies in a square.
+    BodyRecord = "body-record",
 }
 
 /// One event. What does not belong to it is `None`.
@@ -154,7 +160,7 @@ pub struct DigitalEvent {
     pub colour: Option<Colour>,
     /// Register of that colour that takes part.
     pub register: Option<Register>,
-    /// North and east index of the corner.
+    /// North and east index of the corner, or of the south-west region of a square.
     pub corner: Option<[i64; 2]>,
     /// Which words of the set, bit 3p + q.
     pub mask: WordMask,

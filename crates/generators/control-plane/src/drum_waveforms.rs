@@ -7,14 +7,15 @@ use data_bank::{DrumUnit, FrameSupply, Missing};
 use quantities::{SweepClock, SweepTime, Tick};
 use signal::{Kind, Signal, Unit};
 
+use crate::data_kind::DataKind;
 use crate::digital::DigitalFrame;
 use crate::waveforms::Changes;
 
-/// Drums whose wires can be told: those of the fine level first, then those of the coarse one.
-const DRUMS: usize = 16;
+/// Drums whose wires can be told: those of fine terrain first, then those of each other kind that has its own.
+const DRUMS: usize = 20;
 
 /// Wires of each drum.
-const WIRES: [(&str, Unit, Kind, &str); 3] = [
+const WIRES: [(&str, Unit, Kind, &str); 4] = [
     (
         "index",
         Unit::Number,
@@ -25,13 +26,19 @@ const WIRES: [(&str, Unit, Kind, &str); 3] = [
         "record",
         Unit::Corner,
         Kind::Event,
-        "a record that the frame asks for is in the buffer: its first corner; a square of corners has one event",
+        "a record that the frame asks for is in the buffer: its first corner, or its square of other kinds of data",
+    ),
+    (
+        "kind",
+        Unit::Number,
+        Kind::Event,
+        "what that record holds: 0 fine terrain, 1 coarse terrain, 2 features, 3 shadow boundaries, 4 polyhedra",
     ),
     (
         "waiting",
         Unit::Number,
         Kind::Bus,
-        "corners that the frame asks for, which this drum has and has not brought yet",
+        "corners and squares that the frame asks for, which this drum has and has not brought yet",
     ),
 ];
 
@@ -63,10 +70,16 @@ pub fn drum_changes(name: &str, digital: &DigitalFrame, clock: &SweepClock, samp
     let at = |tick: u64| clock.instant_of(Tick(tick)).0;
     match wire {
         "index" => drum.turns(ticks).for_each(|(tick, turn)| changes.push(at(tick), turn)),
-        "record" => drum.records(ticks).into_iter().for_each(|(tick, corner)| changes.push(at(tick), corner)),
+        "record" => {
+            drum.records(ticks).into_iter().for_each(|(tick, _, piece)| changes.push(at(tick), piece))
+        }
+        "kind" => drum
+            .records(ticks)
+            .into_iter()
+            .for_each(|(tick, kind, _)| changes.push(at(tick), kind as u8 as f64)),
         _ => {
             changes.becomes(0.0, drum.waiting(ticks.start));
-            for (tick, _) in drum.records(ticks.start + 1..ticks.end) {
+            for (tick, ..) in drum.records(ticks.start + 1..ticks.end) {
                 changes.becomes(at(tick), drum.waiting(tick));
             }
         }
@@ -80,52 +93,64 @@ fn ticks_of(clock: &SweepClock, samples: u32) -> Range<u64> {
     start..end
 }
 
-/// A drum, and what its level is brought in the frame.
+/// A drum, and what it brings in the frame.
 struct OneDrum<'a> {
-    unit: &'a DrumUnit,
-    supply: &'a FrameSupply,
-    /// Its number on its level.
+    unit: DrumUnit,
+    /// What each kind on the drum gets.
+    supplies: Vec<(DataKind, &'a FrameSupply)>,
+    /// Its number among the drums of its bank.
     number: u32,
 }
+
+/// A record that comes: when, its kind, and its first piece.
+type Coming = (u64, DataKind, f64);
 
 impl<'a> OneDrum<'a> {
     fn find(digital: &'a DigitalFrame, drum: usize) -> Option<Self> {
         let mut number = drum;
-        for (drums, supply) in digital.drums.iter().zip(&digital.supplies) {
-            if let (Some(unit), Some(supply)) = (drums.get(number), supply) {
-                return Some(Self { unit, supply, number: number as u32 });
+        for bank in digital.supplies.iter().filter(|supplied| supplied.names_drums()) {
+            if let Some(&unit) = bank.units.get(number) {
+                let of_bank = digital.supplies.iter().filter(|supplied| supplied.drums == bank.kind);
+                let supplies = of_bank.map(|supplied| (supplied.kind, supplied.supply())).collect();
+                return Some(Self { unit, supplies, number: number as u32 });
             }
-            number = number.checked_sub(drums.len())?;
+            number = number.checked_sub(bank.units.len())?;
         }
         None
     }
 
-    fn missing(&self) -> impl Iterator<Item = &'a Missing> {
+    fn missing(&self) -> impl Iterator<Item = (DataKind, &'a Missing)> {
         let number = self.number;
-        self.supply.missing.iter().filter(move |missing| missing.drum == number)
+        let of_kind = self
+            .supplies
+            .iter()
+            .flat_map(|&(kind, supply)| supply.missing.iter().map(move |missing| (kind, missing)));
+        of_kind.filter(move |(_, missing)| missing.drum == number)
     }
 
     /// When its origin passes the heads, and how often it has since tick 0.
     fn turns(&self, ticks: Range<u64>) -> impl Iterator<Item = (u64, f64)> {
-        let DrumUnit { rotation, start_angle, .. } = *self.unit;
+        let DrumUnit { rotation, start_angle, .. } = self.unit;
         let first = (ticks.start + start_angle).div_ceil(rotation);
         (first..)
             .map(move |turn| ((turn * rotation).wrapping_sub(start_angle), turn as f64))
             .take_while(move |(tick, _)| *tick < ticks.end)
     }
 
-    /// Records that come within these ticks: when, and the first of their corners.
-    fn records(&self, ticks: Range<u64>) -> Vec<(u64, f64)> {
-        let arrived =
-            self.missing().filter_map(|missing| Some((missing.arrival?.0, f64::from(missing.corner))));
-        let mut records: Vec<(u64, f64)> = arrived.filter(|(tick, _)| ticks.contains(tick)).collect();
-        records.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
-        records.dedup_by_key(|(tick, _)| *tick);
+    /// Records that come within these ticks, in order of time.
+    fn records(&self, ticks: Range<u64>) -> Vec<Coming> {
+        let arrived = self
+            .missing()
+            .filter_map(|(kind, missing)| Some((missing.arrival?.0, kind, f64::from(missing.item))));
+        let mut records: Vec<Coming> = arrived.filter(|(tick, ..)| ticks.contains(tick)).collect();
+        records.sort_by(|a, b| (a.0, a.1).cmp(&(b.0, b.1)).then(a.2.total_cmp(&b.2)));
+        records.dedup_by_key(|(tick, kind, _)| (*tick, *kind));
         records
     }
 
-    /// Corners that are not in the buffer as `tick` has passed.
+    /// Pieces that are not in the buffer as `tick` has passed.
     fn waiting(&self, tick: u64) -> f64 {
-        self.missing().filter(|missing| missing.arrival.is_none_or(|arrival| arrival.0 > tick)).count() as f64
+        let waits = |missing: &Missing| missing.arrival.is_none_or(|arrival| arrival.0 > tick);
+        self.missing().filter(|(_, missing)| waits(missing)).count() as f64
     }
 }

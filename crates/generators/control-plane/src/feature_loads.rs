@@ -2,12 +2,14 @@
 
 use crate::stage::MachineStage;
 use feature_generator::{CRATER_WORDS, FeatureProgram, Schedule};
-use hardware_model::{LatePolicy, Settings};
+use hardware_model::{BankPlace, LatePolicy, Settings};
 use quantities::SweepTime;
 use sweep_generator::RangeTable;
 use sweep_program::{LoadLine, LoadTiming};
 
+use crate::absent::AbsentCrater;
 use crate::frame_plan::FramePlan;
+use crate::ticks::start_of;
 
 /// The schedule of the feature generator in one frame.
 #[derive(Debug, Clone, Copy)]
@@ -20,6 +22,8 @@ pub struct FeatureLoads<'a> {
     pub plan: &'a FramePlan,
     /// The craters that the sweeps can meet, where they are known.
     pub among: Option<&'a [u32]>,
+    /// Craters that are not in the storage buffer as the frame begins, ascending.
+    pub absent: &'a [AbsentCrater],
 }
 
 impl FeatureLoads<'_> {
@@ -27,10 +31,13 @@ impl FeatureLoads<'_> {
     pub fn write(&self, [drawn, sweep]: [u32; 2], end: f64, program: &mut FeatureProgram) {
         let eye = [self.plan.eye[0], self.plan.eye[1]];
         let span = [self.table.ranges()[0], end];
-        self.schedule().write_by(eye, self.plan.direction(drawn), span, self.timing(sweep), program);
+        let start = start_of(self.stage, self.plan.frame, sweep);
+        let lacks = |absent: &&AbsentCrater| absent.comes.is_none_or(|comes| comes > start);
+        let absent: Vec<u32> = self.absent.iter().filter(lacks).map(|absent| absent.crater).collect();
+        self.schedule(&absent).write_by(eye, self.plan.direction(drawn), span, self.timing(sweep), program);
     }
 
-    fn schedule(&self) -> Schedule<'_> {
+    fn schedule<'b>(&'b self, absent: &'b [u32]) -> Schedule<'b> {
         let landscape = &self.stage.landscape;
         let level = landscape.level();
         Schedule {
@@ -39,12 +46,16 @@ impl FeatureLoads<'_> {
             region_origin: level.origin(),
             region_size: level.region_size(),
             among: self.among,
+            absent,
         }
     }
 
-    /// Whether loads take time, or sub-generators run out.
+    /// Whether loads take time, sub-generators run out, or craters lie on drums.
     pub fn is_limited(stage: &MachineStage) -> bool {
-        stage.settings.feature_words.is_some() || stage.settings.feature_generator.sub_generators.is_some()
+        let settings = &stage.settings;
+        settings.feature_words.is_some()
+            || settings.feature_generator.sub_generators.is_some()
+            || settings.kind_banks.features.place != BankPlace::Local
     }
 
     /// Whether any crater can come late, or find no sub-generator.

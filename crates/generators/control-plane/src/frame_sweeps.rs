@@ -15,11 +15,13 @@ use sweep_program::SweepProgram;
 use crate::blocks::Coarse;
 use crate::control_plane::ControlPlane;
 use crate::crossings::Crossings;
-use crate::delivery::Supply;
+use crate::data_kind::DataKind;
+use crate::delivery::{ShadowBoundary, Supply};
 use crate::digital::{DigitalFrame, crossing_times};
 use crate::frame_plan::FramePlan;
 use crate::raster::WrittenRaster;
 use crate::sight::vertices;
+use crate::squares::SquareGrid;
 
 /// Sweep programs of one frame: with the set-ups that are ready and the corners that are there.
 #[derive(Debug)]
@@ -87,8 +89,8 @@ impl ControlPlane {
         Ok(gates)
     }
 
-    /// Lines of shadow on the ground, of which the gates at `time` (s) are made: from, to (north, east; m), shadow to the right.
-    pub fn shadow_lines(&self, sweeps: &FrameSweeps<'_>, time: f64) -> Vec<[[f64; 2]; 2]> {
+    /// Boundaries of shadow on the ground, of which the gates at `time` (s) are made.
+    pub fn shadow_lines(&self, sweeps: &FrameSweeps<'_>, time: f64) -> Vec<ShadowBoundary> {
         self.supply(sweeps).shadow_lines(time)
     }
 
@@ -101,6 +103,8 @@ impl ControlPlane {
             raster: *self.raster(),
             table: self.table(),
             ready: sweeps.digital().ready_vertices(),
+            absent_shadows: sweeps.digital().absent_shadows.as_ref(),
+            absent_bodies: &sweeps.digital().absent_bodies,
         }
     }
 
@@ -225,6 +229,12 @@ impl FrameSweeps<'_> {
         self.table
     }
 
+    /// The squares of a kind beside terrain that has a bank.
+    pub(crate) fn grid(&self, kind: DataKind) -> Option<SquareGrid> {
+        let found = self.digital.grids.iter().find(|(known, _)| *known == kind);
+        found.map(|&(_, grid)| grid)
+    }
+
     pub(crate) fn plan(&self) -> &FramePlan {
         &self.plan
     }
@@ -242,6 +252,7 @@ impl FrameSweeps<'_> {
             plan: &self.plan,
             missing: self.digital.missing(),
             held: &self.digital.held,
+            absent_craters: &self.digital.absent_craters,
         }
     }
 }

@@ -16,6 +16,8 @@
 //!
 //! | floor | module | what it holds |
 //! |---|---|---|
+//! | 1 | `data_kind` | kinds of data that lie in banks |
+//! | 1 | `squares` | squares of regions whose data are one chain of records |
 //! | 1 | `stage` | ground, scenery and settings of a machine |
 //! | 1 | `raster` | what the sweeps write: the screen, or more of it |
 //! | 1 | `refusal` | why a frame cannot be drawn |
@@ -24,6 +26,7 @@
 //! | 1 | `preview` | what keeps a machine from drawing a preview |
 //! | 1 | `late_crossing` | one fold that found words missing |
 //! | 1 | `waveforms` | digital wires of a sweep, from its programs |
+//! | 2 | `absent` | what the storage buffers lack in a frame beside corners |
 //! | 2 | `ticks` | ticks of frames and sweeps |
 //! | 2 | `elaboration` | the list of blocks: which are there, which have parts, what a record says of the others |
 //! | 2 | `frame_plan` | fan, eye and sun of a frame |
@@ -31,25 +34,31 @@
 //! | 3 | `feature_loads` | craters of a sweep and the loads of their words |
 //! | 4 | `crossings` | sweep programs of both levels |
 //! | 4 | `sight` | bodies that are near enough to be drawn |
+//! | 5 | `demand` | what the frames ask their data banks for |
 //! | 5 | `craters_in_sight` | craters that can be told, by groups of sweeps |
 //! | 5 | `sweep_recorder` | what the service of one sweep did |
-//! | 6 | `digital` | data banks and processor of a frame |
+//! | 6 | `banks` | which kinds of data share drums, and what each frame gets |
+//! | 7 | `digital` | what the banks lack in a frame, and what its processor has ready |
 //! | 6 | `delivery` | shadow gates, polyhedra and craters of a frame |
-//! | 7 | `drum_waveforms` | digital wires of the drums over a sweep |
-//! | 7 | `control_plane` | what all frames of a stage share |
-//! | 8 | `before_mission` | tasks before frame 0 |
-//! | 8 | `frame_sweeps` | the sweeps of one frame |
-//! | 9 | `event_list` | all events of a sweep or a frame |
-//! | 9 | `register_state` | registers at an instant |
-//! | 9 | `timing_record` | the timing record of a frame |
-//! | 10 | `timed` | the control plane as a job that takes time; hash of what decides its timing |
+//! | 8 | `drum_waveforms` | digital wires of the drums over a sweep |
+//! | 8 | `control_plane` | what all frames of a stage share |
+//! | 9 | `before_mission` | tasks before frame 0 |
+//! | 9 | `frame_sweeps` | the sweeps of one frame |
+//! | 10 | `event_list` | all events of a sweep or a frame |
+//! | 10 | `register_state` | registers at an instant |
+//! | 10 | `timing_record` | the timing record of a frame |
+//! | 11 | `timed` | the control plane as a job that takes time; hash of what decides its timing |
 
+mod absent;
+mod banks;
 mod before_mission;
 mod blocks;
 mod control_plane;
 mod craters_in_sight;
 mod crossings;
+mod data_kind;
 mod delivery;
+mod demand;
 mod digital;
 mod digital_event;
 mod drum_waveforms;
@@ -65,6 +74,7 @@ mod raster;
 mod refusal;
 mod register_state;
 mod sight;
+mod squares;
 mod stage;
 mod sweep_recorder;
 mod ticks;
@@ -72,11 +82,14 @@ mod timed;
 mod timing_record;
 pub mod waveforms;
 
+pub use absent::{Absent, AbsentCrater};
+pub use banks::{BankDemand, Supplied, drum_count};
 pub use blocks::{Blocks, Coarse, Shadows};
 pub use control_plane::ControlPlane;
 pub use crossings::Crossings;
-pub use delivery::{Delivery, Supply};
-pub use digital::{Digital, DigitalFrame};
+pub use data_kind::DataKind;
+pub use delivery::{Delivery, ShadowBoundary, Supply};
+pub use digital::{Digital, DigitalFrame, Surroundings};
 pub use digital_event::{DigitalEvent, DigitalUnit, EventWord, LoadedPart};
 pub use dpu::Register;
 pub use drum_waveforms::{DRUM_WIRES, drum_changes, drum_of};
@@ -91,4 +104,5 @@ pub use preview::preview_obstacle;
 pub use raster::WrittenRaster;
 pub use register_state::{RegisterState, RegisterWords};
 pub use sight::vertices;
+pub use squares::SquareGrid;
 pub use stage::{MachineStage, RANGE, scan};

@@ -77,7 +77,7 @@ impl InSight {
 }
 
 /// Whether a body reaches into the sector between two directions, as seen from `eye` (m).
-fn is_ahead(eye: DVec3, [[ln, le], [rn, re]]: [[f64; 2]; 2], body: &Body) -> bool {
+pub(crate) fn is_ahead(eye: DVec3, [[ln, le], [rn, re]]: [[f64; 2]; 2], body: &Body) -> bool {
     let [north, east] = [body.centre.x - eye.x, body.centre.y - eye.y];
     let (right_of_left, left_of_right) = (ln * east - le * north, north * re - east * rn);
     right_of_left > -body.radius && left_of_right > -body.radius
@@ -96,7 +96,8 @@ pub fn vertices(stage: &MachineStage, blocks: &Blocks, plan: &FramePlan, time: f
     stage.scenery.bodies(time).filter(|body| is_wanted(body)).map(|body| body.vertices().len() as u64).sum()
 }
 
-fn sight(stage: &MachineStage) -> Sight {
+/// From which size on bodies are told.
+pub(crate) fn sight(stage: &MachineStage) -> Sight {
     let raster = stage.settings.raster;
     Sight::new(f64::from(raster.lines), 2.0 * libm::atan(raster.field.tan_half_height))
 }

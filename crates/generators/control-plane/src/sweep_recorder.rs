@@ -90,7 +90,7 @@ impl SweepRecorder {
             return;
         }
         let mut program = FeatureProgram::default();
-        FeatureLoads { stage, table, plan, among: None }.write(
+        FeatureLoads { stage, table, plan, among: None, absent: crossings.absent_craters }.write(
             [drawn, self.sweep],
             self.end_range,
             &mut program,

@@ -4,7 +4,7 @@ use std::fmt::Debug;
 
 use blake3::Hasher;
 use generator::{FrameError, Timed};
-use hardware_model::ShadowParts;
+use hardware_model::{BankPlace, ShadowParts};
 use landscape::bank_file;
 use quantities::Rate;
 use scenario::{Pose, Scenario};
@@ -50,36 +50,49 @@ fn inputs_hash(scenario: &Scenario, stage: &MachineStage) -> String {
     add(&mut hasher, "cpu", &settings.cpu);
     add(&mut hasher, "loader", &settings.loader);
     add(&mut hasher, "data banks", &settings.data_banks);
+    if !settings.kind_banks.is_plain() {
+        add(&mut hasher, "kind banks", &settings.kind_banks);
+    }
     add(&mut hasher, "seed", &settings.seed);
     add_craters(&mut hasher, stage);
     add_shadows(&mut hasher, scenario, stage);
     hasher.finalize().to_hex().to_string()
 }
 
-/// Craters, where their words take time or parts to take them are few.
+/// Craters, where their words take time, parts to take them are few, or they lie on drums.
 fn add_craters(hasher: &mut Hasher, MachineStage { landscape, settings, .. }: &MachineStage) {
     let parts = settings.feature_generator;
-    if landscape.features().is_empty() || (settings.feature_words.is_none() && parts.sub_generators.is_none())
-    {
+    let is_local = settings.kind_banks.features.place == BankPlace::Local;
+    let is_at_once = settings.feature_words.is_none() && parts.sub_generators.is_none() && is_local;
+    if landscape.features().is_empty() || is_at_once {
         return;
     }
     add(hasher, "feature generator", &(parts, settings.feature_words));
     landscape.features().craters().iter().for_each(|crater| add(hasher, "crater", &crater));
 }
 
-/// What casts shadows and when, where the words of their boundaries take time or parts to take them are few.
+/// What casts shadows and when, where the words of their boundaries take time, parts to take them are few, or they lie on drums; and
+/// bodies on drums.
 fn add_shadows(
     hasher: &mut Hasher,
     scenario: &Scenario,
     MachineStage { scenery, settings, .. }: &MachineStage,
 ) {
-    let ShadowParts::Digital { line_generators } = settings.shadow_controller else { return };
-    if settings.shadows.is_none() || (settings.segment_words.is_none() && line_generators.is_none()) {
+    let line_generators = match settings.shadow_controller {
+        ShadowParts::Digital { line_generators } => line_generators,
+        ShadowParts::ScanConverter { .. } => None,
+    };
+    let banks = &settings.kind_banks;
+    let is_timed = (settings.segment_words.is_some() || line_generators.is_some())
+        && matches!(settings.shadow_controller, ShadowParts::Digital { .. });
+    let lie_on_drums = [banks.shadows, banks.polyhedra].iter().any(|bank| bank.place != BankPlace::Local);
+    if settings.shadows.is_some() && (is_timed || lie_on_drums) {
+        add(hasher, "shadow controller", &(line_generators, settings.segment_words, settings.shadows));
+        add(hasher, "suns", &scenery.suns());
+        add(hasher, "tracks", &scenario.tracks);
+    } else if !lie_on_drums {
         return;
     }
-    add(hasher, "shadow controller", &(line_generators, settings.segment_words, settings.shadows));
-    add(hasher, "suns", &scenery.suns());
-    add(hasher, "tracks", &scenario.tracks);
     for body in scenery.standing().iter().map(|standing| &standing.body) {
         add(hasher, "body", &(body.object, body.kind, body.foot, body.vertices().collect::<Vec<_>>()));
     }

@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use data_bank::FrameSupply;
 use dpu::{CpuTime, LineUse};
 use generator::FrameError;
-use hardware_model::{CrossingServer, ShadowParts};
+use hardware_model::{CrossingServer, Settings, ShadowParts};
+use quantities::SweepTime;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use scenario::Pose;
 use shadow_controller::Gate;
@@ -13,6 +14,7 @@ use sweep_program::Colour;
 use timing::{Cause, Deadline, EventHash, FrameTiming, Missed, Sets, Slack, UnitUse};
 
 use crate::control_plane::ControlPlane;
+use crate::data_kind::DataKind;
 use crate::digital::DigitalFrame;
 use crate::frame_sweeps::FrameSweeps;
 use crate::sweep_recorder::SweepRecorder;
@@ -36,7 +38,7 @@ impl ControlPlane {
         };
         let count = self.stage().settings.raster.sweeps;
         let recorded: Vec<SweepRecorder> = (0..count).into_par_iter().map(record).collect();
-        Ok(self.summary(frame, sweeps.digital(), recorded))
+        Ok(self.summary(frame, &sweeps, recorded))
     }
 
     /// Shadow gates of all sweeps, if a boundary can come late in them or find no line generator: only then has the shadow
@@ -53,15 +55,16 @@ impl ControlPlane {
         self.shadow_gates(sweeps, time)
     }
 
-    fn summary(&self, frame: u64, digital: &DigitalFrame, sweeps: Vec<SweepRecorder>) -> FrameTiming {
+    fn summary(&self, frame: u64, sweeps: &FrameSweeps<'_>, recorders: Vec<SweepRecorder>) -> FrameTiming {
+        let digital = sweeps.digital();
         let [start, end] = frame_ticks(self.stage(), frame);
-        let (events, events_blake3) = EventHash::join(sweeps.iter().map(|sweep| sweep.events.part()));
+        let (events, events_blake3) = EventHash::join(recorders.iter().map(|sweep| sweep.events.part()));
         let mut deadlines = BTreeMap::from([(Deadline::TRANSFER, Slack::default())]);
         let mut sets = Sets::default();
         let (mut folds, mut late_words, mut misses) = (0, 0, Vec::new());
         let mut lines = [LineUse::default(); 4];
         let mut load_ticks = [0; 2];
-        for sweep in sweeps {
+        for sweep in recorders {
             deadlines.entry(Deadline::TRANSFER).or_default().merge(&sweep.transfers);
             let others = [
                 (Deadline::CORNER, &sweep.corners),
@@ -90,6 +93,8 @@ impl ControlPlane {
         if self.stage().settings.data_banks.channels.count.is_some() {
             units.extend(channel_units(digital));
         }
+        units.extend(editor_units(digital, &self.stage().settings));
+        note_squares(sweeps, (end.0 - start.0) as i64, &mut deadlines, &mut misses);
         units.extend(self.load_units(load_ticks));
         misses.sort_by(|a, b| a.sweep.cmp(&b.sweep).then(a.due.total_cmp(&b.due)));
         FrameTiming {
@@ -187,28 +192,89 @@ fn late_task(deadline: Deadline, sweep: u32, came: Option<f64>) -> Missed {
     Missed { came, ..Missed::of(deadline, sweep, Cause::Processor) }
 }
 
-/// What each level's data bank did, with the name of the level.
-fn supplied(digital: &DigitalFrame) -> impl Iterator<Item = (&'static str, &FrameSupply)> {
-    let levels = ["fine", "coarse"].into_iter().zip(&digital.supplies);
-    levels.filter_map(|(level, supply)| Some((level, supply.as_deref()?)))
+/// The drums of every bank: all that they did, then each kind's share where several kinds lie on them.
+fn drum_units(digital: &DigitalFrame) -> Vec<UnitUse> {
+    bank_units(digital, "drum", |supply| (&supply.busy, supply.longest_queue))
 }
 
-fn drum_units(digital: &DigitalFrame) -> impl Iterator<Item = UnitUse> {
-    supplied(digital).flat_map(|(level, supply)| numbered("drum", level, &supply.busy, supply.longest_queue))
+/// The channels likewise. Nothing waits for a channel but the drums that would use it.
+fn channel_units(digital: &DigitalFrame) -> Vec<UnitUse> {
+    bank_units(digital, "channel", |supply| (&supply.carried, 0))
 }
 
-/// Nothing waits for a channel but the drums that would use it.
-fn channel_units(digital: &DigitalFrame) -> impl Iterator<Item = UnitUse> {
-    supplied(digital).flat_map(|(level, supply)| numbered("channel", level, &supply.carried, 0))
+/// `drum.fine.0` and so on, with what `of` reads of a supply: ticks of each unit, and its longest queue.
+fn bank_units(
+    digital: &DigitalFrame,
+    unit: &str,
+    of: impl Fn(&FrameSupply) -> (&Vec<u64>, u32),
+) -> Vec<UnitUse> {
+    let mut units = Vec::new();
+    for bank in digital.supplies.iter().filter(|supplied| supplied.names_drums()) {
+        let kinds = digital.supplies.iter().filter(|supplied| supplied.drums == bank.kind);
+        let kinds: Vec<(&str, (&Vec<u64>, u32))> =
+            kinds.map(|supplied| (supplied.kind.name(), of(supplied.supply()))).collect();
+        for number in 0..kinds[0].1.0.len() {
+            let name = format!("{unit}.{}.{number}", bank.kind.name());
+            let busy = kinds.iter().map(|(_, (ticks, _))| ticks[number]).sum();
+            units.push(UnitUse { unit: name.clone(), busy, longest_queue: kinds[0].1.1 });
+            let shares = kinds.iter().filter(|_| kinds.len() > 1).map(|(kind, (ticks, queue))| UnitUse {
+                unit: format!("{name}.{kind}"),
+                busy: ticks[number],
+                longest_queue: *queue,
+            });
+            units.extend(shares);
+        }
+    }
+    units
 }
 
-/// `drum.fine.0` and so on.
-fn numbered(kind: &str, level: &str, busy: &[u64], longest_queue: u32) -> impl Iterator<Item = UnitUse> {
-    busy.iter().enumerate().map(move |(number, &busy)| UnitUse {
-        unit: format!("{kind}.{level}.{number}"),
-        busy,
-        longest_queue,
-    })
+/// I/O processors that edit records, where editing takes time.
+fn editor_units(digital: &DigitalFrame, settings: &Settings) -> Vec<UnitUse> {
+    let banks = &settings.kind_banks;
+    let edits = |kind: DataKind| match kind {
+        DataKind::Fine | DataKind::Coarse => banks.terrain_edit > 0.0,
+        DataKind::Features => banks.features.edit > 0.0,
+        DataKind::Shadows => banks.shadows.edit > 0.0,
+        DataKind::Polyhedra => banks.polyhedra.edit > 0.0,
+    };
+    let there = digital.supplies.iter().filter(|supplied| edits(supplied.kind));
+    there
+        .map(|supplied| UnitUse {
+            unit: format!("editor.{}", supplied.kind.name()),
+            busy: supplied.supply().edited,
+            longest_queue: 0,
+        })
+        .collect()
+}
+
+/// Notes for each square of craters, boundaries and bodies whether its records were there as the frame began.
+fn note_squares(
+    sweeps: &FrameSweeps<'_>,
+    length: i64,
+    deadlines: &mut BTreeMap<Deadline, Slack>,
+    misses: &mut Vec<Missed>,
+) {
+    for supplied in &sweeps.digital().supplies {
+        let deadline = match supplied.kind {
+            DataKind::Fine | DataKind::Coarse => continue,
+            DataKind::Features => Deadline::FEATURE_RECORD,
+            DataKind::Shadows => Deadline::SHADOW_RECORD,
+            DataKind::Polyhedra => Deadline::BODY_RECORD,
+        };
+        let (supply, grid) = (supplied.supply(), sweeps.grid(supplied.kind));
+        let (clock, start) = (sweeps.clock(0), sweeps.clock(0).tick_at_or_after(SweepTime(0.0)));
+        let slack = deadlines.entry(deadline).or_default();
+        (supply.missing.len() as u64..supply.pieces).for_each(|_| slack.add(0));
+        for missing in &supply.missing {
+            let late = missing.arrival.map_or(length, |arrival| (arrival.0 - start.0) as i64);
+            slack.add(-late.max(1));
+            misses.push(Missed {
+                region: grid.map(|grid| grid.region_of(missing.item)),
+                came: missing.arrival.map(|arrival| clock.instant_of(arrival).0),
+                ..Missed::of(deadline, 0, Cause::Drum)
+            });
+        }
+    }
 }
 
 fn add_sets(sum: &mut Sets, sets: &Sets) {

@@ -2,10 +2,13 @@
 
 use std::sync::Arc;
 
-use control_plane::{ControlPlane, DigitalEvent, DigitalUnit, EventWord, LoadedPart, MachineStage};
+use control_plane::{
+    ControlPlane, DataKind, DigitalEvent, DigitalUnit, EventWord, FrameSweeps, LoadedPart, MachineStage,
+};
 use features::{Crater, Features, Shape};
 use hardware_model::{
-    Cpu, DataBanks, Drum, DrumQueue, FeatureParts, HardwareModel, Raster, Settings, ShadowParts,
+    BankPlace, Cpu, DataBanks, Drum, DrumQueue, FeatureParts, HardwareModel, KindBank, KindBanks, Raster,
+    Settings, ShadowParts,
 };
 use landscape::{Attitude, Bank, Landscape, Level, Sun};
 use quantities::{Rate, Timebase};
@@ -13,6 +16,7 @@ use scenario::{
     Display, FieldOfView, LawWishes, Pose, RangeLaw, RangeProgramme, RasterWishes, Scalar, Scenery,
     ShadowFineness, TrackPatch,
 };
+use timing::{Cause, Deadline};
 
 /// The eye: north, east, height (m).
 const EYE: [f64; 3] = [115.3, 115.2, 10.0];
@@ -46,7 +50,7 @@ fn pose(heading: f64) -> Pose {
 }
 
 /// Flat ground with bowls of 5 m radius straight ahead, each so far from the eye, and patches of shadow between two ranges (m).
-fn control(settings: Settings, bowls: &[f64], patches: &[[f64; 2]]) -> ControlPlane {
+fn machine(settings: Settings, bowls: &[f64], patches: &[[f64; 2]]) -> ControlPlane {
     let level = Level::new(10.0, [0.0; 2], [24, 24], vec![[0.0; 9]; 24 * 24]).expect("a level");
     let bowl = |ahead: &f64| Crater::new([EYE[0] + ahead, EYE[1]], Shape::Bowl { r1: 5.0 }, 0.1, 0.0);
     let bowls = bowls.iter().map(|ahead| bowl(ahead).expect("a bowl")).collect();
@@ -65,7 +69,7 @@ fn control(settings: Settings, bowls: &[f64], patches: &[[f64; 2]]) -> ControlPl
 
 /// Tick, word, sweep and ticks that were left of the events that belong to no fold, in frame 1.
 fn of_frame(cpu: Cpu) -> Vec<(u64, EventWord, Option<u32>, Option<i64>)> {
-    let control = control(Settings { cpu, ..settings() }, &[], &[]);
+    let control = machine(Settings { cpu, ..settings() }, &[], &[]);
     let sweeps = control.sweeps(1, &pose(0.0)).expect("a pose that can be drawn");
     let told = |event: DigitalEvent| (event.tick.0, event.event, event.sweep.or(event.other), event.slack);
     sweeps.frame_events().into_iter().map(told).collect()
@@ -89,7 +93,7 @@ fn set_ups_and_tables_in_time() {
 #[test]
 fn set_ups_and_tables_that_are_late() {
     let cpu = Cpu { sweep_setup: 1300, frame_tables: 1500, ..Cpu::default() };
-    let control = control(Settings { cpu, ..settings() }, &[], &[]);
+    let control = machine(Settings { cpu, ..settings() }, &[], &[]);
     let events = control.sweeps(1, &pose(0.0)).expect("a pose that can be drawn").frame_events();
     let of = |word: EventWord| events.iter().filter(move |event| event.event == word);
     // One after another, each for the sweep after the one in whose time it begins; the last is given up.
@@ -133,7 +137,7 @@ fn craters_in_time_late_and_dropped() {
         feature_generator: FeatureParts { sub_generators: Some(1), ..FeatureParts::default() },
         ..settings()
     };
-    let control = control(settings, &[30.04, 60.04, 63.04, 71.04], &[]);
+    let control = machine(settings, &[30.04, 60.04, 63.04, 71.04], &[]);
     let part = Some(LoadedPart::SubGenerator(1, 0));
     let expected = [
         (50, EventWord::CraterLoad, part, Some(240 - 50)),
@@ -153,7 +157,7 @@ fn boundaries_in_time_late_and_dropped() {
         shadows: Some(ShadowFineness { finest: 1.0, angle: 0.02, reach: None }),
         ..settings()
     };
-    let control = control(settings, &[], &[[20.04, 30.04], [40.04, 50.04]]);
+    let control = machine(settings, &[], &[[20.04, 30.04], [40.04, 50.04]]);
     let part = |number| Some(LoadedPart::LineGenerator(number));
     let expected = [
         (150, EventWord::SegmentLoad, part(0), Some(190 - 150)),
@@ -169,15 +173,18 @@ fn boundaries_in_time_late_and_dropped() {
 fn records_come_as_the_drum_turns() {
     let drum = Drum { rotation: 300, word: 3.0, record_words: 9, queue: DrumQueue::Fifo, count: 1 };
     let data_banks = DataBanks { drum: Some(drum), ..settings().data_banks };
-    let control = control(Settings { data_banks, ..settings() }, &[], &[]);
-    let figures = control.drums(0)[0];
+    let control = machine(Settings { data_banks, ..settings() }, &[], &[]);
+    let figures = control.drums(DataKind::Fine)[0];
     let sweeps = control.sweeps(1, &pose(std::f64::consts::PI)).expect("a pose that can be drawn");
     let records = sweeps.frame_events();
     assert!(records.len() > 40 && records.iter().all(|event| event.event == EventWord::Record));
     let mut free = 10_000;
     let mut nearest = 0.0;
     for event in &records {
-        assert_eq!((event.unit, event.level, event.words), (DigitalUnit::Drum(0, 0), Some(0), 9));
+        assert_eq!(
+            (event.unit, event.level, event.words),
+            (DigitalUnit::Drum(DataKind::Fine, 0), Some(0), 9)
+        );
         let [m, n] = event.corner.expect("a record of one corner");
         let place = figures.place((24 * m + n) as u32);
         assert_eq!(event.tick.0, figures.passes(place, free) + figures.transfer, "{m} {n}");
@@ -187,4 +194,122 @@ fn records_come_as_the_drum_turns() {
         assert!(distance >= nearest, "{m} {n} after one farther away");
         nearest = distance;
     }
+}
+
+/// Records of craters, boundaries and bodies on drums of their own, two words a tick, squares of one region.
+fn kinds_on_drums(place: BankPlace) -> Settings {
+    let drum = Drum { rotation: 600, word: 3.0, record_words: 9, queue: DrumQueue::Fifo, count: 1 };
+    let base = settings();
+    let bank = |bank: KindBank| KindBank { place, record_words: 24, ..bank };
+    let KindBanks { features, shadows, polyhedra, .. } = base.kind_banks;
+    let (features, shadows, polyhedra) = (bank(features), bank(shadows), bank(polyhedra));
+    let shadow_fineness = ShadowFineness { finest: 5.0, angle: 0.1, reach: None };
+    Settings {
+        data_banks: DataBanks { drum: Some(drum), ..base.data_banks },
+        kind_banks: KindBanks { features, shadows, polyhedra, ..base.kind_banks },
+        feature_words: Some(1e6),
+        segment_words: Some(1e6),
+        shadows: Some(shadow_fineness),
+        ..base
+    }
+}
+
+/// Craters that the loads of a sweep name.
+fn craters_of(sweeps: &FrameSweeps<'_>, sweep: u32) -> Vec<u32> {
+    let mut craters: Vec<u32> = sweeps.events(sweep).into_iter().filter_map(|event| event.crater).collect();
+    craters.sort_unstable();
+    craters
+}
+
+/// The view turns about: craters behind come square by square, and a sweep knows those that were there as it began.
+#[test]
+fn a_crater_is_drawn_from_the_first_sweep_after_its_record() {
+    let ahead = [-15.0, -36.0, -57.0, -78.0, 20.0];
+    for place in [BankPlace::Apart, BankPlace::Together] {
+        let control = machine(kinds_on_drums(place), &ahead, &[]);
+        let turned = pose(std::f64::consts::PI);
+        let sweeps = control.sweeps(1, &turned).expect("a pose that can be drawn");
+        let events = sweeps.frame_events();
+        let came: Vec<(u64, [i64; 2])> = events
+            .iter()
+            .filter(|event| event.event == EventWord::FeatureRecord)
+            .map(|event| (event.tick.0, event.corner.expect("a square")))
+            .collect();
+        assert_eq!(came.len(), 4, "{place:?}: {events:?}");
+        let drums = if place == BankPlace::Apart { DataKind::Features } else { DataKind::Fine };
+        let of_craters = |event: &&DigitalEvent| event.event == EventWord::FeatureRecord;
+        assert!(events.iter().filter(of_craters).all(|event| event.unit == DigitalUnit::Drum(drums, 0)));
+        let mut grew = 0;
+        for sweep in 0..10 {
+            let begins = 10_000 + 1000 * u64::from(sweep);
+            let there = |crater: &u32| {
+                let north = ((EYE[0] + ahead[*crater as usize]) / 10.0).floor() as i64;
+                let record = came.iter().find(|(_, [m, _])| *m == north);
+                record.is_some_and(|&(tick, _)| tick <= begins)
+            };
+            let expected: Vec<u32> = (0..4).filter(there).collect();
+            grew += usize::from(!expected.is_empty() && expected.len() < 4);
+            assert_eq!(craters_of(&sweeps, sweep), expected, "{place:?}, sweep {sweep}");
+        }
+        assert!(grew > 0, "all came at once");
+        // In the first frame all is there, and what a model keeps in a memory of its own never comes.
+        let first = control.sweeps(0, &pose(0.0)).expect("a pose that can be drawn");
+        assert_eq!((craters_of(&first, 0), first.frame_events().len()), (vec![4], 0));
+    }
+    let local = machine(kinds_on_drums(BankPlace::Local), &ahead, &[]);
+    let sweeps = local.sweeps(1, &pose(std::f64::consts::PI)).expect("a pose that can be drawn");
+    assert!(sweeps.frame_events().iter().all(|event| event.event == EventWord::Record));
+    assert_eq!(craters_of(&sweeps, 0), [0, 1, 2, 3]);
+}
+
+/// The same of patches of shadow: the gate of a sweep has those whose square was whole as it began, and a missing patch leaves no
+/// edge behind.
+#[test]
+fn a_shadow_acts_from_the_first_sweep_after_its_square() {
+    let patches = [[-18.0, -12.0], [-38.0, -32.0], [-58.0, -52.0]];
+    let control = machine(kinds_on_drums(BankPlace::Apart), &[], &patches);
+    let turned = pose(std::f64::consts::PI);
+    let sweeps = control.sweeps_with_gates(1, &turned).expect("a pose that can be drawn");
+    let came: Vec<u64> = sweeps
+        .frame_events()
+        .iter()
+        .filter(|event| event.event == EventWord::ShadowRecord)
+        .map(|event| event.tick.0)
+        .collect();
+    assert_eq!(came.len(), 3);
+    let mut counts = Vec::new();
+    for sweep in 0..10 {
+        let begins = 10_000 + 1000 * u64::from(sweep);
+        let gate = sweeps.gate(sweep).expect("shadows are asked for");
+        let there = came.iter().filter(|&&tick| tick <= begins).count();
+        assert_eq!(gate.loads.len(), 2 * there, "sweep {sweep}");
+        assert!(!gate.dark_at_start && !gate.is_dark(89.0), "sweep {sweep}");
+        counts.push(there);
+    }
+    assert!(counts[0] < 3 && counts[9] == 3, "{counts:?}");
+}
+
+/// What a frame's record has of the banks: a deadline for every record that it asks for, misses with their square, shares of a drum.
+#[test]
+fn the_timing_record_has_the_banks() {
+    let ahead = [-15.0, -36.0, -57.0];
+    let control = machine(kinds_on_drums(BankPlace::Together), &ahead, &[[-18.0, -12.0]]);
+    let turned = pose(std::f64::consts::PI);
+    let timing = control.frame(1, &turned).expect("a pose that can be drawn");
+    let slack = &timing.deadlines[&Deadline::FEATURE_RECORD];
+    assert_eq!((slack.count, slack.missed), (3, 3));
+    assert_eq!(timing.deadlines[&Deadline::SHADOW_RECORD].missed, 1);
+    let misses: Vec<_> =
+        timing.misses.iter().filter(|miss| miss.deadline == Deadline::FEATURE_RECORD).collect();
+    assert!(misses.iter().all(|miss| miss.cause == Cause::Drum && miss.came.is_some()));
+    assert_eq!(misses.len(), 3);
+    let least = misses.iter().filter_map(|miss| miss.came).fold(0.0, f64::max);
+    // Ten ticks a step.
+    assert_eq!(slack.least, Some(-(10.0 * least).round() as i64));
+    let busy = |unit: &str| timing.units.iter().find(|found| found.unit == unit).map(|found| found.busy);
+    let shares = ["fine", "features", "shadows"].map(|kind| busy(&format!("drum.fine.0.{kind}")).unwrap());
+    assert!(shares.iter().all(|&share| share > 0));
+    assert_eq!(busy("drum.fine.0"), Some(shares.iter().sum()));
+    let first = control.frame(0, &pose(0.0)).expect("a pose that can be drawn");
+    assert_eq!(first.deadlines[&Deadline::CORNER].missed, 0);
 }

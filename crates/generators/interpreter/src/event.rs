@@ -149,16 +149,23 @@ pub enum Happening {
         /// Ticks until the frame ends; below 0, so much work is left.
         slack: i64,
     },
-    /// A record arrives from a drum.
+    /// A record of terrain arrives from a drum.
     Record(FromDrum),
+    /// A square of another kind of data is whole in the storage buffer.
+    Square {
+        /// 2 features, 3 boundaries of shadow, 4 polyhedra.
+        kind: usize,
+        /// Drum of its first record, and its south-west region.
+        record: FromDrum,
+    },
 }
 
 /// A record that brings corners which a frame asks for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct FromDrum {
-    /// Number of the drum on its level.
+    /// Number of the drum in its bank.
     pub drum: u32,
-    /// The first of the corners.
+    /// The first of the corners, or the south-west region of a square.
     pub corner: [i64; 2],
     /// How many words of it the frame asks for.
     pub words: u32,
@@ -215,6 +222,9 @@ impl Happening {
             Self::Tables { slack: 0.. } => "tables",
             Self::Tables { .. } => "tables-late",
             Self::Record(_) => "record",
+            Self::Square { kind: 2, .. } => "feature-record",
+            Self::Square { kind: 3, .. } => "shadow-record",
+            Self::Square { .. } => "body-record",
         }
     }
 }

@@ -1,6 +1,6 @@
-//! What the digital side does for a whole frame, before any of its sweeps: the processor, and the drums of both levels.
+//! What the digital side does for a whole frame, before any of its sweeps: the processor, and the drums of all kinds of data.
 
-use crate::drums::{Arrivals, Bank, DrumFigures};
+use crate::drums::{Arrivals, Bank, GivenKind};
 use crate::event::{Event, Happening};
 use crate::processor::{Processed, processor};
 use crate::scene::SceneData;
@@ -12,8 +12,8 @@ pub struct FrameGiven<'a> {
     pub crossings: &'a [u64],
     /// Vertices of polyhedra that the processor is to transform.
     pub vertices: u64,
-    /// The drums of each level as the seed drew them; none where all words are at hand.
-    pub drums: [&'a [DrumFigures]; 2],
+    /// The kinds of data on each bank of drums; none where all data are at hand.
+    pub banks: &'a [Vec<GivenKind>],
 }
 
 /// The digital side of one frame.
@@ -27,23 +27,36 @@ pub struct Frame {
     pub held: Vec<i64>,
     /// Corners that the storage buffer of each level has not when the frame begins.
     pub missing: [Arrivals; 2],
+    /// Squares of features that the storage buffer has not whole when the frame begins: number and 0, and when each is whole.
+    pub absent_features: Arrivals,
 }
 
 /// Follows the processor through the frame, and the drums from the first frame of the mission on.
 pub fn frame(scene: &SceneData<'_>, given: &FrameGiven<'_>) -> Frame {
     let Processed { mut events, set_ups, held } = processor(scene, given);
-    let mut missing = [Arrivals::new(), Arrivals::new()];
-    for (number, drums) in given.drums.iter().enumerate().filter(|(_, drums)| !drums.is_empty()) {
-        let mut bank = Bank::before_mission(scene, number, drums);
+    let mut frame = Frame { set_ups, held, ..Frame::default() };
+    for kinds in given.banks {
+        let mut bank = Bank::before_mission(scene, kinds);
         for earlier in 0..scene.frame {
             bank.frame(scene, earlier);
         }
-        missing[number] = bank.frame(scene, scene.frame);
-        events.extend(bank.records(&missing[number]).into_iter().map(|(tick, record)| Event {
-            tick,
-            level: Some(number),
-            what: Happening::Record(record),
-        }));
+        let missing = bank.frame(scene, scene.frame);
+        for (store, (given, missing)) in kinds.iter().zip(missing).enumerate() {
+            let level = (given.kind < 2).then_some(given.kind);
+            events.extend(bank.records(store, &missing).into_iter().map(|(tick, record)| Event {
+                tick,
+                level,
+                what: match level {
+                    Some(_) => Happening::Record(record),
+                    None => Happening::Square { kind: given.kind, record },
+                },
+            }));
+            match given.kind {
+                level @ (0 | 1) => frame.missing[level] = missing,
+                2 => frame.absent_features = missing,
+                _ => {}
+            }
+        }
     }
-    Frame { events, set_ups, held, missing }
+    Frame { events, ..frame }
 }

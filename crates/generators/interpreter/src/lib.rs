@@ -53,7 +53,7 @@ pub mod walk;
 pub mod wires;
 
 pub use coverage::{Unknown, why_not, why_straight};
-pub use drums::{Arrivals, DrumFigures};
+pub use drums::{Arrivals, DrumFigures, GivenKind};
 pub use event::{AskedFor, Event, FromDrum, Happening, Outcome, Part, Register};
 pub use fan::range_programme;
 pub use frame::{Frame, FrameGiven, frame};

@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use features::Crater;
 use hardware_model::{LatePolicy, Organisation};
 
-use crate::clock::Clock;
+use crate::clock::{Clock, starts};
+use crate::drums::Arrivals;
 use crate::event::{Event, Happening, Outcome, Part};
 use crate::scene::SceneData;
 
@@ -207,10 +208,17 @@ impl<'a> Line<'a> {
     }
 }
 
-/// Loads of the craters that the sweep meets.
-pub fn craters(scene: &SceneData<'_>, passing: &Passing<'_>) -> Loads {
+/// Loads of the craters that the sweep meets. `absent`: squares whose craters the storage buffer has not as the frame begins.
+pub fn craters(scene: &SceneData<'_>, passing: &Passing<'_>, absent: &Arrivals) -> Loads {
     let parts = scene.settings.feature_generator;
+    let begins = starts(scene, scene.frame)[passing.sweep as usize];
+    let records = records(scene);
+    let is_there = |number: u32| {
+        let comes = absent.get(&[records[number as usize], 0]);
+        comes.is_none_or(|comes| comes.is_some_and(|tick| tick <= begins))
+    };
     let all = (0..).zip(scene.landscape.features().craters().iter());
+    let all = all.filter(|(number, _)| is_there(*number));
     let mut requests: Vec<Request> =
         all.filter_map(|(number, crater)| request(scene, passing, number, &crater)).collect();
     requests.sort_by(|a, b| a.taken[0].total_cmp(&b.taken[0]).then(a.due.total_cmp(&b.due)));
@@ -218,6 +226,28 @@ pub fn craters(scene: &SceneData<'_>, passing: &Passing<'_>) -> Loads {
         .serve(&requests, parts.sub_generators);
     loads.drawn.sort_by_key(|drawn| drawn.crater);
     loads
+}
+
+/// The record that holds each crater: records of a square one after another, as many craters in each as it has room for.
+fn records(scene: &SceneData<'_>) -> Vec<i64> {
+    let level = scene.fine();
+    let bank = &scene.settings.kind_banks.features;
+    let regions = bank.record_regions as usize;
+    let squares = level.corners().map(|corners| (corners - 1).div_ceil(regions) as i64);
+    let room = i64::from(bank.record_words) / CRATER_WORDS as i64;
+    let mut filled: BTreeMap<i64, i64> = BTreeMap::new();
+    let record = |crater: Crater| {
+        let [north, east] = [0, 1].map(|axis| {
+            let side = level.region_size() * regions as f64;
+            let along = ((crater.centre()[axis] - level.origin()[axis]) / side).floor() as i64;
+            along.clamp(0, squares[axis] - 1)
+        });
+        let square = north * squares[1] + east;
+        let before = filled.entry(square).or_insert(0);
+        *before += 1;
+        square + (*before - 1) / room * squares[0] * squares[1]
+    };
+    scene.landscape.features().craters().iter().map(record).collect()
 }
 
 /// What a crater asks for; none if the sweep does not meet it.

@@ -2,6 +2,7 @@
 
 use hardware_model::ShadowParts;
 
+use crate::clock::starts;
 use crate::event::Part;
 use crate::loads::{Line, Loads, Passing, Request};
 use crate::scene::SceneData;
@@ -12,8 +13,14 @@ const SEGMENT_WORDS: f64 = 4.0;
 /// Two changes of the gate nearer than this are none (m).
 const RESOLUTION: f64 = 1e-6;
 
-/// A line of shadow on the ground: from, to (north, east; m), shadow to the right.
-pub type ShadowLine = [[f64; 2]; 2];
+/// A line of shadow on the ground.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ShadowLine {
+    /// From, to (north, east; m), shadow to the right.
+    pub ends: [[f64; 2]; 2],
+    /// From which tick on the storage buffer has it; none if it has not in this frame.
+    pub there_from: Option<i64>,
+}
 
 /// Where the sweep crosses a line of shadow.
 #[derive(Debug, Clone, Copy)]
@@ -35,7 +42,10 @@ pub fn segments(scene: &SceneData<'_>, passing: &Passing<'_>, lines: &[ShadowLin
         return Loads::default();
     };
     let reach = fineness.reach.unwrap_or(settings.range.end).min(settings.range.end);
-    let mut boundaries = boundaries(scene, passing.direction, lines, reach);
+    let begins = starts(scene, scene.frame)[passing.sweep as usize];
+    let is_there = |line: &&ShadowLine| line.there_from.is_some_and(|tick| tick <= begins);
+    let lines: Vec<ShadowLine> = lines.iter().filter(is_there).copied().collect();
+    let mut boundaries = boundaries(scene, passing.direction, &lines, reach);
     boundaries.sort_by(|a, b| a.beside[0].total_cmp(&b.beside[0]).then(a.range.total_cmp(&b.range)));
     let request = |Crossing { range, beside, .. }: Crossing| Request {
         part: Part::Segment { line_generator: None },
@@ -73,7 +83,7 @@ fn boundaries(scene: &SceneData<'_>, direction: [f64; 2], lines: &[ShadowLine], 
 
 /// Where the sweep crosses a line, if it does ahead of the eye.
 fn crossing(scene: &SceneData<'_>, [cos, sin]: [f64; 2], line: &ShadowLine) -> Option<Crossing> {
-    let [from, to] = line.map(|[north, east]| [north - scene.eye[0], east - scene.eye[1]]);
+    let [from, to] = line.ends.map(|[north, east]| [north - scene.eye[0], east - scene.eye[1]]);
     let [a, b] = [from, to].map(|[north, east]| cos * east - sin * north);
     if (a < 0.0) == (b < 0.0) {
         return None;

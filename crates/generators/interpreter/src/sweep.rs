@@ -61,7 +61,7 @@ pub fn interpret(scene: &SceneData<'_>, sweep: u32, given: &Given<'_>) -> Record
     let direction = direction(scene, set_up);
     let mut terrain = terrain(scene, sweep, direction, given);
     let passing = Passing { sweep, direction, ranges: given.ranges, end: terrain.end(scene) };
-    let craters = craters(scene, &passing);
+    let craters = craters(scene, &passing, &given.frame.absent_features);
     let wires = OutputAmplifiers::of(scene, given);
     let mut walker = Walker {
         scene,

@@ -2,7 +2,7 @@
 
 use control_plane::{
     Blocks, Crossings, Delivery, Digital, DigitalFrame, Elaboration, FramePlan, MachineStage, Supply,
-    WrittenRaster, vertices,
+    Surroundings, WrittenRaster, vertices,
 };
 use display_projection_processor::Processor;
 use generator::FrameError;
@@ -52,13 +52,14 @@ impl<S: Real> Elaborated<S> {
         let settings = &stage.settings;
         let table = RangeTable::new(&settings.range, settings.raster.samples as usize);
         let (laws, list) = (&settings.laws, Elaboration::new(&stage));
+        let blocks = Blocks::new(&stage, &list);
         Self {
-            blocks: Blocks::new(&stage, &list),
             near: NearTable::new(table.ranges().iter().map(|range| (1.0 / range) as f32)),
             processor: Processor::new(laws.occlusion, laws.curvature, table.ranges()),
             raster: WrittenRaster::new(settings),
             footings: Footings::default(),
-            digital: Digital::new(&stage),
+            digital: Digital::new(&stage, &blocks),
+            blocks,
             parts: RealParts::new(&stage, &list, table.ranges(), &WrittenRaster::new(settings)),
             list,
             stores_before: Recent::default(),
@@ -93,6 +94,8 @@ impl<S: Real> Elaborated<S> {
             raster: self.raster,
             table: &self.table,
             ready: digital.ready_vertices(),
+            absent_shadows: digital.absent_shadows.as_ref(),
+            absent_bodies: &digital.absent_bodies,
         };
         supply.deliver(time, &mut delivery);
         supply.check_cache()?;
@@ -107,11 +110,14 @@ impl<S: Real> Elaborated<S> {
             plan,
             missing: Default::default(),
             held: &[],
+            absent_craters: &[],
         };
         // A processor that takes no time has them all ready, however many.
         let is_asked = self.digital.is_timed();
         let vertices = if is_asked { vertices(&self.stage, &self.blocks, plan, time) } else { 0 };
-        self.digital.frame(&self.stage, &self.blocks, &self.raster, &crossings, vertices)
+        let Self { blocks, raster, footings, .. } = self;
+        let around = Surroundings { blocks, raster, footings };
+        self.digital.frame(&self.stage, around, &crossings, vertices)
     }
 
     /// What all groups of a frame share.

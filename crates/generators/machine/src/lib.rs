@@ -66,7 +66,7 @@ pub use unprobed::prepare_unprobed;
 
 // The command still asks the machine for what the planes hold.
 pub use control_plane::{
-    ControlPlane, DigitalEvent, DigitalUnit, EventWord, FrameSweeps, LateCrossing, LoadedPart, MachineStage,
-    RANGE, Register, RegisterState, RegisterWords,
+    ControlPlane, DataKind, DigitalEvent, DigitalUnit, EventWord, FrameSweeps, LateCrossing, LoadedPart,
+    MachineStage, RANGE, Register, RegisterState, RegisterWords,
 };
 pub use signal_plane::signals;

@@ -112,6 +112,7 @@ impl<S: Real> Group<'_, S> {
             plan: self.plan,
             missing: self.digital.missing(),
             held: &self.digital.held,
+            absent_craters: &self.digital.absent_craters,
         }
     }
 

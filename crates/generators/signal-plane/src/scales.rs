@@ -1,6 +1,6 @@
 //! Which wires an elaborated machine has, and what full scale means on them.
 
-use control_plane::{Blocks, MachineStage, WrittenRaster, drum_of};
+use control_plane::{Blocks, MachineStage, WrittenRaster, drum_count, drum_of};
 use display_projection_processor::DERIVATIVE;
 use hardware_model::Settings;
 use scenario::Occlusion;
@@ -35,31 +35,26 @@ pub(crate) struct Scales {
 /// Wires of the machine elaborated for `stage`, in the order of the signal table: those of blocks that are there.
 pub fn wires(stage: &MachineStage, blocks: &Blocks, raster: &WrittenRaster) -> Vec<Wire> {
     let scales = Scales::of(stage, raster);
+    let drums = drum_count(stage, blocks);
     signals()
         .iter()
-        .filter(|signal| is_there(signal, blocks, &stage.settings))
+        .filter(|signal| is_there(signal, blocks, &stage.settings, drums))
         .map(|signal| scales.wire(signal))
         .collect()
 }
 
-fn is_there(signal: &Signal, blocks: &Blocks, settings: &Settings) -> bool {
+fn is_there(signal: &Signal, blocks: &Blocks, settings: &Settings, drums: usize) -> bool {
     match (signal.prefix(), signal.name) {
         ("fg", _) | (_, "mu.vs1" | "mu.vs1.fade") => blocks.features,
         ("sc", _) | (_, "mu.vs2" | "mu.vs2.fade") => blocks.shadows.is_some(),
         ("txg", _) => blocks.texture,
         ("pg", _) => blocks.bodies,
         ("yoke", _) => settings.yoke.is_some(),
-        ("drum", name) => drum_of(name).is_some_and(|(drum, _)| drum < drums(blocks, settings)),
+        ("drum", name) => drum_of(name).is_some_and(|(drum, _)| drum < drums),
         (_, "dpp.derivative") => settings.laws.occlusion == Occlusion::Derivative,
         (_, name) if name.contains(".coarse.") => blocks.coarse.is_some(),
         _ => true,
     }
-}
-
-/// Drums of all levels.
-fn drums(blocks: &Blocks, settings: &Settings) -> usize {
-    let of_level = settings.data_banks.drum.map_or(0, |drum| drum.count as usize);
-    of_level * if blocks.coarse.is_some() { 2 } else { 1 }
 }
 
 impl Scales {

@@ -20,11 +20,11 @@ pub enum EventListError {
         asked: String,
     },
     /// There is no drum of that number.
-    #[error("{asked}: each level has drums 0..{count}; expected one of them")]
+    #[error("{asked}: each kind of data has drums 0..{count}; expected one of them")]
     NoSuchDrum {
         /// The option with its value.
         asked: String,
-        /// Drums of a level.
+        /// Drums of a kind of data.
         count: u32,
     },
     /// The ticks that are asked for are those of no event.

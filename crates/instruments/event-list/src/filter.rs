@@ -8,7 +8,7 @@ use crate::EventListError;
 use crate::seen::Seen;
 
 /// Units as the timing record calls them, and the first words of their names.
-const UNITS: [&str; 14] = [
+const UNITS: [&str; 17] = [
     "dpu",
     "loader",
     "loader.yellow",
@@ -20,6 +20,9 @@ const UNITS: [&str; 14] = [
     "drum",
     "drum.fine",
     "drum.coarse",
+    "drum.features",
+    "drum.shadows",
+    "drum.polyhedra",
     "registers",
     "feature-generator",
     "shadow-controller",
@@ -55,7 +58,7 @@ pub struct Filter {
 pub fn unit(text: &str) -> Result<String, String> {
     let text = text.trim();
     let is_drum = text.rsplit_once('.').is_some_and(|(drums, number)| {
-        matches!(drums, "drum.fine" | "drum.coarse") && number.parse::<u32>().is_ok()
+        drums.starts_with("drum.") && UNITS.contains(&drums) && number.parse::<u32>().is_ok()
     });
     match is_drum || UNITS.contains(&text) {
         true => Ok(text.to_owned()),

@@ -2,13 +2,13 @@
 
 use std::collections::HashSet;
 
-use control_plane::{ControlPlane, DigitalUnit, FrameSweeps, MachineStage};
-use data_bank::DrumUnit;
+use control_plane::{BankDemand, ControlPlane, DigitalUnit, FrameSweeps, MachineStage, ShadowBoundary};
+use data_bank::{DrumUnit, Piece};
 use generator::{FrameError, Planes, Session};
 use interpreter::parts::gates::Edge;
 use interpreter::parts::{Array, Drawn};
 use interpreter::{
-    DrumFigures, Frame, FrameGiven, Given, Record, SceneData, ShadowLine, Unknown, interpret,
+    DrumFigures, Frame, FrameGiven, Given, GivenKind, Record, SceneData, ShadowLine, Unknown, interpret,
     range_programme, straight, why_not, why_straight,
 };
 use machine::Prepare;
@@ -176,7 +176,7 @@ impl Engines {
         Own {
             frame: self.frame(&scene, digital),
             scene,
-            lines: self.control.shadow_lines(digital, pose.time),
+            lines: self.control.shadow_lines(digital, pose.time).into_iter().map(shadow_line).collect(),
             gates: self.shadow_gates(digital),
             full_scales: self
                 .session
@@ -213,12 +213,12 @@ impl Engines {
 
     /// The digital side of a frame as the interpreter sees it.
     fn frame(&self, scene: &SceneData<'_>, digital: &FrameSweeps<'_>) -> Frame {
-        let drums =
-            [0, 1].map(|level| self.control.drums(level).into_iter().map(figures).collect::<Vec<_>>());
+        let kinds = |bank: Vec<BankDemand>| -> Vec<GivenKind> { bank.into_iter().map(given_kind).collect() };
+        let banks: Vec<Vec<GivenKind>> = self.control.demands(scene.frame).into_iter().map(kinds).collect();
         let given = FrameGiven {
             crossings: &digital.crossing_ticks(),
             vertices: digital.vertices_asked(),
-            drums: [&drums[0], &drums[1]],
+            banks: &banks,
         };
         interpreter::frame(scene, &given)
     }
@@ -302,6 +302,21 @@ pub fn drawn(seed: u64, broken_lines: &[Vec<f64>]) -> Drawn<'_> {
             NoiseSource::new(seed, source, number).normal(sweep, sample)
         },
         broken_lines,
+    }
+}
+
+fn shadow_line(ShadowBoundary { ends, there_from }: ShadowBoundary) -> ShadowLine {
+    ShadowLine { ends, there_from: there_from.map(|tick| tick.0 as i64) }
+}
+
+/// A kind of data on its drums. What is asked of terrain the interpreter works out itself.
+fn given_kind(BankDemand { kind, drums, asked }: BankDemand) -> GivenKind {
+    let pieces =
+        |pieces: Vec<Piece>| pieces.iter().map(|piece| [piece.item, piece.records]).collect::<Vec<_>>();
+    GivenKind {
+        kind: kind as usize,
+        drums: drums.into_iter().map(figures).collect(),
+        asked: if kind.level().is_some() { vec![] } else { asked.into_iter().map(pieces).collect() },
     }
 }
 

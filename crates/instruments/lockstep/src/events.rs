@@ -63,9 +63,10 @@ fn happening(event: &DigitalEvent) -> Option<Happening> {
         }
         EventWord::OldSetUp => Happening::OldSetUp { sweep: event.sweep?, drawn: event.other? },
         EventWord::Tables | EventWord::TablesLate => Happening::Tables { slack: event.slack? },
-        EventWord::Record => {
-            Happening::Record(FromDrum { drum: drum(event)?, corner: event.corner?, words: event.words })
-        }
+        EventWord::Record => Happening::Record(from_drum(event)?),
+        EventWord::FeatureRecord => Happening::Square { kind: 2, record: from_drum(event)? },
+        EventWord::ShadowRecord => Happening::Square { kind: 3, record: from_drum(event)? },
+        EventWord::BodyRecord => Happening::Square { kind: 4, record: from_drum(event)? },
     })
 }
 
@@ -81,11 +82,9 @@ fn words_of(event: &DigitalEvent, outcome: Outcome) -> Happening {
     Happening::Words { part, outcome, slack: event.slack }
 }
 
-fn drum(event: &DigitalEvent) -> Option<u32> {
-    match event.unit {
-        DigitalUnit::Drum(_, number) => Some(number),
-        _ => None,
-    }
+fn from_drum(event: &DigitalEvent) -> Option<FromDrum> {
+    let DigitalUnit::Drum(_, drum) = event.unit else { return None };
+    Some(FromDrum { drum, corner: event.corner?, words: event.words })
 }
 
 fn register(event: &DigitalEvent) -> Option<Register> {

@@ -2,8 +2,8 @@
 
 use features::{Crater, Shape};
 use hardware_model::{
-    Channels, CrossingServer, DataBanks, Drum, DrumQueue, FeatureParts, Gate, IoProcessor, LatePolicy,
-    LevelSwitch, Organisation, ShadowParts,
+    BankPlace, Channels, CrossingServer, DataBanks, Drum, DrumQueue, FeatureParts, Gate, IoProcessor,
+    KindBank, KindBanks, LatePolicy, LevelSwitch, Organisation, ShadowParts,
 };
 use landscape::{Layer, Photometry, Sun};
 use quantities::{radians, unit_interval};
@@ -128,6 +128,10 @@ pub fn landscape(seed: u64) -> ComparedScene {
     if dice.count(0, 9) == 0 {
         shadows(&mut dice, &mut scene);
     }
+    let mut dice = Dice::new(seed ^ 0x6261_6e6b);
+    if scene.data_banks.drum.is_some() && dice.count(0, 1) == 0 {
+        kind_banks(&mut dice, &mut scene);
+    }
     let mut dice = Dice::new(seed ^ 0x7061_7274);
     if dice.count(0, 2) == 0 {
         scene.parts = (parts(&mut dice, scene.step()), seed);
@@ -215,6 +219,26 @@ fn drums(dice: &mut Dice, scene: &mut ComparedScene) {
         buffer_words: dice.choose(&[None, Some(9 * 200), Some(9 * 40)]),
     };
     scene.turn = radians(dice.between(-40.0, 40.0));
+}
+
+/// Craters and boundaries of shadow that lie on drums too, together with terrain or apart.
+fn kind_banks(dice: &mut Dice, scene: &mut ComparedScene) {
+    let place = |dice: &mut Dice| dice.choose(&[BankPlace::Local, BankPlace::Apart, BankPlace::Together]);
+    let kind = |dice: &mut Dice| KindBank {
+        place: place(dice),
+        record_words: dice.choose(&[9, 24, 200]),
+        record_regions: dice.count(1, 3) as u32,
+        buffer_words: dice.choose(&[None, Some(600)]),
+        edit: dice.choose(&[0.0, 0.3, 4.0]),
+    };
+    let (features, shadows) = (kind(dice), kind(dice));
+    scene.kind_banks = KindBanks {
+        coarse: dice.choose(&[BankPlace::Apart, BankPlace::Together]),
+        terrain_edit: dice.choose(&[0.0, 1.7]),
+        features,
+        shadows,
+        ..scene.kind_banks
+    };
 }
 
 /// Up to thirty craters that lie wholly on the ground, the nearer ones more often.

@@ -6,8 +6,8 @@ use control_plane::MachineStage;
 use features::{Crater, Features};
 use generator::{FrameCounts, FrameError, PlaneKind, Planes};
 use hardware_model::{
-    AnalogParts, Cpu, DataBanks, FeatureParts, Gate, HardwareModel, LatePolicy, LevelSwitch, Loader,
-    MixingParts, Raster, Settings, ShadowParts, SweepMemoryKind,
+    AnalogParts, Cpu, DataBanks, FeatureParts, Gate, HardwareModel, KindBanks, LatePolicy, LevelSwitch,
+    Loader, MixingParts, Raster, Settings, ShadowParts, SweepMemoryKind,
 };
 use landscape::{Attitude, Bank, CornerWords, Landscape, Layer, Level, Photometry, Source, Sun, Texture};
 use machine::Prepare;
@@ -73,6 +73,8 @@ pub struct ComparedScene {
     pub cpu: Cpu,
     /// Drums and storage buffers.
     pub data_banks: DataBanks,
+    /// Banks of the other kinds of data.
+    pub kind_banks: KindBanks,
     /// Organisation and sub-generators of the feature generator.
     pub feature_generator: FeatureParts,
     /// Words of craters that come in a second; all at hand if none.
@@ -143,6 +145,7 @@ impl ComparedScene {
             sweep_memory: SweepMemoryKind::ScanConverter,
             cpu: Cpu::default(),
             data_banks: HardwareModel::ideal().data_banks,
+            kind_banks: HardwareModel::ideal().kind_banks,
             feature_generator: FeatureParts::default(),
             feature_words: None,
             shadows: None,
@@ -227,6 +230,7 @@ impl ComparedScene {
             sweep_memory: self.sweep_memory,
             cpu: self.cpu,
             data_banks: self.data_banks,
+            kind_banks: self.kind_banks,
             feature_generator: self.feature_generator,
             feature_words: self.feature_words,
             shadows: self.shadows,

@@ -21,9 +21,11 @@ fn compared() -> impl Iterator<Item = &'static str> {
 }
 
 /// Events of drums, craters, shadows and the processor, which some of these scenes have.
-const DIGITAL: [&str; 14] = [
+const DIGITAL: [&str; 16] = [
     "absent",
     "record",
+    "feature-record",
+    "shadow-record",
     "crater-load",
     "crater-late",
     "crater-dropped",

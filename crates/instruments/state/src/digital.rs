@@ -1,10 +1,10 @@
 //! The digital side at the start of a sweep, as lines of JSON.
 
-use data_bank::{BankState, DrumState, Heads, HeldRecord};
+use data_bank::{BankState, DrumState, Heads, HeldRecord, StoreState};
 use generator::FrameError;
 use landscape::{Level, WORDS};
 use machine::{
-    ControlPlane, DigitalUnit, EventWord, FrameSweeps, MachineStage, RegisterState, RegisterWords,
+    ControlPlane, DataKind, DigitalUnit, EventWord, FrameSweeps, MachineStage, RegisterState, RegisterWords,
 };
 use quantities::{SweepTime, Tick};
 use scenario::Pose;
@@ -35,12 +35,13 @@ impl Digital<'_> {
         let levels = self.stage.landscape.bank().levels();
         let levels = states.iter().zip(&programs).zip(levels).zip(LEVELS);
         let raster = &self.stage.settings.raster;
-        let [fine, coarse] = self.control.banks_before(self.frame).map(|bank| bank.as_ref().map(bank_value));
+        let banks = self.control.banks_before(self.frame);
+        let banks: Vec<Value> = banks.iter().map(|(kinds, bank)| bank_value(kinds, bank)).collect();
         let document = json!({
             "levels": levels.map(|(((state, program), level), name)| level_value(name, state, program, level))
                 .collect::<Vec<_>>(),
             "processor": self.processor(&sweeps),
-            "banks_as_the_frame_begins": { "fine": fine, "coarse": coarse },
+            "banks_as_the_frame_begins": banks,
             "noise_address": self.frame * u64::from(raster.sweeps) + u64::from(self.sweep),
         });
         Ok(serde_json::to_string_pretty(&document).expect("plain values") + "\n")
@@ -128,15 +129,26 @@ fn register_value(words: &RegisterWords, level: &Level) -> Value {
     })
 }
 
-fn bank_value(bank: &BankState) -> Value {
+/// A bank of drums with the stores of its kinds of data.
+fn bank_value(kinds: &[DataKind], bank: &BankState) -> Value {
+    let stores =
+        kinds.iter().zip(&bank.stores).map(|(kind, store)| (kind.name().to_owned(), store_value(store)));
+    json!({
+        "stores": stores.collect::<Map<String, Value>>(),
+        "drums": bank.drums.iter().map(|drum| drum_value(kinds, drum)).collect::<Vec<_>>(),
+    })
+}
+
+fn store_value(store: &StoreState) -> Value {
     let order = |order: &data_bank::OrderedRecord| {
         format!("{}, ordered at tick {}", held(&order.wanted), order.requested)
     };
+    let edited = |&(record, done): &(u32, u64)| format!("record {record}, done at tick {done}");
     json!({
-        "is_loaded": bank.loaded,
-        "buffer": bank.held.iter().map(held).collect::<Vec<_>>(),
-        "orders": bank.orders.iter().map(order).collect::<Vec<_>>(),
-        "drums": bank.drums.iter().map(drum_value).collect::<Vec<_>>(),
+        "is_loaded": store.loaded,
+        "buffer": store.held.iter().map(held).collect::<Vec<_>>(),
+        "orders": store.orders.iter().map(order).collect::<Vec<_>>(),
+        "editing": store.editing.iter().map(edited).collect::<Vec<_>>(),
     })
 }
 
@@ -144,14 +156,17 @@ fn held(held: &HeldRecord) -> String {
     format!("record {}, rank {} of frame {}", held.record, held.rank, held.frame)
 }
 
-fn drum_value(drum: &DrumState) -> Value {
-    let at = |what: &str, record: u32, begun: u64, under: u64| {
-        format!("{what} record {record} since tick {begun}, under the heads at tick {under}")
+fn drum_value(kinds: &[DataKind], drum: &DrumState) -> Value {
+    let name = |store: u32| kinds[store as usize].name();
+    let at = |what: &str, (store, record): (u32, u32), begun: u64, under: u64| {
+        let kind = name(store);
+        format!("{what} {kind} record {record} since tick {begun}, under the heads at tick {under}")
     };
     let heads = match drum.heads {
         Heads::Idle => "idle".to_owned(),
-        Heads::Turning { record, begun, under } => at("turning to", record, begun, under),
-        Heads::Reading { record, begun, under } => at("reading", record, begun, under),
+        Heads::Turning { store, record, begun, under } => at("turning to", (store, record), begun, under),
+        Heads::Reading { store, record, begun, under } => at("reading", (store, record), begun, under),
     };
-    json!({ "heads": heads, "waiting": drum.waiting })
+    let waiting = drum.waiting.iter().map(|&(store, record)| format!("{} record {record}", name(store)));
+    json!({ "heads": heads, "waiting": waiting.collect::<Vec<_>>() })
 }

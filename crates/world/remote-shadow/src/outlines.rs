@@ -133,6 +133,24 @@ impl Outlines {
         Segment { from: self.corners.get(number), to: self.corners.get(number + 1) }
     }
 
+    /// Numbers of the corners of each outline, first and last.
+    pub fn chains(&self) -> impl Iterator<Item = [usize; 2]> {
+        let last = self.corners.len().checked_sub(1);
+        let ends = self.ends.iter().map(|&end| end as usize).chain(last);
+        ends.scan(0, |first, end| Some([std::mem::replace(first, end + 1), end]))
+    }
+
+    /// Those outlines whose first corner (north, east; m) `keeps` has.
+    #[must_use]
+    pub fn only(&self, keeps: impl Fn([f64; 2]) -> bool) -> Self {
+        let mut kept = Chains::default();
+        for [first, last] in self.chains().filter(|&[first, _]| keeps(self.corners.get(first))) {
+            kept.begin(self.corners.get(first));
+            kept.corners.extend((first + 1..=last).map(|number| self.corners.get(number)));
+        }
+        Self::anywhere(kept)
+    }
+
     /// Goes through the segments of all outlines.
     pub fn segments(&self) -> impl Iterator<Item = Segment> {
         let mut ends = self.ends.iter().peekable();

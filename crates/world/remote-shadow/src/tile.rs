@@ -45,6 +45,9 @@ pub struct Tile {
 }
 
 impl Tile {
+    /// Places of all profiles of a tile at which the ground is looked at first.
+    pub const PLACES: u64 = (STRIPS as u64 + 1) * (STRIPS as u64 + 1);
+
     /// The shadow over `place`.
     pub(crate) fn compute(lit: LitGround<'_>, place: Place) -> Self {
         let spacing = lit.lattice * (1i64 << place.level) as f64;

@@ -1,13 +1,13 @@
 //! The data bank's books balance, whatever is demanded.
 
-use data_bank::{DataBank, Demand, FrameSupply};
+use data_bank::{Demand, FrameSupply, Piece};
 use hardware_model::{Channels, Drum, DrumQueue};
 use proptest::collection::vec;
 use proptest::prelude::{Just, Strategy, any, prop_assert, prop_assert_eq, prop_oneof, proptest};
 use proptest::test_runner::TestCaseError;
 use quantities::Tick;
 
-use crate::demand;
+use crate::{OneStore, bank_of, demand};
 
 const SIZE: [usize; 2] = [40, 30];
 
@@ -60,9 +60,9 @@ fn check(
     prop_assert!(capacity.is_some() || supply.no_room + supply.evicted == 0);
     let length = demand.end.0 - demand.start.0;
     prop_assert!(supply.busy.iter().all(|&busy| busy <= length));
-    prop_assert!(supply.missing.is_sorted_by(|a, b| a.corner < b.corner));
+    prop_assert!(supply.missing.is_sorted_by(|a, b| a.item < b.item));
     for missing in &supply.missing {
-        prop_assert!(demand.corners.contains(&missing.corner));
+        prop_assert!(demand.wants[0].contains(&Piece::one(missing.item)));
         prop_assert!(missing.arrival.is_none_or(|at| demand.start <= at && at <= demand.end));
     }
     let all_came = supply.missing.iter().all(|missing| missing.arrival.is_some());
@@ -77,10 +77,10 @@ proptest! {
         design in designs(), channels in channels(), seed in any::<u64>(), words in prop_oneof![Just(None), (0..4000_u32).prop_map(Some)],
         demands in demands(),
     ) {
-        let mut bank = DataBank::new(design, channels, words, SIZE, seed);
+        let mut bank = bank_of(design, channels, words, SIZE, seed);
         let mut pending = 0;
         for demand in &demands {
-            let supply = bank.frame(demand);
+            let supply = bank.one(demand);
             check(&supply, demand, pending, words)?;
             pending = supply.pending;
         }
@@ -88,25 +88,25 @@ proptest! {
 
     #[test]
     fn a_clone_goes_on_like_the_original(design in designs(), channels in channels(), seed in any::<u64>(), demands in demands()) {
-        let mut bank = DataBank::new(design, channels, Some(3000), SIZE, seed);
+        let mut bank = bank_of(design, channels, Some(3000), SIZE, seed);
         let (before, after) = demands.split_at(demands.len() / 2);
-        before.iter().for_each(|demand| { bank.frame(demand); });
+        before.iter().for_each(|demand| { bank.one(demand); });
         let mut copy = bank.clone();
-        let mut again = DataBank::new(design, channels, Some(3000), SIZE, seed);
-        before.iter().for_each(|demand| { again.frame(demand); });
+        let mut again = bank_of(design, channels, Some(3000), SIZE, seed);
+        before.iter().for_each(|demand| { again.one(demand); });
         for demand in after {
-            let supply = bank.frame(demand);
-            prop_assert_eq!(&supply, &copy.frame(demand));
-            prop_assert_eq!(&supply, &again.frame(demand));
+            let supply = bank.one(demand);
+            prop_assert_eq!(&supply, &copy.one(demand));
+            prop_assert_eq!(&supply, &again.one(demand));
         }
     }
 
     #[test]
     fn what_stays_demanded_arrives(design in designs(), channels in channels(), seed in any::<u64>(), demands in demands()) {
-        let mut bank = DataBank::new(design, channels, None, SIZE, seed);
+        let mut bank = bank_of(design, channels, None, SIZE, seed);
         let mut start = Tick(0);
         for demand in &demands {
-            bank.frame(demand);
+            bank.one(demand);
             start = demand.end;
         }
         // Each of at most 100 records takes at most a slow revolution and a slow transfer: while one waits, a channel is never
@@ -114,6 +114,6 @@ proptest! {
         let transfer = f64::from(design.record_words) * design.word.max(channels.word);
         let longest = ((design.rotation as f64 + transfer) * 1.03) as u64 + 2;
         let last = Demand { start, end: Tick(start.0 + 100 * longest), ..demands.last().unwrap().clone() };
-        prop_assert_eq!(bank.frame(&last).pending, 0);
+        prop_assert_eq!(bank.one(&last).pending, 0);
     }
 }

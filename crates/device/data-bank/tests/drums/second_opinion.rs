@@ -1,13 +1,15 @@
 //! A data bank that turns its drums tick by tick, with lists instead of order statistics and sums instead of remainders.
 //! It shares with the block what the seed drew, and no code.
 
-use data_bank::{DataBank, DrumUnit, FrameSupply, Missing};
+use std::collections::BTreeSet;
+
+use data_bank::{DrumUnit, FrameSupply, Missing};
 use hardware_model::{Channels, Drum, DrumQueue};
 use proptest::collection::vec;
 use proptest::prelude::{Just, Strategy, any, prop_assert_eq, prop_oneof, proptest};
 use quantities::Tick;
 
-use crate::demand;
+use crate::{OneStore, bank_of, demand};
 
 enum Heads {
     Idle,
@@ -209,15 +211,17 @@ impl SlowBank {
         for &corner in corners {
             if !self.holds(self.record_of(corner)) {
                 let drum = self.record_of(corner) % self.drums.len() as u32;
-                supply.missing.push(Missing { corner, drum, arrival: None });
+                supply.missing.push(Missing { item: corner, drum, arrival: None });
             }
         }
-        supply.missing.sort_by_key(|missing| missing.corner);
+        let named: BTreeSet<u32> = corners.iter().copied().collect();
+        supply.pieces = named.len() as u64;
+        supply.missing.sort_by_key(|missing| missing.item);
         supply.missing.dedup();
         let ([busy, carried], arrived) = self.run(end, true);
         self.take_in(&arrived, frame, &wanted, &mut supply);
         for missing in &mut supply.missing {
-            let record = self.record_of(missing.corner);
+            let record = self.record_of(missing.item);
             missing.arrival = arrived.iter().find(|arrived| arrived.0 == record).map(|found| Tick(found.1));
         }
         FrameSupply { busy, carried, pending: self.ordered.len() as u64, ..supply }
@@ -300,13 +304,13 @@ proptest! {
     ) {
         let buffer = buffer.map(|records| records * design.record_words + records);
         let channels = Channels { count: channels.0, word: channels.1 };
-        let mut bank = DataBank::new(design, channels, buffer, size, seed);
-        let mut slow = SlowBank::new(design, channels.count, buffer, size[1] as u32, bank.drums().collect());
+        let mut bank = bank_of(design, channels, buffer, size, seed);
+        let mut slow = SlowBank::new(design, channels.count, buffer, size[1] as u32, bank.drums(0).collect());
         let mut before = vec![];
         for (frame, (length, gap, chosen)) in (0..).zip(frames) {
             let corners: Vec<_> = chosen.iter().map(|index| index.index(size[0] * size[1]) as u32).collect();
             let start = slow.tick;
-            let found = bank.frame(&demand(frame, start, start + length, corners.iter().copied()));
+            let found = bank.one(&demand(frame, start, start + length, corners.iter().copied()));
             prop_assert_eq!(found, slow.frame(frame, start + length, &corners, &before));
             slow.pause(gap);
             before = corners;

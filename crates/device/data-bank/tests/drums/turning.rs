@@ -1,10 +1,10 @@
 //! The sector of a vehicle that turns on the spot (hardware section 4.7; artefact A5).
 
-use data_bank::{DataBank, FrameSupply, corners_of, nearest_first};
+use data_bank::{FrameSupply, corners_of, nearest_first};
 use hardware_model::{Channels, Drum, DrumQueue};
 use quantities::{radians, sin_cos};
 
-use crate::demand;
+use crate::{OneStore, bank_of, demand};
 
 /// Corners of the level along either side.
 const SIZE: usize = 121;
@@ -41,12 +41,12 @@ fn sector(from: f64, width: f64, range: f64) -> Vec<u32> {
 /// A turn to the right by `turn` degrees at `speed` degrees a second with a fan of 50 degrees; the supply of every
 /// frame, with the azimuth at which its fan begins.
 fn turning(drum: Drum, buffer: Option<u32>, range: f64, speed: f64, turn: f64) -> Vec<(f64, FrameSupply)> {
-    let mut bank = DataBank::new(drum, Channels::default(), buffer, [SIZE; 2], 3);
+    let mut bank = bank_of(drum, Channels::default(), buffer, [SIZE; 2], 3);
     (0..(turn / speed * 30.0) as u64)
         .map(|frame| {
             let from = speed * frame as f64 / 30.0;
             let corners = sector(from, 50.0, range);
-            (from, bank.frame(&demand(frame, frame * FRAME, (frame + 1) * FRAME, corners)))
+            (from, bank.one(&demand(frame, frame * FRAME, (frame + 1) * FRAME, corners)))
         })
         .collect()
 }
@@ -99,8 +99,7 @@ fn given_up(speed: f64) -> f64 {
     let frames = turning(drum, None, 25.0, speed, 200.0);
     for (from, supply) in &frames {
         for missing in supply.missing.iter().filter(|missing| missing.arrival.is_none()) {
-            let at =
-                [missing.corner as usize / SIZE, missing.corner as usize % SIZE].map(|index| index as f64);
+            let at = [missing.item as usize / SIZE, missing.item as usize % SIZE].map(|index| index as f64);
             // While the drum keeps up, what is not there yet lies in the leading half of the fan, or just beside it.
             assert!(speed > 8.0 || within(at, from + 25.0, 90.0, 30.0), "{speed} deg/s: {at:?} at {from}");
         }

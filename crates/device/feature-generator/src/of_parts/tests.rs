@@ -28,8 +28,14 @@ fn see(craters: Vec<Crater>, azimuth: f64, generator: &PartsFeatures) -> Seen {
     let features = Features::new(craters);
     let ranges: Vec<f64> = (1..=SAMPLES).map(|k| STEP * k as f64).collect();
     let parts = FeatureParts { organisation: Organisation::Scheduled, sub_generators: None };
-    let schedule =
-        Schedule { features: &features, parts, region_origin: [-1000.0; 2], region_size: 300.0, among: None };
+    let schedule = Schedule {
+        features: &features,
+        parts,
+        region_origin: [-1000.0; 2],
+        region_size: 300.0,
+        among: None,
+        absent: &[],
+    };
     let direction = [libm::cos(azimuth), libm::sin(azimuth)];
     let mut program = FeatureProgram::default();
     schedule.write([0.0; 2], direction, [ranges[0], ranges[SAMPLES - 1]], &mut program);

@@ -27,7 +27,8 @@ pub fn program(
     (eye, angle): Sweep,
     range: [f64; 2],
 ) -> FeatureProgram {
-    let schedule = Schedule { features, parts, region_origin: [0.0; 2], region_size: 100.0, among: None };
+    let schedule =
+        Schedule { features, parts, region_origin: [0.0; 2], region_size: 100.0, among: None, absent: &[] };
     let (sin, cos) = quantities::sin_cos(angle);
     let mut program = FeatureProgram::default();
     schedule.write(eye, [cos, sin], range, &mut program);

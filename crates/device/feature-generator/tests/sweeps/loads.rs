@@ -45,7 +45,14 @@ struct Loads {
 impl Loads {
     fn program(&self, features: &Features, eye: [f64; 2], direction: [f64; 2]) -> FeatureProgram {
         let parts = parts(self.organisation, self.limit);
-        let schedule = Schedule { features, parts, region_origin: [0.0; 2], region_size: 100.0, among: None };
+        let schedule = Schedule {
+            features,
+            parts,
+            region_origin: [0.0; 2],
+            region_size: 100.0,
+            among: None,
+            absent: &[],
+        };
         let mut program = FeatureProgram::default();
         let timing = timing(self.metres, self.strobes_through);
         schedule.write_by(eye, direction, [0.0, f64::from(SAMPLES - 1)], Some(timing), &mut program);

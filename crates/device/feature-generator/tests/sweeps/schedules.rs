@@ -137,7 +137,7 @@ proptest! {
             parts: parts(ByRegion, Some(limit)),
             region_origin: [0.0; 2],
             region_size: 100.0,
-            among: None,
+            among: None, absent: &[],
         };
         let mut used = FeatureProgram::default();
         for (eye, angle) in sweeps {

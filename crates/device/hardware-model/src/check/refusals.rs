@@ -1,12 +1,13 @@
 //! What cannot be built.
 
 use super::{Check, short};
-use crate::{CrossingServer, FoldDetect};
+use crate::{BankPlace, CrossingServer, FoldDetect, KindBank};
 
 pub(super) fn check(check: &mut Check) {
     narrow_memory(check);
     fold_without_comparator(check);
     buffer(check);
+    kind_banks(check);
     standing_still(check);
     never_acquired(check);
 }
@@ -47,6 +48,37 @@ fn buffer(check: &mut Check) {
         format!("a buffer of {words} words cannot take in one record of {record}")
     });
 }
+
+/// A bank that is not local needs a drum, and a buffer that takes in a record.
+fn kind_banks(check: &mut Check) {
+    let model = check.model;
+    let has_drum = model.data_banks.drum.is_some();
+    let is_shared = model.kind_banks.coarse == BankPlace::Together;
+    check.refuse_if(is_shared && !has_drum, &["drum.coarse", "drum.rotation_ms"], || {
+        "the coarse level lies with the finest one on drums, and there are none: drum.rotation_ms is 0".into()
+    });
+    for ((name, bank), keys) in model.kind_banks.kinds().into_iter().zip(KIND_KEYS) {
+        let &KindBank { place, record_words, buffer_words, .. } = bank;
+        let is_there = place != BankPlace::Local;
+        check.refuse_if(is_there && !has_drum, &[keys[0], "drum.rotation_ms"], || {
+            format!("records of [{name}] lie on drums, and there are none: drum.rotation_ms is 0")
+        });
+        let held = buffer_words.unwrap_or(u32::MAX);
+        check.refuse_if(is_there && record_words > held, &[keys[1], keys[2]], || {
+            format!(
+                "a buffer of {held} words cannot take in one record of {record_words}; \
+                 buffer_words = {record_words} would do for one"
+            )
+        });
+    }
+}
+
+/// Keys of the three banks: where they lie, words of the buffer, words of a record.
+const KIND_KEYS: [[&str; 3]; 3] = [
+    ["feature_bank.drums", "feature_bank.buffer_words", "feature_bank.record_words"],
+    ["shadow_bank.drums", "shadow_bank.buffer_words", "shadow_bank.record_words"],
+    ["polyhedron_bank.drums", "polyhedron_bank.buffer_words", "polyhedron_bank.record_words"],
+];
 
 fn standing_still(check: &mut Check) {
     let analog = &check.model.analog;

@@ -2,9 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use data_bank::Missing;
 use quantities::{SweepTime, Tick};
 use sweep_program::WordMask;
 
+use crate::banks::Supplied;
+use crate::data_kind::DataKind;
 use crate::digital_event::{DigitalEvent, DigitalUnit, EventWord};
 use crate::frame_sweeps::FrameSweeps;
 use crate::ticks::frame_ticks;
@@ -48,27 +51,54 @@ pub fn processor(sweeps: &FrameSweeps<'_>) -> Vec<DigitalEvent> {
     begun.chain(made).chain(old).chain([tables]).collect()
 }
 
-/// Records that the drums bring while the frame runs: each with the corners that the frame asks of it.
+/// Records that the drums bring while the frame runs: of terrain each with the corners that the frame asks of it, of other
+/// kinds the last of each square.
 pub fn records(sweeps: &FrameSweeps<'_>) -> Vec<DigitalEvent> {
-    let levels = sweeps.crossings().stage.landscape.bank().levels();
-    let mut arrived: BTreeMap<(Tick, usize, u32), Vec<u32>> = BTreeMap::new();
-    for (level, supply) in sweeps.digital().supplies.iter().enumerate() {
-        for missing in supply.iter().flat_map(|supply| &supply.missing) {
-            if let Some(tick) = missing.arrival {
-                arrived.entry((tick, level, missing.drum)).or_default().push(missing.corner);
-            }
+    let mut all: Vec<DigitalEvent> = Vec::new();
+    for supplied in &sweeps.digital().supplies {
+        match supplied.kind.level() {
+            Some(level) => all.extend(records_of_level(sweeps, supplied, level)),
+            None => all.extend(last_records(sweeps, supplied)),
         }
     }
-    let record = |((tick, level, drum), corners): ((Tick, usize, u32), Vec<u32>)| {
-        let columns = levels[level].corners()[1];
+    all.sort_by_key(|event| event.tick);
+    all
+}
+
+/// Records of a level of terrain, by tick and drum.
+fn records_of_level(sweeps: &FrameSweeps<'_>, supplied: &Supplied, level: usize) -> Vec<DigitalEvent> {
+    let columns = sweeps.crossings().stage.landscape.bank().levels()[level].corners()[1];
+    let mut arrived: BTreeMap<(Tick, u32), Vec<u32>> = BTreeMap::new();
+    for missing in &supplied.supply().missing {
+        if let Some(tick) = missing.arrival {
+            arrived.entry((tick, missing.drum)).or_default().push(missing.item);
+        }
+    }
+    let record = |((tick, drum), corners): ((Tick, u32), Vec<u32>)| {
         let corner = corners.first().map(|&first| first as usize);
         DigitalEvent {
             level: Some(level),
             corner: corner.map(|first| [(first / columns) as i64, (first % columns) as i64]),
             mask: WordMask::ALL,
             words: WordMask::ALL.0.count_ones() * corners.len() as u32,
-            ..DigitalEvent::new(tick, EventWord::Record, DigitalUnit::Drum(level, drum))
+            ..DigitalEvent::new(tick, EventWord::Record, DigitalUnit::Drum(supplied.drums, drum))
         }
     };
     arrived.into_iter().map(record).collect()
+}
+
+/// Squares that become whole in the storage buffer.
+fn last_records(sweeps: &FrameSweeps<'_>, supplied: &Supplied) -> Vec<DigitalEvent> {
+    let Some(grid) = sweeps.grid(supplied.kind) else { return Vec::new() };
+    let word = match supplied.kind {
+        DataKind::Shadows => EventWord::ShadowRecord,
+        DataKind::Polyhedra => EventWord::BodyRecord,
+        _ => EventWord::FeatureRecord,
+    };
+    let square = |missing: &Missing| {
+        let unit = DigitalUnit::Drum(supplied.drums, missing.drum);
+        let event = DigitalEvent::new(missing.arrival?, word, unit);
+        Some(DigitalEvent { corner: Some(grid.region_of(missing.item)), ..event })
+    };
+    supplied.supply().missing.iter().filter_map(square).collect()
 }

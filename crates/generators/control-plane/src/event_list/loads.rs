@@ -44,7 +44,8 @@ impl Loads<'_> {
         let (stage, plan) = (crossings.stage, crossings.plan);
         let mut program = FeatureProgram::default();
         let drawn = self.sweeps.set_up_of(self.sweep);
-        FeatureLoads { stage, table: self.sweeps.table(), plan, among: None }.write(
+        let (table, absent) = (self.sweeps.table(), crossings.absent_craters);
+        FeatureLoads { stage, table, plan, among: None, absent }.write(
             [drawn, self.sweep],
             end,
             &mut program,

@@ -94,6 +94,7 @@ fn schedule(group: &Group, programs: &mut [FeatureProgram; LANES]) {
         region_origin: level.origin(),
         region_size: level.region_size(),
         among: None,
+        absent: &[],
     };
     let span = [ranges[0], ranges[ranges.len() - 1]];
     for (program, &direction) in programs.iter_mut().zip(&group.directions) {

@@ -1,6 +1,6 @@
 //! One drum that is asked for one corner at a time.
 
-use data_bank::{DataBank, Demand};
+use data_bank::{Contents, DataBank, Demand, Piece, StoreDesign};
 use hardware_model::HardwareModel;
 use quantities::Tick;
 use serde::Deserialize;
@@ -65,16 +65,23 @@ impl DrumCase {
         let Some(drum) = banks.drum else { return Waits::default() };
         let corners = self.scene.corners;
         // Room for one record, so that each is fetched anew.
-        let mut bank = DataBank::new(drum, banks.channels, Some(drum.record_words), corners, self.model.seed);
-        let units: Vec<_> = bank.drums().collect();
+        let store = StoreDesign {
+            contents: Contents::Corners(corners),
+            record_words: drum.record_words,
+            buffer_words: Some(drum.record_words),
+            edit: 0.0,
+        };
+        let mut bank = DataBank::new(drum, banks.channels, &[store], self.model.seed);
+        let units: Vec<_> = bank.drums(0).collect();
         let every = (1e-3 * self.scene.every_ms * self.model.master_clock.hertz()).round().max(1.0) as u64;
         let total = (corners[0] * corners[1]) as f64;
         let mut waits = Waits::default();
         for frame in 0..=self.scene.requests {
             let corner = ((frame as f64 * STRIDE).fract() * total) as u32;
             let (start, end) = (Tick(frame * every), Tick((frame + 1) * every));
-            let supply = bank.frame(&Demand { frame, start, end, corners: vec![corner] });
-            for missing in &supply.missing {
+            let wants = vec![vec![Piece::one(corner)]];
+            let supplies = bank.frame(&Demand { frame, start, end, wants });
+            for missing in supplies.iter().flat_map(|supply| &supply.missing) {
                 let unit = units[missing.drum as usize];
                 if let Some(arrival) = missing.arrival {
                     let wait = arrival.0 as f64 - start.0 as f64 - unit.transfer as f64;
