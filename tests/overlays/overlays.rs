@@ -100,6 +100,21 @@ pub static OVERLAYS: &[Overlay] = &[
     own("projection-error", "[dpp]\nfunction_error_pct = 1\n", &["dpp.elevation"]),
     own("projection-bandwidth", "[dpp]\nfunction_bandwidth_mhz = 1\n", &["dpp.elevation"]),
     own("deflection-bandwidth", "[sweep_memory]\ndeflection_mhz = 0.5\n", &["sm.write"]),
+    own(
+        "features-on-drums",
+        "[drum]\nrotation_ms = 17\n[feature_bank]\ndrums = 'apart'\nrecord_words = 9\nbuffer_words = 27\n",
+        FEATURES,
+    ),
+    own(
+        "shadows-on-drums",
+        "[drum]\nrotation_ms = 17\n[shadow_bank]\ndrums = 'apart'\nrecord_words = 9\nbuffer_words = 27\n",
+        &["sc.or"],
+    ),
+    own(
+        "bodies-on-drums",
+        "[drum]\nrotation_ms = 17\n[polyhedron_bank]\ndrums = 'apart'\nrecord_words = 9\nbuffer_words = 27\n",
+        &["pg.*"],
+    ),
 ];
 
 const ACCUMULATORS: &[&str] = &["sweep.accumulator.*", "sweep.coarse.accumulator.*"];

@@ -16,7 +16,7 @@ use crate::blocks::Coarse;
 use crate::control_plane::ControlPlane;
 use crate::crossings::Crossings;
 use crate::data_kind::DataKind;
-use crate::delivery::{ShadowBoundary, Supply};
+use crate::delivery::{Delivery, ShadowBoundary, Supply};
 use crate::digital::{DigitalFrame, crossing_times};
 use crate::frame_plan::FramePlan;
 use crate::raster::WrittenRaster;
@@ -92,6 +92,13 @@ impl ControlPlane {
     /// Boundaries of shadow on the ground, of which the gates at `time` (s) are made.
     pub fn shadow_lines(&self, sweeps: &FrameSweeps<'_>, time: f64) -> Vec<ShadowBoundary> {
         self.supply(sweeps).shadow_lines(time)
+    }
+
+    /// What the I/O processors bring for the frame of `sweeps` at `time` (s).
+    pub fn delivery(&self, sweeps: &FrameSweeps<'_>, time: f64) -> Delivery {
+        let mut delivery = Delivery::default();
+        self.supply(sweeps).deliver(time, &mut delivery);
+        delivery
     }
 
     fn supply<'a>(&'a self, sweeps: &'a FrameSweeps<'_>) -> Supply<'a> {

@@ -1,11 +1,13 @@
 //! What the list of events tells of set-ups, drums, craters and shadow boundaries: instants worked out by hand.
 
+use std::f64::consts::PI;
 use std::sync::Arc;
 
 use control_plane::{
     ControlPlane, DataKind, DigitalEvent, DigitalUnit, EventWord, FrameSweeps, LoadedPart, MachineStage,
 };
 use features::{Crater, Features, Shape};
+use glam::{DMat3, DVec3};
 use hardware_model::{
     BankPlace, Cpu, DataBanks, Drum, DrumQueue, FeatureParts, HardwareModel, KindBank, KindBanks, Raster,
     Settings, ShadowParts,
@@ -14,8 +16,9 @@ use landscape::{Attitude, Bank, Landscape, Level, Sun};
 use quantities::{Rate, Timebase};
 use scenario::{
     Display, FieldOfView, LawWishes, Pose, RangeLaw, RangeProgramme, RasterWishes, Scalar, Scenery,
-    ShadowFineness, TrackPatch,
+    ShadowFineness, Standing, TrackPatch,
 };
+use solids::{Body, Kind, Solid};
 use timing::{Cause, Deadline};
 
 /// The eye: north, east, height (m).
@@ -51,6 +54,12 @@ fn pose(heading: f64) -> Pose {
 
 /// Flat ground with bowls of 5 m radius straight ahead, each so far from the eye, and patches of shadow between two ranges (m).
 fn machine(settings: Settings, bowls: &[f64], patches: &[[f64; 2]]) -> ControlPlane {
+    let (landscape, scenery) = scene(bowls, patches);
+    ControlPlane::new(MachineStage { landscape, scenery: Arc::new(scenery), settings })
+}
+
+/// What the machine of [`machine`] draws; it stands still for two frames after it has turned about.
+fn scene(bowls: &[f64], patches: &[[f64; 2]]) -> (Arc<Landscape>, Scenery) {
     let level = Level::new(10.0, [0.0; 2], [24, 24], vec![[0.0; 9]; 24 * 24]).expect("a level");
     let bowl = |ahead: &f64| Crater::new([EYE[0] + ahead, EYE[1]], Shape::Bowl { r1: 5.0 }, 0.1, 0.0);
     let bowls = bowls.iter().map(|ahead| bowl(ahead).expect("a bowl")).collect();
@@ -61,10 +70,9 @@ fn machine(settings: Settings, bowls: &[f64], patches: &[[f64; 2]]) -> ControlPl
     };
     let scenery = Scenery::still(Sun { azimuth: 0.3, elevation: 1.0 })
         .with_patches(patches.iter().map(patch).collect())
-        .with_course(vec![pose(0.0), pose(std::f64::consts::PI)]);
+        .with_course([0.0, PI, PI, PI].map(pose).to_vec());
     let bank = Bank::new("test", vec![level], None).expect("one level is a bank");
-    let landscape = Arc::new(Landscape::new(bank, 1.0).with_features(Features::new(bowls)));
-    ControlPlane::new(MachineStage { landscape, scenery: Arc::new(scenery), settings })
+    (Arc::new(Landscape::new(bank, 1.0).with_features(Features::new(bowls))), scenery)
 }
 
 /// Tick, word, sweep and ticks that were left of the events that belong to no fold, in frame 1.
@@ -175,7 +183,7 @@ fn records_come_as_the_drum_turns() {
     let data_banks = DataBanks { drum: Some(drum), ..settings().data_banks };
     let control = machine(Settings { data_banks, ..settings() }, &[], &[]);
     let figures = control.drums(DataKind::Fine)[0];
-    let sweeps = control.sweeps(1, &pose(std::f64::consts::PI)).expect("a pose that can be drawn");
+    let sweeps = control.sweeps(1, &pose(PI)).expect("a pose that can be drawn");
     let records = sweeps.frame_events();
     assert!(records.len() > 40 && records.iter().all(|event| event.event == EventWord::Record));
     let mut free = 10_000;
@@ -227,7 +235,7 @@ fn a_crater_is_drawn_from_the_first_sweep_after_its_record() {
     let ahead = [-15.0, -36.0, -57.0, -78.0, 20.0];
     for place in [BankPlace::Apart, BankPlace::Together] {
         let control = machine(kinds_on_drums(place), &ahead, &[]);
-        let turned = pose(std::f64::consts::PI);
+        let turned = pose(PI);
         let sweeps = control.sweeps(1, &turned).expect("a pose that can be drawn");
         let events = sweeps.frame_events();
         let came: Vec<(u64, [i64; 2])> = events
@@ -257,7 +265,7 @@ fn a_crater_is_drawn_from_the_first_sweep_after_its_record() {
         assert_eq!((craters_of(&first, 0), first.frame_events().len()), (vec![4], 0));
     }
     let local = machine(kinds_on_drums(BankPlace::Local), &ahead, &[]);
-    let sweeps = local.sweeps(1, &pose(std::f64::consts::PI)).expect("a pose that can be drawn");
+    let sweeps = local.sweeps(1, &pose(PI)).expect("a pose that can be drawn");
     assert!(sweeps.frame_events().iter().all(|event| event.event == EventWord::Record));
     assert_eq!(craters_of(&sweeps, 0), [0, 1, 2, 3]);
 }
@@ -268,7 +276,7 @@ fn a_crater_is_drawn_from_the_first_sweep_after_its_record() {
 fn a_shadow_acts_from_the_first_sweep_after_its_square() {
     let patches = [[-18.0, -12.0], [-38.0, -32.0], [-58.0, -52.0]];
     let control = machine(kinds_on_drums(BankPlace::Apart), &[], &patches);
-    let turned = pose(std::f64::consts::PI);
+    let turned = pose(PI);
     let sweeps = control.sweeps_with_gates(1, &turned).expect("a pose that can be drawn");
     let came: Vec<u64> = sweeps
         .frame_events()
@@ -294,7 +302,7 @@ fn a_shadow_acts_from_the_first_sweep_after_its_square() {
 fn the_timing_record_has_the_banks() {
     let ahead = [-15.0, -36.0, -57.0];
     let control = machine(kinds_on_drums(BankPlace::Together), &ahead, &[[-18.0, -12.0]]);
-    let turned = pose(std::f64::consts::PI);
+    let turned = pose(PI);
     let timing = control.frame(1, &turned).expect("a pose that can be drawn");
     let slack = &timing.deadlines[&Deadline::FEATURE_RECORD];
     assert_eq!((slack.count, slack.missed), (3, 3));
@@ -312,4 +320,42 @@ fn the_timing_record_has_the_banks() {
     assert_eq!(busy("drum.fine.0"), Some(shares.iter().sum()));
     let first = control.frame(0, &pose(0.0)).expect("a pose that can be drawn");
     assert_eq!(first.deadlines[&Deadline::CORNER].missed, 0);
+}
+
+/// A block stands behind the vehicle, which turns about: it is projected from the first frame that begins after its record.
+#[test]
+fn a_body_is_drawn_from_the_first_frame_after_its_record() {
+    let wide = |settings: Settings| {
+        let field = FieldOfView { tan_half_width: 0.3, tan_half_height: 0.2 };
+        Settings { shadows: None, raster: Raster { field, ..settings.raster }, ..settings }
+    };
+    let settings = wide(kinds_on_drums(BankPlace::Apart));
+    let solid = Arc::new(Solid::boxed(-DVec3::ONE, DVec3::ONE, 0.5).expect("a box"));
+    let foot = DVec3::new(EYE[0] - 70.0, EYE[1], 0.0);
+    let body = Body::place(0, Kind::Culture, &solid, foot, &DMat3::IDENTITY, 3.0);
+    let (landscape, scenery) = scene(&[], &[]);
+    let standing = vec![Standing { from: 0.0, until: 9.0, body }];
+    let scenery = Arc::new(scenery.with_bodies(standing));
+    let stage = MachineStage { landscape, scenery, settings };
+    let control = ControlPlane::new(stage.clone());
+    let projected = |frame: u64, heading: f64| {
+        let sweeps = control.sweeps(frame, &pose(heading)).expect("a pose that can be drawn");
+        control.delivery(&sweeps, 0.0).bodies
+    };
+    let record = control.sweeps(1, &pose(PI)).expect("a pose that can be drawn").frame_events();
+    let came = record.iter().find(|event| event.event == EventWord::BodyRecord).expect("it comes");
+    assert!(came.tick.0 > 10_000 && came.tick.0 < 20_000, "{came:?}");
+    assert_eq!(came.unit, DigitalUnit::Drum(DataKind::Polyhedra, 0));
+    assert_eq!([projected(1, PI), projected(2, PI)], [0, 1]);
+    let timing = control.frame(1, &pose(PI)).expect("a pose that can be drawn");
+    // 30 words do not fit into one record of 24.
+    assert_eq!(timing.deadlines[&Deadline::BODY_RECORD].missed, 2);
+    let timing = control.frame(2, &pose(PI)).expect("a pose that can be drawn");
+    let slack = &timing.deadlines[&Deadline::BODY_RECORD];
+    assert_eq!((slack.count, slack.missed), (2, 0));
+    // In a memory of the generator it is there at once.
+    let settings = wide(kinds_on_drums(BankPlace::Local));
+    let local = ControlPlane::new(MachineStage { settings, ..stage });
+    let sweeps = local.sweeps(1, &pose(PI)).expect("a pose that can be drawn");
+    assert_eq!(local.delivery(&sweeps, 0.0).bodies, 1);
 }

@@ -129,7 +129,7 @@ pub fn landscape(seed: u64) -> ComparedScene {
         shadows(&mut dice, &mut scene);
     }
     let mut dice = Dice::new(seed ^ 0x6261_6e6b);
-    if scene.data_banks.drum.is_some() && dice.count(0, 1) == 0 {
+    if scene.data_banks.drum.is_some() && dice.count(0, 3) > 0 {
         kind_banks(&mut dice, &mut scene);
     }
     let mut dice = Dice::new(seed ^ 0x7061_7274);
@@ -221,24 +221,23 @@ fn drums(dice: &mut Dice, scene: &mut ComparedScene) {
     scene.turn = radians(dice.between(-40.0, 40.0));
 }
 
-/// Craters and boundaries of shadow that lie on drums too, together with terrain or apart.
+/// Craters and boundaries of shadow that lie on drums too, together with terrain or apart, edited in up to some frames.
 fn kind_banks(dice: &mut Dice, scene: &mut ComparedScene) {
-    let place = |dice: &mut Dice| dice.choose(&[BankPlace::Local, BankPlace::Apart, BankPlace::Together]);
-    let kind = |dice: &mut Dice| KindBank {
-        place: place(dice),
-        record_words: dice.choose(&[9, 24, 200]),
-        record_regions: dice.count(1, 3) as u32,
-        buffer_words: dice.choose(&[None, Some(600)]),
-        edit: dice.choose(&[0.0, 0.3, 4.0]),
+    let frame = ticks_of_frame(scene);
+    let kind = |dice: &mut Dice| {
+        let record_words = dice.choose(&[9, 24, 200]);
+        KindBank {
+            place: dice.choose(&[BankPlace::Local, BankPlace::Apart, BankPlace::Together]),
+            record_words,
+            record_regions: dice.count(1, 3) as u32,
+            buffer_words: dice.choose(&[None, Some(600)]),
+            edit: frame * dice.choose(&[0.0, 0.03, 0.4, 2.0]) / f64::from(record_words),
+        }
     };
     let (features, shadows) = (kind(dice), kind(dice));
-    scene.kind_banks = KindBanks {
-        coarse: dice.choose(&[BankPlace::Apart, BankPlace::Together]),
-        terrain_edit: dice.choose(&[0.0, 1.7]),
-        features,
-        shadows,
-        ..scene.kind_banks
-    };
+    let coarse = dice.choose(&[BankPlace::Apart, BankPlace::Together]);
+    let terrain_edit = dice.choose(&[0.0, 0.002]) * frame / 9.0;
+    scene.kind_banks = KindBanks { coarse, terrain_edit, features, shadows, ..scene.kind_banks };
 }
 
 /// Up to thirty craters that lie wholly on the ground, the nearer ones more often.

@@ -1,5 +1,7 @@
 //! Use of units: measured, and by formula.
 
+use hardware_model::{BankPlace, KindBank};
+use quantities::{degrees, radians};
 use timing::{FrameTiming, TimingRecord, Totals};
 
 use super::level::LevelFigures;
@@ -11,7 +13,8 @@ pub fn unit_rows(rehearsal: &Rehearsal, record: &TimingRecord, levels: &[LevelFi
     let totals = Totals::of(record);
     let cpu = &rehearsal.stage.settings.cpu;
     let vertices = (cpu.vertex * totals.vertices.asked) as f64 / totals.ticks as f64;
-    let formulas = UnitFormulas { levels, turning: turning(rehearsal) / 10.0, vertices };
+    let (turning, kinds) = (turning(rehearsal) / 10.0, kind_loads(rehearsal, levels));
+    let formulas = UnitFormulas { levels, turning, vertices, kinds };
     let rows = totals.units.iter().map(|(name, unit)| {
         let (formula, law) = formulas.of(name);
         row(format!("{name}_pct"), format!("{name} (%)"), 100.0 * unit.mean, formula.map(|f| 100.0 * f), law)
@@ -42,6 +45,8 @@ struct UnitFormulas<'a> {
     turning: f64,
     /// Share of time that the processor spends on the vertices asked for.
     vertices: f64,
+    /// Kinds of data on drums.
+    kinds: Vec<KindLoad>,
 }
 
 impl UnitFormulas<'_> {
@@ -62,14 +67,59 @@ impl UnitFormulas<'_> {
             ["loader", _] | ["io-processor"] => {
                 (Some(sum(|level| level.budget.loader.busy / level.budget.sweep.period)), "4 sets a crossing")
             }
-            ["drum", name, _] => {
-                let level = self.levels.iter().find(|level| level.name == name);
-                let load = level.and_then(|level| Some(level.budget.drum?.load * self.turning));
-                (load, "R^2 omega/(2 d^2) (latency + record)")
-            }
+            ["drum", bank, _] => (self.bank(bank), DRUM_LAW),
+            ["drum", _, _, kind] => (self.kind(kind), DRUM_LAW),
             _ => (None, ""),
         }
     }
+}
+
+impl UnitFormulas<'_> {
+    /// Share of the time of a bank's drums, of all kinds of data that lie on them.
+    fn bank(&self, bank: &str) -> Option<f64> {
+        let of_others = self.kinds.iter().filter(|kind| kind.on == bank && kind.name != bank);
+        self.kind(bank).map(|own| own + of_others.map(|kind| kind.load * self.turning).sum::<f64>())
+    }
+
+    /// Share of the time of the drums that one kind of data takes.
+    fn kind(&self, name: &str) -> Option<f64> {
+        let kind = self.kinds.iter().find(|kind| kind.name == name);
+        kind.map(|kind| kind.load * self.turning)
+    }
+}
+
+/// What a kind of data takes of the drums that it lies on.
+struct KindLoad {
+    name: &'static str,
+    /// Kind after which the drums are called.
+    on: &'static str,
+    /// Share of their time in a turn of 10 degrees/s.
+    load: f64,
+}
+
+const DRUM_LAW: &str = "R^2 omega/(2 d^2) (latency + record), one record for d x d";
+
+/// The kinds of data on drums. Of those beside terrain each square of regions counts as one record.
+fn kind_loads(rehearsal: &Rehearsal, levels: &[LevelFigures]) -> Vec<KindLoad> {
+    let settings = &rehearsal.stage.settings;
+    let (banks, Some(drum)) = (&settings.kind_banks, settings.data_banks.drum) else { return Vec::new() };
+    let on = |name, place| if place == BankPlace::Together { "fine" } else { name };
+    let terrain = levels.iter().filter_map(|level| {
+        let place = if level.name == "coarse" { banks.coarse } else { BankPlace::Apart };
+        Some(KindLoad { name: level.name, on: on(level.name, place), load: level.budget.drum?.load })
+    });
+    let of_squares = |name, bank: &KindBank| {
+        let side = f64::from(bank.record_regions) * levels.first()?.region_size;
+        let squares = 0.5 * (settings.range.end / side).powi(2) * radians(10.0);
+        let word = drum.word.max(settings.data_banks.channels.word);
+        let ticks = 0.5 * drum.rotation as f64 + f64::from(bank.record_words) * word;
+        let fetch = ticks / settings.timebase.master.hertz();
+        let load = squares * fetch / f64::from(drum.count);
+        (bank.place != BankPlace::Local).then(|| KindLoad { name, on: on(name, bank.place), load })
+    };
+    let others =
+        [("features", &banks.features), ("shadows", &banks.shadows), ("polyhedra", &banks.polyhedra)];
+    terrain.chain(others.into_iter().filter_map(|(name, bank)| of_squares(name, bank))).collect()
 }
 
 /// Turning rate of the view, mean over the mission (degrees/s).
@@ -81,5 +131,5 @@ fn turning(rehearsal: &Rehearsal) -> f64 {
         turn.min(full - turn)
     };
     let time = course.first().zip(course.last()).map_or(0.0, |(first, last)| last.time - first.time);
-    if time > 0.0 { quantities::degrees(course.windows(2).map(turn).sum::<f64>()) / time } else { 0.0 }
+    if time > 0.0 { degrees(course.windows(2).map(turn).sum::<f64>()) / time } else { 0.0 }
 }

@@ -13,6 +13,7 @@ mod horizon_line;
 mod noise;
 mod signal;
 mod statistic;
+mod turned;
 mod turns;
 mod waits;
 
@@ -80,6 +81,8 @@ pub enum Reading {
     Noise(noise::NoiseReading),
     /// Waits of a drum. Tolerance: turns.
     Waits(waits::WaitsReading),
+    /// What a turn on the spot asks of the drums. Tolerance: the number's unit.
+    Turned(turned::TurnedReading),
     /// Pixels after a way out and back. Tolerance: pixels.
     RoundTrip(waits::RoundTripReading),
 }
@@ -113,6 +116,7 @@ impl Reading {
             Self::OutputError(reading) => format!("{} of output", reading.statistic.word()),
             Self::Noise(reading) => format!("noise {}", reading.measure.word()),
             Self::Waits(reading) => format!("waits {}", reading.measure.word()),
+            Self::Turned(reading) => format!("turned {}", reading.measure.word()),
             Self::RoundTrip(_) => "round-trip".into(),
         }
     }
@@ -125,6 +129,7 @@ impl Reading {
             }
             Self::Noise(_) => "noise",
             Self::Waits(_) => "drum",
+            Self::Turned(_) => "turn",
             Self::RoundTrip(_) => "view",
             _ => "machine",
         };
@@ -199,6 +204,10 @@ impl Reading {
             (Case::Drum(meant), Seen::Drum(seen)) => match self {
                 Self::Waits(reading) => reading.deviation(meant, seen),
                 _ => self.not_of("a drum"),
+            },
+            (Case::Turn(meant), Seen::Turn(seen)) => match self {
+                Self::Turned(reading) => reading.deviation(meant, seen),
+                _ => self.not_of("a turn"),
             },
             (Case::View(_), Seen::View(seen)) => match self {
                 Self::RoundTrip(_) => Ok(waits::round_trip(seen)),

@@ -5,6 +5,7 @@ pub mod ground;
 pub mod machine;
 pub mod noise;
 pub mod part;
+pub mod turn;
 pub mod view;
 
 use serde::Deserialize;
@@ -25,6 +26,8 @@ pub enum CartridgeScene {
     Noise(noise::NoiseScene),
     /// One drum behind a storage buffer.
     Drum(drum::DrumScene),
+    /// A view that turns on the spot, and the drums that bring what it comes to show.
+    Turn(turn::TurnScene),
     /// Pixels, the rays through them, and pixels again.
     View(view::ViewScene),
 }
@@ -39,6 +42,7 @@ pub enum Case {
     Part(part::PartCase),
     Noise(noise::NoiseCase),
     Drum(drum::DrumCase),
+    Turn(turn::TurnCase),
     View(view::ViewScene),
 }
 
@@ -49,6 +53,7 @@ pub enum Seen {
     Part(part::Output),
     Noise(noise::Deviates),
     Drum(drum::Waits),
+    Turn(turn::Turned),
     View(view::Trips),
 }
 
@@ -60,6 +65,7 @@ impl CartridgeScene {
             Self::Part(_) => "part",
             Self::Noise(_) => "noise",
             Self::Drum(_) => "drum",
+            Self::Turn(_) => "turn",
             Self::View(_) => "view",
         }
     }
@@ -81,6 +87,7 @@ impl CartridgeScene {
             Self::Part(scene) => scene.cases()?.into_iter().map(Case::Part).collect(),
             Self::Noise(scene) => scene.cases()?.into_iter().map(Case::Noise).collect(),
             Self::Drum(scene) => scene.cases()?.into_iter().map(Case::Drum).collect(),
+            Self::Turn(scene) => scene.cases()?.into_iter().map(Case::Turn).collect(),
             Self::View(scene) => scene.checked().map(|()| vec![Case::View(scene.clone())])?,
         };
         match cases.len() {
@@ -99,6 +106,7 @@ impl Case {
             Self::Part(case) => case.model.name.clone(),
             Self::Noise(case) => case.model.name.clone(),
             Self::Drum(case) => case.model.name.clone(),
+            Self::Turn(case) => case.model.name.clone(),
             Self::View(_) => "all views".into(),
         }
     }
@@ -110,6 +118,7 @@ impl Case {
             Self::Part(case) => Seen::Part(case.run()),
             Self::Noise(case) => Seen::Noise(case.run()),
             Self::Drum(case) => Seen::Drum(case.run()),
+            Self::Turn(case) => Seen::Turn(case.run()?),
             Self::View(scene) => Seen::View(scene.run()),
         })
     }
