@@ -195,6 +195,20 @@ impl FrameSweeps<'_> {
         tube.read_at(&analog.memory, *seed, self.plan.frame, self.place_of(pose, pixel))
     }
 
+    /// Whether a crater, by its number in the list, is in no storage buffer as `sweep` begins.
+    pub fn lacks_crater(&self, crater: u32, sweep: u32) -> bool {
+        let start = self.clock(sweep).tick_at_or_after(SweepTime(0.0));
+        let absent = &self.digital.absent_craters;
+        let found = absent.binary_search_by_key(&crater, |absent| absent.crater);
+        found.is_ok_and(|index| absent[index].comes.is_none_or(|comes| comes > start))
+    }
+
+    /// Whether the boundaries of shadow in the square of a place (north, east; m) are in no storage buffer as `sweep` begins.
+    pub fn lacks_shadows(&self, place: [f64; 2], sweep: u32) -> bool {
+        let start = self.clock(sweep).tick_at_or_after(SweepTime(0.0));
+        self.digital.absent_shadows.as_ref().is_some_and(|absent| absent.lacks(place, start))
+    }
+
     /// Cells of a sweep: its lines, or finer ones where the yoke turns the picture.
     pub fn cells(&self) -> usize {
         WrittenRaster::new(&self.stage.settings).lines

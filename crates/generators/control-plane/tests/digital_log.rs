@@ -258,6 +258,9 @@ fn a_crater_is_drawn_from_the_first_sweep_after_its_record() {
             let expected: Vec<u32> = (0..4).filter(there).collect();
             grew += usize::from(!expected.is_empty() && expected.len() < 4);
             assert_eq!(craters_of(&sweeps, sweep), expected, "{place:?}, sweep {sweep}");
+            let lacking: Vec<u32> = (0..4).filter(|&crater| sweeps.lacks_crater(crater, sweep)).collect();
+            assert!(lacking.iter().all(|crater| !expected.contains(crater)), "{lacking:?} {expected:?}");
+            assert_eq!(lacking.len() + expected.len(), 4);
         }
         assert!(grew > 0, "all came at once");
         // In the first frame all is there, and what a model keeps in a memory of its own never comes.
@@ -292,6 +295,8 @@ fn a_shadow_acts_from_the_first_sweep_after_its_square() {
         let there = came.iter().filter(|&&tick| tick <= begins).count();
         assert_eq!(gate.loads.len(), 2 * there, "sweep {sweep}");
         assert!(!gate.dark_at_start && !gate.is_dark(89.0), "sweep {sweep}");
+        let north = EYE[0] - 15.0;
+        assert_eq!(sweeps.lacks_shadows([north, EYE[1]], sweep), gate.loads.is_empty(), "sweep {sweep}");
         counts.push(there);
     }
     assert!(counts[0] < 3 && counts[9] == 3, "{counts:?}");

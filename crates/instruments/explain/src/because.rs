@@ -17,6 +17,7 @@ pub fn because(told: &Explanation) -> Vec<String> {
         reasons.push(light(ground));
         reasons.extend(driven(ground));
         reasons.extend(stale(ground));
+        reasons.extend(not_there(ground));
     }
     reasons.extend(told.body.map(body));
     reasons.extend(digital(told));
@@ -123,6 +124,18 @@ fn stale(ground: &GroundPoint) -> impl Iterator<Item = String> {
             }
         }
     })
+}
+
+/// What the data banks have not brought yet, beside corners.
+fn not_there(ground: &GroundPoint) -> impl Iterator<Item = String> {
+    let craters: Vec<String> = ground.craters_not_there.iter().map(u32::to_string).collect();
+    let craters = (!craters.is_empty()).then(|| {
+        format!("no storage buffer has crater {} yet (deadline feature-record)", craters.join(", "))
+    });
+    let shadows = ground.shadows_not_there.then(|| {
+        "no storage buffer has the boundaries of shadow that lie here yet (deadline shadow-record)".to_owned()
+    });
+    craters.into_iter().chain(shadows)
 }
 
 fn digital(told: &Explanation) -> Vec<String> {

@@ -53,7 +53,11 @@ pub struct GroundPoint {
     pub terrain_reflectivity: f64,
     /// Craters whose footprint holds the place, by their number in the list.
     pub craters: Vec<u32>,
-    /// What they add (m).
+    /// Those of them that the sweep does not know, as their records are in no storage buffer yet.
+    pub craters_not_there: Vec<u32>,
+    /// Whether the square of regions lacks its boundaries of shadow, as their records are in no storage buffer yet.
+    pub shadows_not_there: bool,
+    /// What the craters add (m).
     pub feature_height_m: f64,
     /// Whether VS1 shows features.
     pub features_shown: bool,
@@ -128,6 +132,8 @@ impl GroundPoint {
             terrain_slopes: [of("tg.slope.u"), of("tg.slope.v")],
             terrain_reflectivity: of("tg.reflectivity"),
             craters: craters_at(landscape, place_m),
+            craters_not_there: Vec::new(),
+            shadows_not_there: false,
             feature_height_m: of("fg.height"),
             features_shown: of("mu.vs1") > 0.5,
             in_shadow: of("sc.gate") > 0.5,

@@ -259,9 +259,14 @@ impl<'a> Inquiry<'a> {
         let way = (fine.end_range, fine.start.direction);
         let period_us = 1e6 / self.stage.settings.timebase.sample_rate().hertz();
         let by_derivative = self.stage.settings.laws.occlusion == Occlusion::Derivative;
+        let ground =
+            GroundPoint::at(sample, column, &states, way, &self.stage.landscape, pose.eye, period_us);
+        let lacks = |crater: &u32| sweeps.lacks_crater(*crater, sweep);
         GroundPoint {
             elevation_change: by_derivative.then(|| column.at("dpp.derivative", sample)),
-            ..GroundPoint::at(sample, column, &states, way, &self.stage.landscape, pose.eye, period_us)
+            craters_not_there: ground.craters.iter().copied().filter(lacks).collect(),
+            shadows_not_there: sweeps.lacks_shadows(ground.place_m, sweep),
+            ..ground
         }
     }
 }
