@@ -11,12 +11,12 @@ pub struct Waveform {
     pub signal: Signal,
     /// Frame it belongs to.
     pub frame: u64,
-    /// Sweep of the frame.
+    /// Sweep of the frame; of a signal of [`Axis::Line`](crate::Axis::Line) the line, in the order in which lines are scanned.
     pub sweep: u32,
     /// Instants of the values, in samples from the start of the sweep; empty unless the signal is one of
     /// [`Axis::Changes`](crate::Axis::Changes).
     pub times: Vec<f64>,
-    /// One value a sample, a line or an instant, as the signal's axis says.
+    /// One value a sample, a line, a column or an instant, as the signal's axis says.
     pub values: Vec<f64>,
 }
 

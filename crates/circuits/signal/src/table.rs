@@ -82,6 +82,8 @@ pub enum Axis {
     Display,
     /// The sweep clock: a value whenever there is a new one, at its own instant.
     Changes,
+    /// The clock of a line that the read beam scans: one value a column.
+    Line,
 }
 
 impl Axis {
@@ -91,6 +93,7 @@ impl Axis {
             Self::Ground => "ground",
             Self::Display => "display",
             Self::Changes => "changes",
+            Self::Line => "line",
         }
     }
 }
@@ -164,6 +167,11 @@ impl Signal {
         Self { name, unit, kind, axis: Axis::Changes, meaning, figure }
     }
 
+    /// A signal along the lines that the read beam scans.
+    pub const fn line(name: &'static str, unit: Unit, meaning: &'static str, figure: &'static str) -> Self {
+        Self { name, unit, kind: Self::kind_of(unit), axis: Axis::Line, meaning, figure }
+    }
+
     const fn kind_of(unit: Unit) -> Kind {
         if matches!(unit, Unit::Gate) { Kind::Gate } else { Kind::Analog }
     }
@@ -188,6 +196,7 @@ impl Signal {
             "drum" => "data-bank",
             "vs" => "vehicle-shadow",
             "sm" | "yoke" => "sweep-memory",
+            "tube" => "picture-tube",
             // Other generators have their own name before the dot.
             generator => generator,
         }
@@ -210,6 +219,13 @@ pub struct Wire {
     pub volts: f64,
     /// Value at 0 V, in the unit of the signal.
     pub datum: f64,
+}
+
+impl Wire {
+    /// The wire of a video signal that is 1 for white: 1 V there (our choice), 0 V for black.
+    pub fn of_video(signal: Signal) -> Self {
+        Self { signal, full_scale: 1.0, volts: 1.0, datum: 0.0 }
+    }
 }
 
 /// Whether `pattern` names `name`: exact, or with `*` for any run of characters.

@@ -17,6 +17,7 @@
 //! **Phosphor.** Light decays to a tenth in the time of the part. A line shows the light from its last scan to its next. Of a
 //! scan k scans before, `(1 - d) d^k` is left, d what is left after one scan.
 //! **Spot.** [`parts::Spot`] over the light, along lines and across them; it keeps the sum of the light.
+//! **Signals.** `tube.video` is the drive of the tube along the lines that the beam scans, in the order of time ([`SIGNALS`]).
 //! **Units.** Light is in the unit of reflectivity: `display.white` is white. Times in seconds, bandwidths in hertz.
 //! **State and timing.** None of its own: the caller hands over the pictures that were read in the frames before
 //! ([`PictureTube::frames_before`]). Before the first frame the tube has shown the first frame.
@@ -31,3 +32,16 @@ mod scans;
 mod tube;
 
 pub use tube::{PictureTube, ScanRaster};
+
+use signal::{Signal, Unit};
+
+/// Name of the signal that drives the tube.
+pub const TUBE_VIDEO: &str = "tube.video";
+
+/// Signals of the block, along the lines of the read-out.
+pub const SIGNALS: &[Signal] = &[Signal::line(
+    TUBE_VIDEO,
+    Unit::Number,
+    "video that drives the picture tube, behind the video amplifier, its noise and its contrast: 1 for white",
+    "section 16",
+)];

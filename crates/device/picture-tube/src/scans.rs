@@ -48,6 +48,20 @@ impl Scans {
         self.fields * self.shares.len() as u64 > 1
     }
 
+    /// Lines for which a field has time, of a picture of `lines`: the shorter field of an odd number has one to spare.
+    pub fn lines_of_field(&self, lines: u64) -> u64 {
+        lines.div_ceil(self.fields)
+    }
+
+    /// The showing in which the beam scans line `number` of frame `frame`, counted in the order of time, with its field and its line
+    /// from the top, of `lines`; no line where the shorter field has none.
+    pub fn scanned(&self, frame: u64, number: u64, lines: u64) -> (u64, Option<u64>) {
+        let (showing, place) = (number / self.lines_of_field(lines), number % self.lines_of_field(lines));
+        let field = frame.wrapping_mul(self.showings).wrapping_add(showing);
+        let line = place * self.fields + field % self.fields;
+        (field, Some(line).filter(|&line| line < lines))
+    }
+
     /// The scans of line `line` in showing `showing` of frame `frame`, the last first.
     pub fn of_line(&self, frame: u64, showing: u64, line: u64) -> impl Iterator<Item = Scan> {
         let Self { fields, showings, .. } = *self;

@@ -2,6 +2,7 @@
 
 use hardware_model::{AnalogParts, Settings};
 use parts::{Spot, spot_sigma};
+use quantities::{Timebase, TimebaseError};
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::{ParallelSlice, ParallelSliceMut};
 
@@ -27,6 +28,17 @@ pub struct ScanRaster {
 }
 
 impl ScanRaster {
+    /// Clocks of the lines that the beam scans, of which a frame has `lines`: lines as sweeps, columns as samples.
+    ///
+    /// # Errors
+    /// If there are more lines or columns than clocks count.
+    pub fn clocks(settings: &Settings, lines: u32) -> Result<Timebase, TimebaseError> {
+        let (clocks, columns) = (&settings.timebase, settings.raster.columns);
+        let Self { active, .. } = Self::of(settings);
+        let retrace = (f64::from(columns) * (1.0 - active) / active).round() as u32;
+        Timebase::new(clocks.master, clocks.update, lines, columns, retrace)
+    }
+
     /// The raster of a machine of `settings`. Its lines have the share of retrace that the sweeps have.
     pub fn of(settings: &Settings) -> Self {
         let (raster, clocks) = (&settings.raster, &settings.timebase);
@@ -97,6 +109,30 @@ impl PictureTube {
         self.amplifier.is_noisy() || self.scans.are_several()
     }
 
+    /// Lines that the beam scans in a frame, all fields together.
+    pub fn lines_scanned(&self) -> u32 {
+        (self.scans.showings * self.scans.lines_of_field(self.lines as u64)) as u32
+    }
+
+    /// The drive of the tube along line `number` of frame `frame`, counted in the order of time: one value a column, 1 for white.
+    /// `read` is the picture that was read; a field that has no such line is dark.
+    pub fn drive(&self, frame: u64, number: u32, read: &[f32]) -> Vec<f64> {
+        let (field, line) = self.scans.scanned(frame, u64::from(number), self.lines as u64);
+        let Some(line) = line else { return vec![0.0; self.columns] };
+        let mut video = VideoLine::new(self.columns);
+        self.amplifier.amplify(
+            &read[line as usize * self.columns..][..self.columns],
+            self.address(field, line),
+            &mut video,
+        );
+        video.video.iter().map(|&video| f64::from(self.law.drive(video))).collect()
+    }
+
+    /// Address of the noise of a line in a field.
+    fn address(&self, field: u64, line: u64) -> u64 {
+        field.wrapping_mul(self.lines as u64).wrapping_add(line)
+    }
+
     /// The light of showing `showing` of frame `frame`, line by line, in the unit of reflectivity. `read` has the pictures that
     /// were read in this frame and in those before it, the nearest first, one at least: the last stands in for any that is
     /// missing. `scratch` holds nothing after.
@@ -125,8 +161,7 @@ impl PictureTube {
         for scan in self.scans.of_line(frame, showing, line) {
             let picture = read[scan.age.min(read.len() - 1)];
             let row = &picture[line as usize * self.columns..][..self.columns];
-            let address = scan.field.wrapping_mul(self.lines as u64).wrapping_add(line);
-            self.amplifier.amplify(row, address, video);
+            self.amplifier.amplify(row, self.address(scan.field, line), video);
             let lit = light.iter_mut().zip(&video.video);
             lit.for_each(|(light, video)| *light += scan.share * self.law.light(*video));
         }

@@ -26,7 +26,8 @@ use landscape::Landscape;
 use quantities::Timebase;
 use scenario::{Pose, Scenery, View};
 use serde_json::Value;
-use signal::{Probe, Signal, Wire};
+use signal::{Probe, Signal, Waveform, Wire};
+use std::ops::Range;
 
 pub use counts::{Counter, FrameCounts, Joined};
 pub use error::{FrameError, PrepareError, check_eye};
@@ -101,6 +102,16 @@ pub trait Generator: Send + Sync {
         None
     }
 
+    /// The signals along the lines that a read beam scans; none if it has no read beam.
+    fn line_signals(&self) -> &'static [Signal] {
+        &[]
+    }
+
+    /// How those run, line by line in the order of time; `None` if it has no read beam.
+    fn line_scan(&self) -> Option<Scan> {
+        None
+    }
+
     /// Its own settings, for the record of a run: everything that decides its pictures beside the stage, and that does
     /// not stand in the view.
     fn record(&self) -> Value {
@@ -167,6 +178,15 @@ pub trait Session: Send + Sync {
     /// among them.
     fn wires(&self) -> Vec<Wire> {
         Vec::new()
+    }
+
+    /// Waveforms along `lines` of the read beam in frame `frame` from `pose`, counted in the order in which it scans them; none if
+    /// there is no read beam.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    fn lines(&self, _frame: u64, _pose: &Pose, _lines: Range<u32>) -> Result<Vec<Waveform>, FrameError> {
+        Ok(Vec::new())
     }
 
     /// Direction over the ground (unit vector: north, east) of line `line` of its signals in frame `frame` from `pose`;

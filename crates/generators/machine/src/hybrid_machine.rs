@@ -8,6 +8,8 @@ use serde_json::{Value, json};
 use signal::Signal;
 use signal_plane::signals;
 
+use picture_tube::{PictureTube, ScanRaster, TUBE_VIDEO};
+
 use crate::counts::COUNTERS;
 use crate::prepare::Prepare;
 
@@ -39,6 +41,16 @@ impl Generator for HybridMachine {
 
     fn scan(&self, _: &View) -> Option<Scan> {
         Some(scan(&self.settings))
+    }
+
+    fn line_signals(&self) -> &'static [Signal] {
+        picture_tube::SIGNALS
+    }
+
+    fn line_scan(&self) -> Option<Scan> {
+        let lines = PictureTube::of(&self.settings).lines_scanned();
+        let timebase = ScanRaster::clocks(&self.settings, lines).ok()?;
+        Some(Scan { line: "line", timebase, place: TUBE_VIDEO, ahead: None })
     }
 
     fn record(&self) -> Value {

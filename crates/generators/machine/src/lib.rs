@@ -69,4 +69,5 @@ pub use control_plane::{
     ControlPlane, DataKind, DigitalEvent, DigitalUnit, EventWord, FrameSweeps, LateCrossing, LoadedPart,
     MachineStage, RANGE, Register, RegisterState, RegisterWords,
 };
+pub use picture_tube::SIGNALS as LINE_SIGNALS;
 pub use signal_plane::signals;

@@ -1,9 +1,11 @@
 //! A frame of the machine, from its pose to its planes.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use control_plane::FramePlan;
 use generator::{FrameCounts, FrameError, Omission, PlaneKind, Planes, Session};
+use picture_tube::PictureTube;
 use scenario::Pose;
 use signal::{Probe, Real, Waveform, Wire};
 use signal_plane::{Look, Wanted, wires};
@@ -76,6 +78,20 @@ impl<S: Real> Session for Elaborated<S> {
 
     fn wires(&self) -> Vec<Wire> {
         wires(&self.stage, &self.blocks, &self.raster)
+    }
+
+    fn lines(&self, frame: u64, pose: &Pose, lines: Range<u32>) -> Result<Vec<Waveform>, FrameError> {
+        let tube = PictureTube::of(&self.stage.settings);
+        let read = self.read_alone(frame, pose)?;
+        let there = lines.start..lines.end.min(tube.lines_scanned());
+        let of_line = |line: u32| Waveform {
+            signal: picture_tube::SIGNALS[0],
+            frame,
+            sweep: line,
+            times: Vec::new(),
+            values: tube.drive(frame, line, &read),
+        };
+        Ok(there.map(of_line).collect())
     }
 
     fn direction(&self, frame: u64, pose: &Pose, line: u32) -> Result<Option<[f64; 2]>, FrameError> {

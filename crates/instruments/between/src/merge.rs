@@ -8,7 +8,7 @@ pub fn merged(wave: Waveform, own: Option<&[f64]>, steps: usize) -> Waveform {
     let times = times.into_iter().map(|time| time * steps as f64).collect();
     let values = match signal.axis {
         Axis::Ground => between(&values, own.unwrap_or(&[]), steps, signal.unit == Unit::Gate),
-        Axis::Display | Axis::Changes => values,
+        Axis::Display | Axis::Changes | Axis::Line => values,
     };
     Waveform { times, values, ..wave }
 }

@@ -1,5 +1,6 @@
 //! Random landscapes on both engines; a scene that differs is shrunk before it is told.
 
+use hardware_model::{BankPlace, KindBank};
 use lockstep::{ComparedScene, Trials, frame_of, random, shrink, trials};
 use scenario::Scalar;
 use signal::{Axis, Waveform};
@@ -21,11 +22,10 @@ fn compared() -> impl Iterator<Item = &'static str> {
 }
 
 /// Events of drums, craters, shadows and the processor, which some of these scenes have.
-const DIGITAL: [&str; 16] = [
+const DIGITAL: [&str; 15] = [
     "absent",
     "record",
     "feature-record",
-    "shadow-record",
     "crater-load",
     "crater-late",
     "crater-dropped",
@@ -91,6 +91,30 @@ fn the_channel_is_ordered_once_a_crossing() {
     for seed in [311, 1001, 1059, 1112, 1224, 1289, 1302, 1320] {
         check(&trials(seed..seed + 1, Scalar::F64));
     }
+}
+
+/// Boundaries of shadow on drums are too rare among the first scenes: these have a low sun, and squares that come while the frame runs.
+#[test]
+fn boundaries_of_shadow_on_drums() {
+    let has_them = |&seed: &u64| {
+        let scene = random::machine(seed);
+        scene.shadows.is_some() && scene.data_banks.drum.is_some()
+    };
+    let mut came = 0;
+    for (seed, place) in
+        (0..).filter(has_them).take(12).zip([BankPlace::Apart, BankPlace::Together].into_iter().cycle())
+    {
+        let mut scene = random::machine(seed);
+        scene.sun.elevation = 0.01;
+        let drum = scene.data_banks.drum.expect("they have drums");
+        let edit = drum.rotation as f64 / 48.0;
+        let shadows = KindBank { place, record_words: 24, record_regions: 1, buffer_words: None, edit };
+        scene.kind_banks.shadows = shadows;
+        let Ok(report) = scene.lockstep(frame_of(seed)) else { continue };
+        assert_eq!(report.first_difference(), None, "seed {seed}, {place:?}");
+        came += report.events.get("shadow-record").copied().unwrap_or(0);
+    }
+    assert!(came > 0, "no square of shadows came while a frame ran");
 }
 
 /// The ground ends beyond a sample if it falls far to the next place, which may be a rim before the next sample.

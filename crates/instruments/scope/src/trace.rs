@@ -162,7 +162,7 @@ fn put(
 fn windows(header: &Header, window: usize) -> Vec<Range<u32>> {
     let samples = header.timebase.active_samples as usize;
     let of = |wire: &Wire| match wire.signal.axis {
-        Axis::Ground => samples,
+        Axis::Ground | Axis::Line => samples,
         Axis::Display => header.lines as usize,
         Axis::Changes => 2 * CHANGES,
     };

@@ -77,7 +77,7 @@ impl<'w> Points<'w> {
     pub fn time(&self, index: usize) -> f64 {
         match self.waveform.signal.axis {
             Axis::Changes => self.waveform.times[index],
-            Axis::Ground | Axis::Display => index as f64,
+            Axis::Ground | Axis::Line | Axis::Display => index as f64,
         }
     }
 
@@ -98,7 +98,7 @@ pub fn value_at(waveform: &Waveform, sample: usize) -> Option<f64> {
     let points = Points { waveform };
     let mut told = (0..waveform.values.len()).rev();
     let index = match (waveform.signal.axis, waveform.signal.kind) {
-        (Axis::Ground | Axis::Display, _) => return waveform.values.get(sample).copied(),
+        (Axis::Ground | Axis::Line | Axis::Display, _) => return waveform.values.get(sample).copied(),
         (Axis::Changes, Kind::Event) => told.find(|&index| points.sample(index) == sample),
         (Axis::Changes, _) => told.find(|&index| points.sample(index) <= sample),
     };

@@ -85,7 +85,7 @@ impl Timeline {
     fn follow(&mut self, wire: usize, sweep: u32, waveform: &Waveform) {
         let form = self.forms[wire];
         let instants = match waveform.signal.axis {
-            Axis::Ground => &self.samples,
+            Axis::Ground | Axis::Line => &self.samples,
             Axis::Display => &self.lines,
             Axis::Changes => &waveform.times,
         };

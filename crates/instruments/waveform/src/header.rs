@@ -94,7 +94,7 @@ impl Header {
     fn lengths(&self, waveform: &Waveform) -> ([usize; 2], [usize; 2]) {
         let found = [waveform.times.len(), waveform.values.len()];
         let expected = match waveform.signal.axis {
-            Axis::Ground => [0, self.samples()],
+            Axis::Ground | Axis::Line => [0, self.samples()],
             Axis::Display => [0, self.lines as usize],
             Axis::Changes => [found[0], found[0]],
         };

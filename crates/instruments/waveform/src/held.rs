@@ -8,7 +8,7 @@ pub fn hold(waveform: &Waveform, samples: usize, out: &mut Vec<f64>) {
     out.clear();
     let values = &waveform.values;
     match waveform.signal.axis {
-        Axis::Ground => out.extend_from_slice(values),
+        Axis::Ground | Axis::Line => out.extend_from_slice(values),
         Axis::Display => out.extend((0..samples).map(|sample| values[sample * values.len() / samples])),
         Axis::Changes => hold_changes(waveform, samples, out),
     }

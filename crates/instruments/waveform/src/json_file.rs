@@ -31,7 +31,7 @@ impl JsonFile {
 
 fn member(waveform: &Waveform) -> Value {
     match waveform.signal.axis {
-        Axis::Ground | Axis::Display => json!({ "values": waveform.values }),
+        Axis::Ground | Axis::Line | Axis::Display => json!({ "values": waveform.values }),
         Axis::Changes => json!({ "times": waveform.times, "values": waveform.values }),
     }
 }

@@ -55,7 +55,7 @@ impl NpzFile {
             let pieces: Vec<Piece> = self.pieces.iter().skip(place).step_by(wires.len()).copied().collect();
             let name = wire.signal.name;
             match wire.signal.axis {
-                Axis::Ground => {
+                Axis::Ground | Axis::Line => {
                     let shape = [rows, self.header.samples() as u64];
                     self.copy(name, &shape, &pieces, Part::Values)?;
                 }

@@ -238,3 +238,43 @@ proptest! {
         prop_assert!(light.iter().all(|light| light.is_finite() && *light >= 0.0), "{light:?}");
     }
 }
+
+/// Lines come in the order of time: those of the first field, then those between them; an odd number leaves the second field one short.
+#[test]
+fn lines_come_field_by_field() {
+    let parts = PictureTubeParts { fields: 2, ..IDEAL };
+    let raster = ScanRaster { lines: 5, ..RASTER };
+    let display =
+        PictureTube::new(&AnalogParts { picture_tube: parts, ..AnalogParts::ideal() }, &raster, 0.5, 7);
+    assert_eq!(display.lines_scanned(), 6);
+    let read: Vec<f32> = (0..5 * COLUMNS).map(|pixel| 0.1 * (pixel / COLUMNS) as f32).collect();
+    let first = |number: u32| display.drive(3, number, &read)[COLUMNS / 2];
+    let drives: Vec<f64> = (0..6).map(first).collect();
+    let expected = [0.0, 0.4, 0.8, 0.2, 0.6, 0.0];
+    assert!(
+        drives.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-6),
+        "{drives:?}"
+    );
+    // One field a picture: every showing scans all lines from the top.
+    assert_eq!((self::display(IDEAL, false).lines_scanned(), LINES * 2), (600, 600));
+}
+
+/// What drives the tube is what lights it: its law over the drive is the light of the line, noise and all.
+#[test]
+fn the_drive_of_a_line_is_what_lights_it() {
+    let parts = PictureTubeParts { correction: 2.2, gamma: 2.5, cut_off: 0.05, fields: 2, ..IDEAL };
+    let display = display(parts, true);
+    let read: Vec<f32> = (0..LINES * COLUMNS).map(|pixel| (pixel % 97) as f32 / 97.0).collect();
+    let light = shown(&display, [4, 1], &[&read]);
+    for (number, line) in [(0, 0), (7, 14), (150, 1), (299, 299)] {
+        let drive = display.drive(4, number, &read);
+        let lit = &light[line * COLUMNS..][..COLUMNS];
+        for (drive, light) in drive.iter().zip(lit) {
+            let expected = ((drive - 0.05) / 0.95).max(0.0).powf(2.5);
+            assert!((expected - f64::from(*light)).abs() < 1e-5, "line {line}: {drive} gives {light}");
+        }
+    }
+    let clean = self::display(parts, false).drive(4, 0, &even(0.3));
+    let expected = libm::pow(0.3, 1.0 / 2.2);
+    assert!(clean.iter().all(|drive| (drive - expected).abs() < 1e-5), "{}", clean[0]);
+}

@@ -1,5 +1,6 @@
 //! `lunoid probe`: waveforms of some signals of some sweeps.
 
+mod lines;
 mod raster;
 mod target;
 
@@ -44,6 +45,7 @@ const AFTER: &str = "Examples:
   lunoid probe scenarios/first-light.toml --frame 12 --sweep all --signals 'sweep.x,sweep.y,tg.*.hold,tg.height' --out tg.fst
   lunoid probe scenarios/first-light.toml --frame 60 --sweep 500 --signals 'sweep.x,tg.fn.x.*,tg.*height,dpp.blank' --out tg.png
   lunoid probe scenarios/full-drive.toml --machine pra-nominal --frame 60 --sweep 200 --signals 'sweep.*,tg.product.00' --between 8 --out fine.csv
+  lunoid probe scenarios/full-drive.toml --machine pra-nominal --frame 60 --line 100..102 --signals tube.video --out video.vcd
 
 The file is what its name says, or --format. FST and VCD open in GTKWave (`gtkwave tg.fst.gtkw` draws curves at once), FST in
 Surfer, NPZ in numpy, raw in ngspice, sr in PulseView; docs/waveform-files.md says what each holds. PNG and SVG are a
@@ -56,8 +58,12 @@ pub struct ProbeCommand {
     #[command(flatten)]
     chosen: FrameArgs,
     /// Sweeps, from 0 at the left: S, S..T without T, or all.
-    #[arg(long, value_name = "S[..T]", value_parser = span)]
+    #[arg(long, value_name = "S[..T]", value_parser = span, default_value = "..", required_unless_present = "line")]
     sweep: Span,
+    /// Lines that the read beam scans, in the order of time, instead of sweeps: L, L..M without M, or all. With two fields a picture
+    /// the lines of the first field come first. The signal is tube.video.
+    #[arg(long, value_name = "L[..M]", value_parser = span, conflicts_with_all = ["sweep", "between"])]
+    line: Option<Span>,
     /// Signals, separated by commas, with * for any run of characters; `lunoid signals` lists them.
     #[arg(long, value_delimiter = ',', default_value = "*", value_name = "NAMES")]
     signals: Vec<String>,
@@ -100,11 +106,15 @@ impl ProbeCommand {
     /// Records the chosen signals and writes the file.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let target = Target::of(self.format.as_deref(), &self.out)?;
+        if let Some(lines) = self.line {
+            return self.run_lines(target, lines);
+        }
         self.expect_fitting(target)?;
         expect_outputs(&target.places("--out", &self.out), &self.chosen.stage.sources())?;
         let opened = self.chosen.stage.load()?;
         let generator = &opened.generator;
         let table = generator.signals();
+        self.expect_sweeps(generator.line_signals())?;
         expect_known(table, &self.signals, generator.name())?;
         let sweeps = self.sweeps(&opened)?;
         let is_of_display = raster::of_display(target, table, &self.signals).is_some();

@@ -48,6 +48,8 @@ impl<S: Real> Recorded<'_, S> {
                 Axis::Display => sampled(self.down_the_display(signal.name, lane, sweep)),
                 Axis::Changes if drum_of(signal.name).is_some() => self.drum(signal.name, sweep),
                 Axis::Changes => self.digital(signal.name, lane, &mut together),
+                // The read beam scans lines when the sweeps are done.
+                Axis::Line => Changes::default(),
             };
             Waveform { signal: *signal, frame: self.group.plan.frame, sweep, times, values }
         };

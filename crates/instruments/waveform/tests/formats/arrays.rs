@@ -37,7 +37,7 @@ fn numpy_reads_npz() {
         let values = bits(rows().flat_map(|row| row.values.clone()));
         let count: usize = rows().map(|row| row.times.len()).sum();
         match rows().next().unwrap().signal.axis {
-            Axis::Ground => expected.push(format!("{name} float64 3x50{values}")),
+            Axis::Ground | Axis::Line => expected.push(format!("{name} float64 3x50{values}")),
             Axis::Display => expected.push(format!("{name} float64 3x20{values}")),
             Axis::Changes => {
                 let times = bits(rows().flat_map(|row| row.times.clone()));

@@ -72,7 +72,7 @@ fn compare(changes: &Changes, sweeps: std::ops::Range<u32>, is_equal: fn(f64, f6
         for sweep in sweeps.clone() {
             let waveform = &waveforms(sweep)[place];
             let instant = |k: usize| match wire.signal.axis {
-                Axis::Ground => k as f64,
+                Axis::Ground | Axis::Line => k as f64,
                 Axis::Display => k as f64 * SAMPLES as f64 / LINES as f64,
                 Axis::Changes => waveform.times[k],
             };

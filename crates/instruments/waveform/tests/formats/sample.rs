@@ -87,7 +87,7 @@ pub fn waveforms(sweep: u32) -> Vec<Waveform> {
 /// What stands on a wire at a sample: the law of the formats that have a value a sample, written once more.
 pub fn held(waveform: &Waveform, sample: usize) -> f64 {
     match waveform.signal.axis {
-        Axis::Ground => waveform.values[sample],
+        Axis::Ground | Axis::Line => waveform.values[sample],
         Axis::Display => waveform.values[sample * LINES / SAMPLES],
         Axis::Changes => {
             let before = waveform.times.iter().rposition(|time| *time <= sample as f64);

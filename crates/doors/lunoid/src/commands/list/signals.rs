@@ -87,7 +87,12 @@ impl Signals {
             .filter(|signal| !there.contains(signal.name))
             .copied()
             .collect();
-        let rows = wires.into_iter().map(|wire| Row { signal: wire.signal, wire: Some(wire) }).collect();
+        let of_lines = opened.generator.line_signals().iter().copied().map(Wire::of_video);
+        let rows = wires
+            .into_iter()
+            .chain(of_lines)
+            .map(|wire| Row { signal: wire.signal, wire: Some(wire) })
+            .collect();
         let of = Some((stage.scenario.display().to_string(), opened.drawn_by().to_owned()));
         Ok(SignalListing { rows, absent, of })
     }
@@ -111,7 +116,7 @@ struct Row {
 impl SignalListing {
     /// All signals that a machine can have, and those of the vehicle's shadow in existing pictures.
     pub fn of_table() -> Self {
-        let signals = machine::signals().iter().chain(&vehicle_shadow::SIGNALS);
+        let signals = machine::signals().iter().chain(machine::LINE_SIGNALS).chain(&vehicle_shadow::SIGNALS);
         let rows = signals.map(|signal| Row { signal: *signal, wire: None });
         Self { rows: rows.collect(), absent: Vec::new(), of: None }
     }
