@@ -56,6 +56,23 @@ fn what_cannot_be_built_is_refused() {
     }
 }
 
+/// 24 corners a second in a turn over 5 km in regions of 300 m, each half a turn of a drum: terrain takes 0.21 of it, five kinds
+/// would be too many, and so are three on a drum that turns half as fast.
+#[test]
+fn kinds_that_fill_a_drum_together_are_warned_of() {
+    let told = |rotation: &str, kinds: &[&str]| {
+        let drum = [("drum.rotation_ms", rotation), ("drum.record_words", "9")];
+        let places = kinds.iter().map(|kind| (*kind, "together"));
+        let sets: Vec<(&str, &str)> = drum.into_iter().chain(places).collect();
+        with(&sets).check().into_iter().find(|finding| finding.message.contains("kinds of data on them"))
+    };
+    let all = ["feature_bank.drums", "shadow_bank.drums", "polyhedron_bank.drums"];
+    assert_eq!(told("17.4", &all), None);
+    assert_eq!(told("35", &[]), None);
+    let found = told("35", &all).expect("four kinds take 1.7 of the drum");
+    assert!(found.grade == Grade::Warn(Some("A5")) && found.message.contains("with 4 kinds"), "{found:?}");
+}
+
 /// Just within and just beyond: over 5 km in 300 m regions an ideal sweep of 33.3 µs runs at 150 m/µs, 2 µs a region.
 #[test]
 fn thresholds_are_where_the_reference_has_them() {

@@ -2,7 +2,7 @@
 
 use super::{Check, Grade, short};
 use crate::budget::sector_corners;
-use crate::{CrossingServer, LatePolicy, LoadDelay};
+use crate::{BankPlace, CrossingServer, LatePolicy, LoadDelay};
 
 pub(super) fn check(check: &mut Check) {
     late_words(check);
@@ -101,6 +101,17 @@ fn drums(check: &mut Check) {
         format!(
             "a turn at 10 degrees/s keeps the drums busy for {} their time with terrain alone",
             times(drum.load)
+        )
+    });
+    let kinds = check.model.kind_banks.kinds();
+    let beside = kinds.iter().filter(|(_, bank)| bank.place == BankPlace::Together).count();
+    let load = drum.load * (1 + beside) as f64;
+    check.warn_if(beside > 0 && load > 1.0, "A5", &["drum.rotation_ms", "drum.record_words"], || {
+        format!(
+            "a turn at 10 degrees/s asks the drums for {} their time with {} kinds of data on them, if each region has a \
+             record of each kind",
+            times(load),
+            1 + beside
         )
     });
     let words = 9.0 * sector_corners(check.budget.ground);

@@ -275,7 +275,8 @@ impl ProbeCommand {
         } else {
             String::new()
         };
-        let line = format!("{out}: {dry}frame {frame}, sweeps {}..{}: {signals}\n", sweeps.start, sweeps.end);
+        let of = if self.line.is_some() { "lines" } else { "sweeps" };
+        let line = format!("{out}: {dry}frame {frame}, {of} {}..{}: {signals}\n", sweeps.start, sweeps.end);
         if self.out.exists() && !self.out.is_file() {
             // The device may be standard output.
             tell(&line);
