@@ -1,19 +1,23 @@
 //! Elevation files into memory.
 
-mod geo_keys;
 mod geotiff;
 mod npy;
+mod page;
 mod pds3;
 mod samples;
-mod tiff_directory;
-mod zstd;
+mod unit;
+mod words;
 
 use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
+use quantities::degrees;
+
 use crate::elevation::{Affine, Elevation};
 use crate::error::SurveyError;
+
+pub use self::page::words_page;
 
 /// What the user knows better than the file.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -24,12 +28,15 @@ pub struct ReadOptions {
     pub scale: Option<f64>,
     /// Metres added after scaling; in place of the file's own offset.
     pub offset: Option<f64>,
-    /// Stored value that marks a void; in place of the file's own.
-    pub no_data: Option<f64>,
+    /// Stored values that mark voids; in place of the file's own. Empty: the file's own.
+    pub no_data: Vec<f64>,
     /// Metres from line to line and from column to column, for files without a place.
     pub spacing: Option<[f64; 2]>,
     /// Whether the first line is the southernmost, for files without a place. Default false: the northernmost.
     pub first_line_south: bool,
+    /// Names of tags, keys and keywords that are not known here and that change neither heights nor their place:
+    /// `KEYWORD` or `object:NAME` of a label, `tag:NUMBER`, `key:NUMBER` or `item:NAME` of a TIFF.
+    pub ignore: Vec<String>,
 }
 
 impl ReadOptions {
@@ -91,6 +98,13 @@ pub fn read(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Elevation, 
             None => return Err(unknown(path, &start)),
         },
     };
+    check_globe(path, &elevation)?;
+    let seams = elevation.seams();
+    if seams > 0 {
+        elevation.notes.push(format!(
+            "the last column stands where the first does, and has other heights in {seams} lines: the first counts"
+        ));
+    }
     let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     elevation.title = if elevation.title.is_empty() { stem } else { format!("{stem}: {}", elevation.title) };
     if elevation.range().is_none() {
@@ -98,6 +112,20 @@ pub fn read(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Elevation, 
         return Err(SurveyError::AllVoid { what: path.display().to_string(), count });
     }
     Ok(elevation)
+}
+
+/// Refuses places that are on no globe, as those of a file whose metres are said to be degrees.
+fn check_globe(path: &Path, elevation: &Elevation) -> Result<(), SurveyError> {
+    let ([south, west, north, east], step) = (elevation.extent(), elevation.affine.step.map(f64::abs));
+    let reach = [south.abs().max(north.abs()) - step[0], east - west - step[1]].map(degrees);
+    let is_globe = matches!(elevation.frame, crate::Frame::Geographic { .. });
+    if !is_globe || (reach[0] < 90.0 && reach[1] < 360.0) {
+        return Ok(());
+    }
+    let edges = [south, west, north, east].map(|edge| format!("{:.4}", degrees(edge)));
+    let found = format!("south {}, west {}, north {}, east {} deg", edges[0], edges[1], edges[2], edges[3]);
+    let expected = "latitudes from -90 to 90 and one turn of longitudes";
+    Err(field(path, "place of the samples", found, expected, "the file does not hold degrees: correct its place"))
 }
 
 fn first_bytes(path: &Path) -> Result<Vec<u8>, SurveyError> {

@@ -1,0 +1,48 @@
+//! The page of the docs about names in elevation files, made from the tables that decide about them.
+
+use super::geotiff::{items, keys, tags};
+use super::pds3::words;
+use super::words::Vocabulary;
+
+const HEAD: &str = "# Names in elevation files
+
+`lunoid survey` decides about every tag, key and keyword that it meets in a GeoTIFF or a PDS3 label. The tables below are
+the ones that the readers themselves ask. A test holds this page equal to them.
+
+| fate | what it means |
+|---|---|
+| used | The value decides heights or their place. |
+| harmless | The value changes neither heights nor their place. |
+| only | The value must be one of those in the table. Any other value is refused. |
+| refused | The name cannot be read here. The file is refused, with the name and its place. |
+
+A name that stands in no table is refused too. If it changes neither heights nor their place, `--ignore NAME` lets the file
+through, and the report of the survey names it. The refusal says what to give: `--ignore KEYWORD` or
+`--ignore object:NAME` for a label, `--ignore tag:NUMBER`, `--ignore key:NUMBER`, `--ignore item:NAME` or
+`--ignore domain:NAME` for a TIFF. A star stands for any characters.
+
+Heights without a unit are taken as metres, with a note. A unit that is not known is refused until `--scale METRES` is
+given. Units known by name are metre, kilometre, decimetre, centimetre, millimetre, foot, US survey foot, yard, fathom,
+mile and nautical mile. If more than half of the samples lie within 2 % of the radius of the body, they are radii: the
+radius is taken off, with a note.
+";
+
+/// The page `docs/elevation-words.md` as Markdown: a table for every kind of name, made from what the readers ask.
+pub fn words_page() -> String {
+    let section = |title: &str, table: &Vocabulary| format!("\n### {title}\n\n{}", table.table());
+    let tiff = [
+        section("Tags of the first directory", &tags::TAGS),
+        section("Geo keys", &keys::KEYS),
+        section("Items of GDAL metadata (tag 42112)", &items::ITEMS),
+        section("Domains of GDAL metadata other than the default one", &items::DOMAINS),
+    ];
+    let pds3 = [
+        section("Objects and groups", &words::OBJECTS),
+        section("Keywords outside of IMAGE and IMAGE_MAP_PROJECTION", &words::FILE),
+        section("Keywords of IMAGE", &words::IMAGE),
+        section("Keywords of IMAGE_MAP_PROJECTION", &words::MAP),
+    ];
+    let later = "\nLater directories are copies of less detail, which are not read; masks, whose zeros are voids; or other \
+                 pictures,\nwhich are told. A file `NAME.msk` beside the TIFF is a mask too.\n";
+    format!("{HEAD}\n## GeoTIFF\n{later}{}\n## PDS3 labels\n{}", tiff.concat(), pds3.concat())
+}
