@@ -286,7 +286,9 @@ fn unusable_files_say_why() {
     assert!(refused(1, 3, &[1.0; 3], &plain()).contains("3 lines of 1 samples"));
     assert!(refused(2, 2, &[f32::NAN; 4], &plain()).contains("all 4 samples are void"));
     assert!(refused(2, 2, &[1.0, 2.0, f32::INFINITY, 4.0], &plain()).contains("line 1, column 0"));
-    assert!(refused(2, 2, &[1.0; 4], &Tags { scale: None, tie: None, ..plain() }).contains("--spacing-m METRES"));
+    assert!(
+        refused(2, 2, &[1.0; 4], &Tags { scale: None, tie: None, ..plain() }).contains("--spacing-m METRES")
+    );
     assert!(refused(2, 2, &[1.0; 4], &Tags { scale: None, ..plain() }).contains("ModelPixelScaleTag"));
     assert!(refused(2, 2, &[1.0; 4], &Tags { no_data: Some("none"), ..plain() }).contains("GDAL_NODATA"));
     let rods = PROJECTED.iter().map(|&key| if key == 9001 { 9999 } else { key }).collect();

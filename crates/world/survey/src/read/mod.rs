@@ -17,7 +17,8 @@ use quantities::degrees;
 use crate::elevation::{Affine, Elevation};
 use crate::error::SurveyError;
 
-pub use self::page::words_page;
+pub use self::page::{VOCABULARIES, words_page};
+pub use self::words::{Fate, Vocabulary, Word};
 
 /// What the user knows better than the file.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -125,7 +126,13 @@ fn check_globe(path: &Path, elevation: &Elevation) -> Result<(), SurveyError> {
     let edges = [south, west, north, east].map(|edge| format!("{:.4}", degrees(edge)));
     let found = format!("south {}, west {}, north {}, east {} deg", edges[0], edges[1], edges[2], edges[3]);
     let expected = "latitudes from -90 to 90 and one turn of longitudes";
-    Err(field(path, "place of the samples", found, expected, "the file does not hold degrees: correct its place"))
+    Err(field(
+        path,
+        "place of the samples",
+        found,
+        expected,
+        "the file does not hold degrees: correct its place",
+    ))
 }
 
 fn first_bytes(path: &Path) -> Result<Vec<u8>, SurveyError> {

@@ -4,6 +4,21 @@ use super::geotiff::{items, keys, tags};
 use super::pds3::words;
 use super::words::Vocabulary;
 
+/// All tables of names, with their headings: those of GeoTIFF, then those of PDS3 labels.
+pub const VOCABULARIES: [(&str, &Vocabulary); 8] = [
+    ("Tags of the first directory", &tags::TAGS),
+    ("Geo keys", &keys::KEYS),
+    ("Items of GDAL metadata (tag 42112)", &items::ITEMS),
+    ("Domains of GDAL metadata other than the default one", &items::DOMAINS),
+    ("Objects and groups", &words::OBJECTS),
+    ("Keywords outside of IMAGE and IMAGE_MAP_PROJECTION", &words::FILE),
+    ("Keywords of IMAGE", &words::IMAGE),
+    ("Keywords of IMAGE_MAP_PROJECTION", &words::MAP),
+];
+
+/// How many of the tables are of GeoTIFF.
+const OF_TIFF: usize = 4;
+
 const HEAD: &str = "# Names in elevation files
 
 `lunoid survey` decides about every tag, key and keyword that it meets in a GeoTIFF or a PDS3 label. The tables below are
@@ -29,20 +44,10 @@ radius is taken off, with a note.
 
 /// The page `docs/elevation-words.md` as Markdown: a table for every kind of name, made from what the readers ask.
 pub fn words_page() -> String {
-    let section = |title: &str, table: &Vocabulary| format!("\n### {title}\n\n{}", table.table());
-    let tiff = [
-        section("Tags of the first directory", &tags::TAGS),
-        section("Geo keys", &keys::KEYS),
-        section("Items of GDAL metadata (tag 42112)", &items::ITEMS),
-        section("Domains of GDAL metadata other than the default one", &items::DOMAINS),
-    ];
-    let pds3 = [
-        section("Objects and groups", &words::OBJECTS),
-        section("Keywords outside of IMAGE and IMAGE_MAP_PROJECTION", &words::FILE),
-        section("Keywords of IMAGE", &words::IMAGE),
-        section("Keywords of IMAGE_MAP_PROJECTION", &words::MAP),
-    ];
+    let section = |(title, table): &(&str, &Vocabulary)| format!("\n### {title}\n\n{}", table.table());
+    let [tiff, pds3] = [&VOCABULARIES[..OF_TIFF], &VOCABULARIES[OF_TIFF..]]
+        .map(|tables| tables.iter().map(section).collect::<String>());
     let later = "\nLater directories are copies of less detail, which are not read; masks, whose zeros are voids; or other \
                  pictures,\nwhich are told. A file `NAME.msk` beside the TIFF is a mask too.\n";
-    format!("{HEAD}\n## GeoTIFF\n{later}{}\n## PDS3 labels\n{}", tiff.concat(), pds3.concat())
+    format!("{HEAD}\n## GeoTIFF\n{later}{tiff}\n## PDS3 labels\n{pds3}")
 }

@@ -14,8 +14,8 @@ pub fn length(name: &str) -> Option<f64> {
         "cm" | "centimeter" | "centimeters" | "centimetre" | "centimetres" => 0.01,
         "mm" | "millimeter" | "millimeters" | "millimetre" | "millimetres" => 0.001,
         "ft" | "foot" | "feet" | "international foot" | "international feet" => 0.3048,
-        "us survey foot" | "us survey feet" | "survey foot" | "survey feet" | "us ft" | "ftus" | "us foot"
-        | "us feet" | "foot us" | "sft" => SURVEY_FOOT,
+        "us survey foot" | "us survey feet" | "survey foot" | "survey feet" | "us ft" | "ftus"
+        | "us foot" | "us feet" | "foot us" | "sft" => SURVEY_FOOT,
         "yd" | "yard" | "yards" => 0.9144,
         "fathom" | "fathoms" => 1.8288,
         "mi" | "mile" | "miles" => 1609.344,

@@ -34,8 +34,7 @@ impl GeoTags {
     /// Reads the tags of the first directory.
     pub fn of(tiff: &mut Tiff) -> TiffResult<Self> {
         let mut numbers = |tag| tiff.find_tag(tag)?.map(Value::into_f64_vec).transpose();
-        let (pixel_scale, tie_point) =
-            (numbers(Tag::ModelPixelScaleTag)?, numbers(Tag::ModelTiepointTag)?);
+        let (pixel_scale, tie_point) = (numbers(Tag::ModelPixelScaleTag)?, numbers(Tag::ModelTiepointTag)?);
         let transformation = numbers(Tag::ModelTransformationTag)?;
         let numbers = numbers(Tag::GeoDoubleParamsTag)?.unwrap_or_default();
         let directory = tiff.find_tag_unsigned_vec::<u16>(Tag::GeoKeyDirectoryTag)?.unwrap_or_default();
@@ -100,7 +99,11 @@ fn from_scale(path: &Path, geo: &GeoTags) -> Result<Option<Affine>, SurveyError>
     };
     let Some(scale) = geo.pixel_scale.as_ref().filter(|scale| scale.len() >= 2) else {
         let found = format!("{} tie points without a pixel scale", ties.len() / 6);
-        return if geo.transformation.is_some() { Ok(None) } else { Err(tie_points(found, "ModelPixelScaleTag")) };
+        return if geo.transformation.is_some() {
+            Ok(None)
+        } else {
+            Err(tie_points(found, "ModelPixelScaleTag"))
+        };
     };
     let at = |tie: &[f64]| [tie[4] + tie[1] * scale[1], tie[3] - tie[0] * scale[0]];
     let mut all = ties.chunks_exact(6).map(|tie| Affine { first: at(tie), step: [-scale[1], scale[0]] });
@@ -109,7 +112,8 @@ fn from_scale(path: &Path, geo: &GeoTags) -> Result<Option<Affine>, SurveyError>
     };
     match all.find(|other| !alike(other, &first)) {
         Some(other) => {
-            let found = format!("tie points that place the first sample at {:?} and {:?}", first.first, other.first);
+            let found =
+                format!("tie points that place the first sample at {:?} and {:?}", first.first, other.first);
             Err(tie_points(found, "tie points on one grid"))
         }
         None => Ok(Some(first)),

@@ -43,7 +43,8 @@ impl Source<'_> {
     /// What the file says about the band.
     pub fn said(&self, tiff: &mut Tiff, notes: &mut Vec<String>) -> Result<Said, SurveyError> {
         let (metres, unknown_unit) = self.unit(notes);
-        let of_item = |name: &str, option: Option<f64>, advice: &str| match self.items.get(name, self.band[0]) {
+        let of_item = |name: &str, option: Option<f64>, advice: &str| match self.items.get(name, self.band[0])
+        {
             Some(text) if option.is_none() => self.number(&format!("item {name}"), text, advice).map(Some),
             _ => Ok(None),
         };
@@ -68,7 +69,8 @@ impl Source<'_> {
         let codes = [(VERTICAL_UNIT, length_of_code as fn(u16) -> _), (VERTICAL_SYSTEM, vertical_system)];
         for (key, known) in codes {
             // A code without figures of its own says nothing of a system, and names no unit.
-            let code = self.keys.get(key).filter(|code| *code != 0.0 && (key, *code) != (VERTICAL_SYSTEM, 32767.0));
+            let code =
+                self.keys.get(key).filter(|code| *code != 0.0 && (key, *code) != (VERTICAL_SYSTEM, 32767.0));
             if let Some(code) = code {
                 said.push(([keys::place(key), code.to_string()], known(code as u16)));
             }
@@ -99,7 +101,9 @@ impl Source<'_> {
         let failed = |source| SurveyError::Tiff { path: self.path.into(), place: place.clone(), source };
         let advice = "give --no-data VALUE";
         let mut voids = Vec::new();
-        if let Some(void) = text(tiff, Tag::GdalNodata).map_err(failed)?.filter(|void| !void.trim().is_empty()) {
+        if let Some(void) =
+            text(tiff, Tag::GdalNodata).map_err(failed)?.filter(|void| !void.trim().is_empty())
+        {
             voids.push(self.number(&place, &void, advice)?);
         }
         let [band, bands] = self.band;

@@ -25,7 +25,7 @@ pub const ITEMS: Vocabulary = Vocabulary {
         named("SCALE", Used("units of height a stored unit")),
         named("OFFSET", Used("height of the stored number 0")),
         named("UNITTYPE", Used("unit of the heights; metres without it, with a note")),
-        named("COLORINTERP", Used("`Alpha` makes a band a mask, `Palette` is refused")),
+        named("COLORINTERP", Used("`Alpha` makes a band a mask of the others")),
         named("NODATA_VALUES", Void("voids: one number, or one for each band")),
         named("_FillValue", Void("stored number that is a void")),
         named("missing_value", Void("stored number that is a void")),
@@ -200,7 +200,9 @@ mod tests {
 
     #[test]
     fn damage_is_shown() {
-        for xml in ["<Item name=\"A\"", "<Item name=\"A\">b", "<Item>b</Item>", "<Item name='A' sample='x'>b</Item>"] {
+        for xml in
+            ["<Item name=\"A\"", "<Item name=\"A\">b", "<Item>b</Item>", "<Item name='A' sample='x'>b</Item>"]
+        {
             assert!(parse(xml).unwrap_err().starts_with("<Item"), "{xml}");
         }
         assert_eq!(parse("no items"), Ok(vec![]));

@@ -21,13 +21,21 @@ pub const KEYS: Vocabulary = Vocabulary {
     kind: "geo key",
     prefix: "key:",
     words: &[
-        numbered(1024, "GTModelTypeGeoKey", Used("1 projected, 2 latitude and longitude; others are refused")),
+        numbered(
+            1024,
+            "GTModelTypeGeoKey",
+            Used("1 projected, 2 latitude and longitude; others are refused"),
+        ),
         numbered(1025, "GTRasterTypeGeoKey", Used("1 the place is that of a corner, 2 of a centre")),
         numbered(1026, "GTCitationGeoKey", Harmless(NAME)),
         numbered(2048, "GeodeticCRSGeoKey", Used(BODY)),
         numbered(2049, "GeodeticCitationGeoKey", Harmless(NAME)),
         numbered(2050, "GeodeticDatumGeoKey", Used(BODY)),
-        numbered(2051, "PrimeMeridianGeoKey", Used("Greenwich (8901), or the one of key 2061; others are refused")),
+        numbered(
+            2051,
+            "PrimeMeridianGeoKey",
+            Used("Greenwich (8901), or the one of key 2061; others are refused"),
+        ),
         numbered(2052, "GeogLinearUnitsGeoKey", Used("unit of the axes; metres without it")),
         numbered(2053, "GeogLinearUnitSizeGeoKey", Used("metres of a unit of the axes that has no code")),
         numbered(2054, "GeogAngularUnitsGeoKey", Used("unit of angles; degrees without it")),
@@ -37,12 +45,24 @@ pub const KEYS: Vocabulary = Vocabulary {
         numbered(2058, "EllipsoidSemiMinorAxisGeoKey", Used("a note if it is another than key 2057")),
         numbered(2059, "EllipsoidInvFlatteningGeoKey", Used("a note if it says that the body is flattened")),
         numbered(2060, "GeogAzimuthUnitsGeoKey", Harmless("unit of azimuths, of which none is used")),
-        numbered(2061, "PrimeMeridianLongitudeGeoKey", Used("longitude of the prime meridian, which is added")),
+        numbered(
+            2061,
+            "PrimeMeridianLongitudeGeoKey",
+            Used("longitude of the prime meridian, which is added"),
+        ),
         numbered(2062, "GeogTOWGS84GeoKey", Harmless("a shift between data of the Earth")),
         numbered(3072, "ProjectedCRSGeoKey", Used("a code below 32767 is of the Earth: with a note")),
         numbered(3073, "ProjectedCitationGeoKey", Harmless(NAME)),
-        numbered(3074, "ProjectionGeoKey", Harmless("code of a projection; its figures are read where they stand")),
-        numbered(3075, "ProjMethodGeoKey", Used("15 and 14 at a pole, 17 and 21 are known; others have a note")),
+        numbered(
+            3074,
+            "ProjectionGeoKey",
+            Harmless("code of a projection; its figures are read where they stand"),
+        ),
+        numbered(
+            3075,
+            "ProjMethodGeoKey",
+            Used("15 and 14 at a pole, 17 and 21 are known; others have a note"),
+        ),
         numbered(3076, "ProjLinearUnitsGeoKey", Used("unit of the map")),
         numbered(3077, "ProjLinearUnitSizeGeoKey", Used("metres of a unit of the map that has no code")),
         numbered(3078, "ProjStdParallel1GeoKey", Used("parallel that is true to scale")),
@@ -59,14 +79,26 @@ pub const KEYS: Vocabulary = Vocabulary {
         numbered(3089, "ProjCenterLatGeoKey", Used("latitude of the origin")),
         numbered(3090, "ProjCenterEastingGeoKey", Used("easting of the origin")),
         numbered(3091, "ProjCenterNorthingGeoKey", Used("northing of the origin")),
-        numbered(3092, "ProjScaleAtNatOriginGeoKey", Used("scale at a pole; 1 in other projections known here")),
+        numbered(
+            3092,
+            "ProjScaleAtNatOriginGeoKey",
+            Used("scale at a pole; 1 in other projections known here"),
+        ),
         numbered(3093, "ProjScaleAtCenterGeoKey", Used("as key 3092")),
         numbered(3094, "ProjAzimuthAngleGeoKey", Harmless(OTHER)),
         numbered(3095, "ProjStraightVertPoleLongGeoKey", Used("longitude of the origin")),
         numbered(3096, "ProjRectifiedGridAngleGeoKey", Only(&["0"], "a turned grid")),
-        numbered(4096, "VerticalGeoKey", Used("system of the heights: its unit, upwards; unknown codes are refused")),
+        numbered(
+            4096,
+            "VerticalGeoKey",
+            Used("system of the heights: its unit, upwards; unknown codes are refused"),
+        ),
         numbered(4097, "VerticalCitationGeoKey", Harmless(NAME)),
-        numbered(4098, "VerticalDatumGeoKey", Harmless("from where heights count; a bank counts from there too")),
+        numbered(
+            4098,
+            "VerticalDatumGeoKey",
+            Harmless("from where heights count; a bank counts from there too"),
+        ),
         numbered(4099, "VerticalUnitsGeoKey", Used("unit of the heights; metres without it, with a note")),
         numbered(5120, "CoordinateEpochGeoKey", Harmless("a time")),
     ],
@@ -106,7 +138,11 @@ impl Keys {
         let entries = directory.get(4..).unwrap_or_default().chunks_exact(4);
         let [count, stated] = [entries.len(), usize::from(directory.get(3).copied().unwrap_or(0))];
         if stated > count {
-            return Err(damaged(0, format!("{count} keys"), &format!("{stated} keys, as the directory says")));
+            return Err(damaged(
+                0,
+                format!("{count} keys"),
+                &format!("{stated} keys, as the directory says"),
+            ));
         }
         for entry in entries.take(stated) {
             let &[key, location, length, value] = entry else { continue };
@@ -122,7 +158,13 @@ impl Keys {
             };
             let value = number.map_or("text or several numbers".into(), |number| number.to_string());
             let (place, name) = (place(key), key.to_string());
-            decider.decide(Met { of: &KEYS, word: KEYS.of_number(key), place: &place, name: &name, value: &value })?;
+            decider.decide(Met {
+                of: &KEYS,
+                word: KEYS.of_number(key),
+                place: &place,
+                name: &name,
+                value: &value,
+            })?;
             if let Some(before) = number.and_then(|number| keys.insert(key, number)) {
                 return Err(damaged(key, format!("{before} and {value}"), "one value"));
             }

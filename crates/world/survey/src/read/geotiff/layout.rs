@@ -50,7 +50,8 @@ impl Layout {
             ChunkType::Tile => [Tag::TileOffsets, Tag::TileByteCounts],
         };
         let mut all = |tag| Ok::<_, TiffError>(tiff.find_tag_unsigned_vec::<u64>(tag)?.unwrap_or_default());
-        let present = all(offsets)?.iter().zip(all(counts)?).map(|(at, bytes)| *at != 0 && bytes != 0).collect();
+        let present =
+            all(offsets)?.iter().zip(all(counts)?).map(|(at, bytes)| *at != 0 && bytes != 0).collect();
         let mut first = |tag| Ok::<_, TiffError>(all(tag)?.first().map_or(1, |number| *number as u32));
         Ok(Self {
             lines: lines as usize,

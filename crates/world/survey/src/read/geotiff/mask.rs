@@ -87,7 +87,10 @@ fn beside(
 ) -> Result<(), SurveyError> {
     let metadata = next_to(path, ".aux.xml");
     if metadata.is_file() {
-        notes.push(format!("{} is not read: it may hold a no-data value, a scale or a place", metadata.display()));
+        notes.push(format!(
+            "{} is not read: it may hold a no-data value, a scale or a place",
+            metadata.display()
+        ));
     }
     let file = next_to(path, ".msk");
     if !file.is_file() {
@@ -103,7 +106,8 @@ fn beside(
 pub fn alpha_bands(extra: &[u16], items: &Items, bands: usize) -> Vec<(usize, bool)> {
     let first = bands.saturating_sub(extra.len());
     let of_tag = |band: usize| band.checked_sub(first).and_then(|k| extra.get(k)).copied();
-    let of_item = |band| items.get("COLORINTERP", band).is_some_and(|text| text.eq_ignore_ascii_case("alpha"));
+    let of_item =
+        |band| items.get("COLORINTERP", band).is_some_and(|text| text.eq_ignore_ascii_case("alpha"));
     let is_alpha = |band: &usize| matches!(of_tag(*band), Some(1 | 2)) || of_item(*band);
     (0..bands).filter(is_alpha).map(|band| (band, of_tag(band) == Some(1))).collect()
 }

@@ -83,8 +83,7 @@ fn open(path: &Path) -> Result<(Tiff, u64), SurveyError> {
         return Err(impossible(path, claim, bytes));
     }
     file.rewind().map_err(failed)?;
-    let broken =
-        |source| SurveyError::Tiff { path: path.to_path_buf(), place: "header".into(), source };
+    let broken = |source| SurveyError::Tiff { path: path.to_path_buf(), place: "header".into(), source };
     Ok((Decoder::new(file).map_err(broken)?.with_limits(limits(bytes)), bytes))
 }
 
@@ -153,7 +152,10 @@ impl Bands {
     fn chosen(&self, path: &Path, options: &ReadOptions, items: &Items) -> Result<Band, SurveyError> {
         let list = || {
             let name = |band| items.get("DESCRIPTION", band).unwrap_or("no description");
-            (0..self.count).map(|band| format!("{} ({})", band + 1, name(band))).collect::<Vec<_>>().join(", ")
+            (0..self.count)
+                .map(|band| format!("{} ({})", band + 1, name(band)))
+                .collect::<Vec<_>>()
+                .join(", ")
         };
         let (path, count) = (path.to_path_buf(), self.count);
         let heights = match (options.band, self.heights.as_slice()) {

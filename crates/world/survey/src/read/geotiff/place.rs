@@ -127,12 +127,16 @@ impl Body<'_> {
             (Some(stated), Some(_)) if (stated / EARTH - 1.0).abs() > 0.01 => self.tell_earth(notes),
             (Some(_), _) => {}
         }
-        let minor = self.keys.get(SEMI_MINOR_AXIS).map(|minor| minor / self.keys.get(SEMI_MAJOR_AXIS).unwrap_or(minor));
+        let minor = self
+            .keys
+            .get(SEMI_MINOR_AXIS)
+            .map(|minor| minor / self.keys.get(SEMI_MAJOR_AXIS).unwrap_or(minor));
         let flattening = self.keys.get(INVERSE_FLATTENING).filter(|inverse| *inverse != 0.0).map(f64::recip);
         let flattened = minor.map(|minor| 1.0 - minor).or(flattening).unwrap_or(0.0);
         if flattened.abs() > 1e-6 {
             let share = 100.0 * flattened;
-            notes.push(format!("the body is flattened by {share:.3} %: a sphere of {radius} m stands for it"));
+            notes
+                .push(format!("the body is flattened by {share:.3} %: a sphere of {radius} m stands for it"));
         }
         Ok(())
     }
@@ -151,7 +155,10 @@ impl Body<'_> {
                 "{} is {method}, a projection that is not known here: its metres are taken as they are",
                 keys::place(METHOD)
             ),
-            None => "the file does not name a projection that is known here: its metres are taken as they are".into(),
+            None => {
+                "the file does not name a projection that is known here: its metres are taken as they are"
+                    .into()
+            }
         });
     }
 

@@ -125,8 +125,10 @@ impl Layout {
         let found = source.metadata().map_err(failed)?.len();
         let expected = (self.lines as u64).saturating_mul(self.line_bytes).saturating_add(self.before);
         if found < expected {
-            let place =
-                format!("image of {} lines of {} bytes from byte {}", self.lines, self.line_bytes, self.before);
+            let place = format!(
+                "image of {} lines of {} bytes from byte {}",
+                self.lines, self.line_bytes, self.before
+            );
             return Err(SurveyError::Truncated { path: file.to_path_buf(), place, found, expected });
         }
         source.seek(SeekFrom::Start(self.before)).map_err(failed)?;

@@ -128,7 +128,11 @@ pub fn parse(bytes: &[u8]) -> Result<Vec<Statement>, LabelFault> {
         match (keyword.as_str(), value) {
             ("OBJECT" | "GROUP" | "BEGIN_OBJECT" | "BEGIN_GROUP", Value::Plain { text, .. }) => {
                 if blocks.len() == MOST_NESTED {
-                    return Err(fault(line, "one more OBJECT within others", "at most 16 within one another"));
+                    return Err(fault(
+                        line,
+                        "one more OBJECT within others",
+                        "at most 16 within one another",
+                    ));
                 }
                 blocks.push(Block { name: text.to_ascii_uppercase(), line });
             }
@@ -157,7 +161,8 @@ struct Reader<'a> {
 impl Reader<'_> {
     /// The value of the keyword on `line`, with its unit.
     fn value(&mut self, line: usize, keyword: &str) -> Result<Value, LabelFault> {
-        let missing = |found: &str| fault(line, format!("{keyword} = followed by {found}"), "a value");
+        let missing =
+            |found: &str| fault(line, format!("{keyword} without a value, then {found}"), "its value");
         let (at, token) = self.next()?.ok_or_else(|| missing("the end of the label"))?;
         let value = match token {
             Token::Word(word) if at > line && self.is_keyword(&word)? => return Err(missing(&word)),
@@ -167,7 +172,9 @@ impl Reader<'_> {
         };
         // A unit behind a list is that of all its values.
         Ok(match (self.unit()?, value) {
-            (Some(unit), Value::List(values)) => Value::List(values.into_iter().map(|v| v.with(&unit)).collect()),
+            (Some(unit), Value::List(values)) => {
+                Value::List(values.into_iter().map(|v| v.with(&unit)).collect())
+            }
             (_, value) => value,
         })
     }
@@ -282,9 +289,8 @@ impl Reader<'_> {
 
     fn word(&mut self) -> String {
         let rest = &self.bytes[self.at..];
-        let ends = |byte: &u8| {
-            byte.is_ascii_whitespace() || byte.is_ascii_control() || b"=(){},<\"".contains(byte)
-        };
+        let ends =
+            |byte: &u8| byte.is_ascii_whitespace() || byte.is_ascii_control() || b"=(){},<\"".contains(byte);
         let length = rest.iter().position(ends).unwrap_or(rest.len()).max(1);
         let word = String::from_utf8_lossy(&rest[..length]).into_owned();
         self.advance(length);
@@ -310,8 +316,7 @@ mod tests {
         let text = b"PDS_VERSION_ID = PDS3 /* note = 3 */\r\nPHASE = {\"ONE\",\"TWO\n   MORE\"}\n^IMAGE = (\"A.IMG\", 3 <BYTES>)
 OBJECT = IMAGE\n LINES\n =\n 720\n SCALE = 4 <pix/deg>\nEND_OBJECT = IMAGE\nEND\n\x00\xff = garbage";
         let found = parse(text).unwrap();
-        let keywords: Vec<_> =
-            found.iter().map(|s| (inner(s), s.keyword.as_str(), s.line)).collect();
+        let keywords: Vec<_> = found.iter().map(|s| (inner(s), s.keyword.as_str(), s.line)).collect();
         assert_eq!(
             keywords,
             [
@@ -341,8 +346,8 @@ OBJECT = IMAGE\n LINES\n =\n 720\n SCALE = 4 <pix/deg>\nEND_OBJECT = IMAGE\nEND\
         for next in ["B = 2\nEND", "OBJECT = X\nEND", "END", "END_OBJECT = X\nEND"] {
             let text = format!("A = 1\nNOTE =\n{next}\n");
             let fault = parse(text.as_bytes()).unwrap_err();
-            assert_eq!((fault.line, fault.expected), (2, "a value"), "{next}");
-            assert!(fault.found.starts_with("NOTE = followed by "), "{fault:?}");
+            assert_eq!((fault.line, fault.expected), (2, "its value"), "{next}");
+            assert!(fault.found.starts_with("NOTE without a value, then "), "{fault:?}");
         }
         assert_eq!(parse(b"A =\n NULL\nEND\n").unwrap()[0].value, plain("NULL", None));
     }
@@ -357,6 +362,6 @@ OBJECT = IMAGE\n LINES\n =\n 720\n SCALE = 4 <pix/deg>\nEND_OBJECT = IMAGE\nEND\
         assert_eq!(fault(b"A = 1\nB 2\nEND").expected, "=");
         assert!(fault(b"A = 1\n").expected.contains("truncated"));
         assert_eq!(fault(b"A = (1, 2\nEND = 3").expected, "a value");
-        assert_eq!(fault(b"A = = 3\nEND").expected, "a value");
+        assert_eq!(fault(b"A = = 3\nEND").expected, "its value");
     }
 }

@@ -3,7 +3,7 @@
 use landscape::LUNOID_RADIUS;
 use quantities::radians;
 
-use super::statements::{MAP, Label, angles, kilometres, length_of_sample, pieces, samples_of_angle};
+use super::statements::{Label, MAP, angles, kilometres, length_of_sample, pieces, samples_of_angle};
 use crate::elevation::{Affine, Frame};
 use crate::error::SurveyError;
 use crate::projection::{Method, Projection};
@@ -58,7 +58,8 @@ struct Map {
 
 impl Map {
     fn of(label: &Label) -> Result<Self, SurveyError> {
-        let offset = |keyword: &str| label.number(MAP, keyword, pieces)?.ok_or_else(|| label.missing(keyword));
+        let offset =
+            |keyword: &str| label.number(MAP, keyword, pieces)?.ok_or_else(|| label.missing(keyword));
         let angle = |keyword: &str| Ok::<_, SurveyError>(label.number(MAP, keyword, angles)?.unwrap_or(0.0));
         let map = Self {
             offset: [offset("LINE_PROJECTION_OFFSET")?, offset("SAMPLE_PROJECTION_OFFSET")?],
@@ -103,7 +104,9 @@ impl Map {
         let first = [self.latitude + self.offset[0] * step, self.longitude - self.offset[1] * step];
         let affine = Affine { first, step: [-step, step] };
         notes.extend(self.contradiction().map(|[scale, resolution]| {
-            format!("MAP_SCALE makes a sample {scale} m long, MAP_RESOLUTION {resolution:.3} m, which is used")
+            format!(
+                "MAP_SCALE makes a sample {scale} m long, MAP_RESOLUTION {resolution:.3} m, which is used"
+            )
         }));
         compare_edges(label, &affine, notes)?;
         Ok((affine, Frame::Geographic { radius: self.radius }))
@@ -124,7 +127,9 @@ impl Map {
     /// Notes on statements that do not go with the others, or that say more than is used.
     fn tell(&self, label: &Label, size: [usize; 2], notes: &mut Vec<String>) -> Result<(), SurveyError> {
         if label.find(MAP, "A_AXIS_RADIUS").is_none() {
-            notes.push(format!("the label does not name the radius of its body: {LUNOID_RADIUS} m is assumed"));
+            notes.push(format!(
+                "the label does not name the radius of its body: {LUNOID_RADIUS} m is assumed"
+            ));
         }
         for keyword in ["B_AXIS_RADIUS", "C_AXIS_RADIUS"] {
             let axis = positive(label, keyword, kilometres)?;

@@ -58,7 +58,7 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Elevation, SurveyError
     let mut bytes = Vec::new();
     File::open(path).map_err(failed)?.take(LABEL_BYTES).read_to_end(&mut bytes).map_err(failed)?;
     let statements = label::parse(&bytes).map_err(|fault| {
-        let advice = "the label is damaged: fetch it again";
+        let advice = "the label is damaged: correct it or fetch it again";
         field(path, format!("label line {}", fault.line), fault.found, fault.expected, advice)
     })?;
     let mut decider = Decider::new(path, options);

@@ -52,7 +52,8 @@ impl<'a> Label<'a> {
         let (mut met, mut left_out) = (BTreeSet::new(), BTreeSet::new());
         for statement in statements {
             for block in &statement.blocks {
-                if met.insert((block.line, block.name.clone())) && !is_read(decider, block.line, &block.name)? {
+                if met.insert((block.line, block.name.clone())) && !is_read(decider, block.line, &block.name)?
+                {
                     left_out.insert(block.line);
                 }
             }
@@ -211,7 +212,8 @@ pub fn is_nothing(text: &str) -> bool {
 
 /// Units of what is counted: one piece each.
 pub fn pieces(unit: &str) -> Option<f64> {
-    let known = ["", "BYTE", "BYTES", "BIT", "BITS", "PIX", "PIXEL", "PIXELS", "LINE", "LINES", "SAMPLE", "SAMPLES"];
+    let known =
+        ["", "BYTE", "BYTES", "BIT", "BITS", "PIX", "PIXEL", "PIXELS", "LINE", "LINES", "SAMPLE", "SAMPLES"];
     known.contains(&unit).then_some(1.0)
 }
 

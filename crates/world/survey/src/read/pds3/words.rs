@@ -11,7 +11,8 @@ const ORIGIN: &str = "origin of the product";
 /// Text for numbers that were counted from the samples.
 const STATISTICS: &str = "a figure counted from the samples";
 /// Text for marks of voids.
-const MARK: &str = "stored numbers that are voids: a number, bits as `16#FF7FFFFB#`, a range `1..5`, or a list";
+const MARK: &str =
+    "stored numbers that are voids: a number, bits as `16#FF7FFFFB#`, a range `1..5`, or a list";
 
 /// Kinds of latitude, which are one on a sphere; a note tells of an ellipsoid.
 const LATITUDES: &[&str] = &["PLANETOCENTRIC", "PLANETOGRAPHIC", "N/A"];
@@ -160,7 +161,10 @@ pub const IMAGE: Vocabulary = Vocabulary {
         named("NOT_APPLICABLE_CONSTANT", Void(MARK)),
         named("ERROR_CONSTANT", Void(MARK)),
         named("VALID_MINIMUM", Used("least stored number that is a height; below it are voids, with a note")),
-        named("VALID_MAXIMUM", Used("greatest stored number that is a height; above it are voids, with a note")),
+        named(
+            "VALID_MAXIMUM",
+            Used("greatest stored number that is a height; above it are voids, with a note"),
+        ),
         named("CORE_VALID_MINIMUM", Used("as VALID_MINIMUM")),
         named("CORE_VALID_MAXIMUM", Used("as VALID_MAXIMUM")),
         named("MINIMUM", Used("least stored number; a note if there is a lower one")),
@@ -221,11 +225,17 @@ pub const MAP: Vocabulary = Vocabulary {
         named("LINE_LAST_PIXEL", Used("a note if it is not the last line of the image")),
         named("SAMPLE_LAST_PIXEL", Used("a note if it is not the last sample of a line")),
         named("MAXIMUM_LATITUDE", Used("a note if the offsets of a simple cylindrical map say otherwise")),
-        named("WESTERNMOST_LONGITUDE", Used("a note if the offsets of a simple cylindrical map say otherwise")),
+        named(
+            "WESTERNMOST_LONGITUDE",
+            Used("a note if the offsets of a simple cylindrical map say otherwise"),
+        ),
         named("MINIMUM_LATITUDE", Harmless("an edge that follows from the others")),
         named("EASTERNMOST_LONGITUDE", Harmless("an edge that follows from the others")),
         named("COORDINATE_SYSTEM_NAME", Used("a note if it is not the mean Earth system or planetocentric")),
-        named("COORDINATE_SYSTEM_TYPE", Only(&["BODY-FIXED ROTATING", "N/A"], "axes that are not the body's")),
+        named(
+            "COORDINATE_SYSTEM_TYPE",
+            Only(&["BODY-FIXED ROTATING", "N/A"], "axes that are not the body's"),
+        ),
         named("PROJECTION_LATITUDE_TYPE", Only(LATITUDES, "what a latitude is; the same on a sphere")),
         named("KEYWORD_LATITUDE_TYPE", Only(LATITUDES, "what a latitude is; the same on a sphere")),
         named("^DATA_SET_MAP_PROJECTION", Harmless("the archive's text about its maps")),
