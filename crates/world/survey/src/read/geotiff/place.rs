@@ -14,6 +14,7 @@ use crate::read::field;
 
 const MODEL_TYPE: u16 = 1024;
 const RASTER_TYPE: u16 = 1025;
+const SYSTEM: u16 = 2048;
 const PRIME_MERIDIAN: u16 = 2051;
 const SEMI_MAJOR_AXIS: u16 = 2057;
 const SEMI_MINOR_AXIS: u16 = 2058;
@@ -30,7 +31,7 @@ const SCALES: [u16; 2] = [3092, 3093];
 const LATITUDES: [u16; 3] = [3081, 3089, 3085];
 const LONGITUDES: [u16; 4] = [3095, 3080, 3088, 3084];
 /// Codes of systems, data and ellipsoids that EPSG gives: all of the Earth.
-const BODIES: [u16; 4] = [2048, 2050, 2056, PROJECTED];
+const BODIES: [u16; 4] = [SYSTEM, 2050, 2056, PROJECTED];
 
 /// Radius of the Earth's ellipsoid WGS 84 (m); those of other codes differ by less than 0.03 %.
 const EARTH: f64 = 6_378_137.0;
@@ -106,13 +107,15 @@ impl Body<'_> {
 
     /// Longitude of the prime meridian, east of the body's own (rad).
     fn meridian(&self) -> Result<f64, SurveyError> {
-        let longitude = self.keys.get(MERIDIAN_LONGITUDE);
-        match self.keys.code(PRIME_MERIDIAN) {
-            None | Some(8901) => Ok(longitude.unwrap_or(0.0) * self.keys.unit_of_angles(self.path)?),
-            Some(_) if longitude.is_some() => {
-                Ok(longitude.unwrap_or(0.0) * self.keys.unit_of_angles(self.path)?)
-            }
-            Some(code) => Err(unknown(self.path, PRIME_MERIDIAN, code.into(), "8901 (Greenwich)")),
+        if let Some(longitude) = self.keys.get(MERIDIAN_LONGITUDE) {
+            return Ok(longitude * self.keys.unit_of_angles(self.path)?);
+        }
+        // Systems of these codes count from Paris, Rome and the like (EPSG registry).
+        let system = self.keys.code(SYSTEM).filter(|code| (4801..=4904).contains(code));
+        let meridian = self.keys.code(PRIME_MERIDIAN).filter(|code| *code != 8901);
+        match meridian.map(|code| (PRIME_MERIDIAN, code)).or(system.map(|code| (SYSTEM, code))) {
+            Some((key, code)) => Err(unknown(self.path, key, code.into(), "longitudes from Greenwich")),
+            None => Ok(0.0),
         }
     }
 

@@ -1,0 +1,149 @@
+"""Writes GeoTIFFs by GDAL (through rasterio), and beside each what GDAL reads: heights in metres (.npy) and place (.json).
+
+Usage: gdal.py FOLDER. The heights are those of the band with the scale, offset and unit that GDAL reports; NaN is void.
+"""
+
+import json
+import sys
+from pathlib import Path
+
+import numpy as np
+import rasterio
+import rasterio.shutil
+import rasterio.warp
+from rasterio.crs import CRS
+from rasterio.transform import Affine
+
+FOLDER = Path(sys.argv[1])
+WIDTH, HEIGHT = 70, 50
+GROUND = np.add.outer(-7 * np.arange(HEIGHT), 3 * np.arange(WIDTH)).astype("f8")
+METRES = Affine(10, 0, 1000, 0, -10, 5000)
+DEGREES = Affine(0.01, 0, 5, 0, -0.01, 40)
+UNITS = {"": 1.0, "m": 1.0, "metre": 1.0, "ft": 0.3048, "US survey foot": 1200 / 3937, "km": 1000.0}
+HOLES = np.arange(WIDTH * HEIGHT).reshape(HEIGHT, WIDTH) % 7 != 0
+
+
+def moon(words):
+    return CRS.from_proj4(words + " +R=1737400 +no_defs")
+
+
+EQUIRECTANGULAR = moon("+proj=eqc +lat_ts=20 +lon_0=30 +units=m")
+
+
+def write(name, dtype="float32", crs=EQUIRECTANGULAR, transform=METRES, data=GROUND, after=None, env=None, **options):
+    """One file; `after` changes the open file before it is closed."""
+    options = dict(count=1, width=WIDTH, height=HEIGHT) | options
+    with rasterio.Env(**(env or {})):
+        with rasterio.open(
+            FOLDER / f"{name}.tif", "w", driver="GTiff", dtype=dtype, crs=crs, transform=transform, **options
+        ) as file:
+            if data is not None:
+                file.write(data.astype(dtype), 1)
+            if after:
+                after(file)
+
+
+def units(name):
+    def after(file):
+        file.units = [name]
+
+    return after
+
+
+def scaled(file):
+    file.scales, file.offsets, file.units = [0.5], [100.0], ["m"]
+
+
+def alpha(file):
+    file.write(np.where(HOLES, 255, 0).astype(file.dtypes[1]), 2)
+
+
+def mask(file):
+    file.write_mask(HOLES)
+
+
+def write_all():
+    for kind in ["uint8", "int8", "uint16", "int16", "uint32", "int32", "int64", "uint64", "float32", "float64"]:
+        data = np.abs(GROUND) % 100 if kind.startswith("u") or kind == "int8" else GROUND
+        write(f"type-{kind}", kind, data=data)
+        write(f"big-{kind}", kind, data=data, BIGTIFF="YES", tiled=True, blockxsize=32, blockysize=16, ENDIANNESS="BIG")
+    for packing in ["LZW", "DEFLATE", "PACKBITS", "ZSTD", "NONE"]:
+        tiles = dict(COMPRESS=packing, tiled=True, blockxsize=32, blockysize=32)
+        write(f"packed-{packing}", "int16", **tiles)
+        if packing in ("LZW", "DEFLATE", "ZSTD"):
+            write(f"packed-{packing}-2", "int16", PREDICTOR=2, **tiles)
+            write(f"packed-{packing}-3", "float32", PREDICTOR=3, **tiles)
+    for bits in (1, 2, 4, 7, 12):
+        write(f"bits-{bits}", "uint8" if bits < 8 else "uint16", NBITS=bits, data=np.abs(GROUND) % 2**bits)
+    write("half", NBITS=16, data=GROUND % 64)
+    holed = np.where(HOLES, GROUND, -32768)
+    write("void-integer", "int16", nodata=-32768, data=holed)
+    lowest = float(np.finfo("f4").min)
+    write("void-real", nodata=lowest, data=np.where(HOLES, GROUND, lowest))
+    write("void-nan", nodata=float("nan"), data=np.where(HOLES, GROUND, np.nan))
+    write("scaled", "int16", after=scaled)
+    for unit in ["m", "metre", "ft", "US survey foot", "km"]:
+        write(f"unit-{unit.replace(' ', '-')}", after=units(unit))
+    inside = dict(GDAL_TIFF_INTERNAL_MASK="YES")
+    write("mask", after=mask, env=inside)
+    write("mask-packed", "int16", after=mask, env=inside, COMPRESS="DEFLATE", tiled=True, blockxsize=32, blockysize=32)
+    write("mask-beside", "int16", after=mask, env=dict(GDAL_TIFF_INTERNAL_MASK="NO"))
+    # GDAL takes alpha bands of 8 and 16 bits without a sign as masks.
+    positive = np.abs(GROUND)
+    write("alpha", "uint16", data=positive, count=2, after=alpha, ALPHA="NON-PREMULTIPLIED")
+    write("alpha-planes", "uint8", data=positive % 100, count=2, after=alpha, ALPHA="YES", INTERLEAVE="BAND")
+    corner = lambda file: file.write(GROUND[:32, :32].astype("f4"), 1, window=((0, 32), (0, 32)))
+    write("sparse", data=None, nodata=-9999, after=corner, SPARSE_OK="TRUE", tiled=True, blockxsize=32, blockysize=32)
+    code = CRS.from_epsg
+    for name, crs, transform in [
+        ("pole", moon("+proj=stere +lat_0=-90 +lat_ts=-90 +lon_0=0 +units=m"), METRES),
+        ("pole-70", moon("+proj=stere +lat_0=90 +lat_ts=70 +lon_0=10 +units=m"), METRES),
+        ("view", moon("+proj=ortho +lat_0=8 +lon_0=-38 +units=m"), METRES),
+        ("sinusoidal", moon("+proj=sinu +units=m"), METRES),
+        ("cone", moon("+proj=lcc +lat_1=10 +lat_2=30 +units=m"), METRES),
+        ("feet", moon("+proj=eqc +units=us-ft"), METRES),
+        ("degrees", moon("+proj=longlat"), DEGREES),
+        ("wgs84", code(4326), DEGREES),
+        ("nad83", code(4269), DEGREES),
+        ("paris", code(4807), DEGREES),
+        ("zone", code(32633), METRES),
+        ("mercator", code(3857), METRES),
+        ("california", code(2226), METRES),
+        ("mars", CRS.from_proj4("+proj=eqc +R=3396190 +units=m"), METRES),
+        ("moon-2000", CRS.from_authority("ESRI", "104903"), DEGREES),
+        ("meridian", moon("+proj=longlat +pm=12.5"), DEGREES),
+    ]:
+        write(f"crs-{name}", crs=crs, transform=transform)
+    write("point", after=lambda file: file.update_tags(AREA_OR_POINT="Point"))
+    write("turned", transform=Affine(10, 1, 1000, 1, -10, 5000))
+    write("south-first", transform=Affine(10, 0, 1000, 0, 10, 5000))
+    write("named", after=lambda file: file.update_tags(1, STATISTICS_MEAN="3", AUTHOR="me"))
+    write("strange", after=lambda file: file.update_tags(1, BIAS="3"))
+    write("overviews", "int16")
+    with rasterio.open(FOLDER / "overviews.tif", "r+") as file:
+        file.build_overviews([2, 4])
+    for name in ["mask", "void-real", "crs-degrees", "scaled", "type-int16", "unit-ft"]:
+        rasterio.shutil.copy(FOLDER / f"{name}.tif", FOLDER / f"cloud-{name}.tif", driver="COG")
+
+
+def tell(path):
+    """What GDAL reads."""
+    with rasterio.open(path) as file:
+        heights = file.read(1).astype("f8") * file.scales[0] + file.offsets[0]
+        heights[file.read_masks(1) == 0] = np.nan
+        np.save(path.with_suffix(".npy"), heights * UNITS[file.units[0] or ""])
+        is_geographic = bool(file.crs and file.crs.is_geographic)
+        unit = np.pi / 180 if is_geographic else (file.crs.linear_units_factor[1] if file.crs else 1.0)
+        # GDAL leaves longitudes as they count from the file's own prime meridian.
+        east = 12.5 if path.stem == "crs-meridian" else 0.0
+        place = dict(transform=list(file.transform)[:6], unit=unit, geographic=is_geographic, east=east)
+        if file.crs and not is_geographic and file.crs.to_dict().get("R") == 1737400:
+            x, y = file.xy(0, 0)
+            longitude, latitude = rasterio.warp.transform(file.crs, moon("+proj=longlat"), [x], [y])
+            place["first"] = [latitude[0], longitude[0]]
+        path.with_suffix(".json").write_text(json.dumps(place))
+
+
+write_all()
+for path in sorted(FOLDER.glob("*.tif")):
+    tell(path)
