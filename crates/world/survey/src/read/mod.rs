@@ -2,85 +2,27 @@
 
 mod geotiff;
 mod npy;
+mod options;
 mod page;
 mod pds3;
+mod refusal;
 mod samples;
 mod unit;
 mod words;
 
 use std::fs::File;
 use std::io::Read;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use quantities::degrees;
 
-use crate::elevation::{Affine, Elevation};
+use self::refusal::field;
+use crate::elevation::{Elevation, Frame};
 use crate::error::SurveyError;
 
+pub use self::options::ReadOptions;
 pub use self::page::{VOCABULARIES, words_page};
 pub use self::words::{Fate, Vocabulary, Word};
-
-/// What the user knows better than the file.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct ReadOptions {
-    /// Band with the heights, from 1; needed where a file has several.
-    pub band: Option<usize>,
-    /// Metres a stored unit; in place of the file's own scale.
-    pub scale: Option<f64>,
-    /// Metres added after scaling; in place of the file's own offset.
-    pub offset: Option<f64>,
-    /// Stored values that mark voids; in place of the file's own. Empty: the file's own.
-    pub no_data: Vec<f64>,
-    /// Metres from line to line and from column to column, for files without a place.
-    pub spacing: Option<[f64; 2]>,
-    /// Whether the first line is the southernmost, for files without a place. Default false: the northernmost.
-    pub first_line_south: bool,
-    /// Names of tags, keys and keywords that are not known here and that change neither heights nor their place:
-    /// `KEYWORD` or `object:NAME` of a label, `tag:NUMBER`, `key:NUMBER` or `item:NAME` of a TIFF.
-    pub ignore: Vec<String>,
-}
-
-impl ReadOptions {
-    fn check(&self) -> Result<(), SurveyError> {
-        let refuse = |option, found: String, expected: &str| {
-            Err(SurveyError::Option { option, found, expected: expected.to_string() })
-        };
-        if let Some(scale) = self.scale.filter(|scale| !scale.is_finite() || *scale == 0.0) {
-            return refuse("scale", scale.to_string(), "a finite number other than 0");
-        }
-        if let Some(offset) = self.offset.filter(|offset| !offset.is_finite()) {
-            return refuse("offset", offset.to_string(), "a finite number of metres");
-        }
-        let bad = |spacing: &[f64; 2]| !spacing.iter().all(|step| step.is_finite() && *step > 0.0);
-        if let Some(spacing) = self.spacing.filter(bad) {
-            return refuse("spacing", format!("{spacing:?}"), "two lengths above 0 m");
-        }
-        Ok(())
-    }
-
-    /// Refuses options for files without a place, of one that has it.
-    fn expect_no_place(&self) -> Result<(), SurveyError> {
-        let given = [
-            ("spacing", self.spacing.map(|[north, east]| format!("{north},{east}"))),
-            ("first line south", self.first_line_south.then(|| "true".to_owned())),
-        ];
-        let given = given.into_iter().find_map(|(option, found)| Some((option, found?)));
-        given.map_or(Ok(()), |(option, found)| {
-            let expected = "nothing: the file itself says where its samples lie".to_owned();
-            Err(SurveyError::Option { option, found, expected })
-        })
-    }
-
-    /// Place of the samples of a file that says nothing about it.
-    fn own_place(&self, lines: usize) -> Option<Affine> {
-        let [north, east] = self.spacing?;
-        Some(if self.first_line_south {
-            Affine { first: [0.0; 2], step: [north, east] }
-        } else {
-            Affine { first: [(lines - 1) as f64 * north, 0.0], step: [-north, east] }
-        })
-    }
-}
 
 /// Reads a GeoTIFF, a PDS3 image (by image or label) or a `.npy` array; the first bytes decide which.
 ///
@@ -119,7 +61,7 @@ pub fn read(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Elevation, 
 fn check_globe(path: &Path, elevation: &Elevation) -> Result<(), SurveyError> {
     let ([south, west, north, east], step) = (elevation.extent(), elevation.affine.step.map(f64::abs));
     let reach = [south.abs().max(north.abs()) - step[0], east - west - step[1]].map(degrees);
-    let is_globe = matches!(elevation.frame, crate::Frame::Geographic { .. });
+    let is_globe = matches!(elevation.frame, Frame::Geographic { .. });
     if !is_globe || (reach[0] < 90.0 && reach[1] < 360.0) {
         return Ok(());
     }
@@ -152,35 +94,4 @@ fn unknown(path: &Path, start: &[u8]) -> SurveyError {
         _ => start.iter().take(8).map(|byte| format!("{byte:02X}")).collect::<Vec<_>>().join(" "),
     };
     SurveyError::UnknownFormat { path: path.to_path_buf(), found }
-}
-
-/// Refuses rasters that cannot carry a fit; gives the number of samples.
-fn check_raster(path: &Path, lines: u64, columns: u64) -> Result<usize, SurveyError> {
-    if lines < 2 || columns < 2 {
-        return Err(SurveyError::Empty { path: path.to_path_buf(), lines, columns });
-    }
-    let count = usize::try_from(lines).ok().zip(usize::try_from(columns).ok());
-    count.and_then(|(lines, columns)| lines.checked_mul(columns)).ok_or_else(|| SurveyError::Field {
-        path: path.to_path_buf(),
-        place: "raster size".into(),
-        found: format!("{lines} x {columns}"),
-        expected: "a number of samples that this machine can count".into(),
-        advice: "the header is damaged: fetch the file again".into(),
-    })
-}
-
-fn field(
-    path: &Path,
-    place: impl Into<String>,
-    found: impl Into<String>,
-    expected: impl Into<String>,
-    advice: impl Into<String>,
-) -> SurveyError {
-    SurveyError::Field {
-        path: PathBuf::from(path),
-        place: place.into(),
-        found: found.into(),
-        expected: expected.into(),
-        advice: advice.into(),
-    }
 }

@@ -4,9 +4,10 @@ use std::path::Path;
 
 use limits::Limit;
 
+use super::options::ReadOptions;
+use super::refusal::{check_raster, field};
 use super::samples::{Conversion, Said};
 use super::words::Decider;
-use super::{ReadOptions, check_raster, field};
 use crate::elevation::{Elevation, Frame};
 use crate::error::SurveyError;
 

@@ -4,8 +4,9 @@ use std::path::Path;
 
 use landscape::LUNOID_RADIUS;
 
+use super::options::ReadOptions;
+use super::refusal::field;
 use super::words::seen;
-use super::{ReadOptions, field};
 use crate::error::SurveyError;
 
 /// What a file says about its stored numbers.

@@ -5,7 +5,8 @@
 
 use std::path::Path;
 
-use super::{ReadOptions, field};
+use super::options::ReadOptions;
+use super::refusal::field;
 use crate::error::SurveyError;
 
 /// What becomes of a name.
@@ -100,7 +101,7 @@ fn fits(pattern: &str, name: &str) -> bool {
 /// A name as it was met in a file.
 #[derive(Debug, Clone, Copy)]
 pub struct Met<'a> {
-    /// Table that decides.
+    /// The table that decides about it.
     pub of: &'a Vocabulary,
     /// The row of the name, if the table has one.
     pub word: Option<&'static Word>,

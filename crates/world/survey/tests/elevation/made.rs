@@ -117,11 +117,11 @@ pub fn labelled(replace: &[(&str, &str)], image: &[u8]) -> Made {
 pub enum Field {
     /// Text, which ends with a NUL.
     Text(String),
-    /// 16-bit numbers.
+    /// Whole numbers of 16 bits.
     Shorts(Vec<u16>),
-    /// 32-bit numbers.
+    /// Whole numbers of 32 bits.
     Longs(Vec<u32>),
-    /// 64-bit floats.
+    /// Floating-point numbers of 64 bits.
     Doubles(Vec<f64>),
 }
 
@@ -174,12 +174,12 @@ impl Directory {
         made
     }
 
-    /// Sets a tag.
+    /// Sets the values of a tag.
     pub fn put(&mut self, tag: u16, field: Field) {
         self.tags.insert(tag, field);
     }
 
-    /// With a tag.
+    /// The same with a tag.
     pub fn with(mut self, tag: u16, field: Field) -> Self {
         self.put(tag, field);
         self

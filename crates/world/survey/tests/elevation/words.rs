@@ -134,9 +134,7 @@ fn labels() -> [String; 2] {
     let plane = LABEL
         .replace("RECORD_BYTES = 48\n^IMAGE = \"made.img\"", file)
         .replace("  UNIT = METER", "  BANDS = 2\n  BAND_STORAGE_TYPE = BAND_SEQUENTIAL\n  UNIT = METER");
-    let globe = plane
-        .replace("\"EQUIRECTANGULAR\"", "\"SIMPLE CYLINDRICAL\"\n  MAP_RESOLUTION = 3032.33")
-        .replace("MAP_SCALE = 10.0 <METERS/PIXEL>", "MAP_SCALE = 10.0 <METERS/PIXEL>");
+    let globe = plane.replace("\"EQUIRECTANGULAR\"", "\"SIMPLE CYLINDRICAL\"\n  MAP_RESOLUTION = 3032.33");
     [plane, globe]
 }
 

@@ -11,7 +11,7 @@ use tiff::decoder::{ChunkType, Decoder, DecodingResult, Limits};
 use tiff::tags::{ByteOrder, Tag};
 use tiff::{TiffError, TiffResult};
 
-use super::Tiff;
+use super::file::Tiff;
 
 /// The code of Zstandard.
 const ZSTD: u32 = 50_000;

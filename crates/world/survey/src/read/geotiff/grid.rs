@@ -6,10 +6,12 @@ use tiff::TiffResult;
 use tiff::decoder::ifd::Value;
 use tiff::tags::Tag;
 
-use super::{Tiff, tags};
+use super::file::Tiff;
+use super::tags;
 use crate::elevation::Affine;
 use crate::error::SurveyError;
-use crate::read::{ReadOptions, field};
+use crate::read::options::ReadOptions;
+use crate::read::refusal::field;
 
 const SCALE: u16 = 33550;
 const TIE_POINT: u16 = 33922;

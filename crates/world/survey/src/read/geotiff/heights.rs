@@ -4,13 +4,15 @@ use std::path::Path;
 
 use tiff::tags::Tag;
 
+use super::file::{Tiff, text};
 use super::items::Items;
 use super::keys::{self, Keys};
-use super::{Tiff, tags, text};
+use super::tags;
 use crate::error::SurveyError;
+use crate::read::options::ReadOptions;
+use crate::read::refusal::field;
 use crate::read::samples::Said;
 use crate::read::unit::{length, length_of_code};
-use crate::read::{ReadOptions, field};
 
 const VERTICAL_SYSTEM: u16 = 4096;
 const VERTICAL_UNIT: u16 = 4099;
@@ -21,7 +23,7 @@ pub struct Source<'a> {
     pub path: &'a Path,
     /// Items of GDAL's metadata.
     pub items: &'a Items,
-    /// Geo keys.
+    /// Geo keys of the file.
     pub keys: &'a Keys,
     /// The band, from 0, and how many there are.
     pub band: [usize; 2],

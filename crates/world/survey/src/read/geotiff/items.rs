@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::error::SurveyError;
-use crate::read::field;
+use crate::read::refusal::field;
 use crate::read::words::Fate::{Harmless, Only, Refused, Used, Void};
 use crate::read::words::{Decider, Met, Vocabulary, named};
 
@@ -78,7 +78,7 @@ pub const DOMAINS: Vocabulary = Vocabulary {
     ],
 };
 
-/// One item.
+/// One item of GDAL's metadata.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Item {
     /// Name of the item.
@@ -87,7 +87,7 @@ pub struct Item {
     pub band: Option<usize>,
     /// Domain, empty for the default one.
     pub domain: String,
-    /// Its text.
+    /// Text that it holds.
     pub text: String,
 }
 

@@ -4,12 +4,12 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use crate::error::SurveyError;
-use crate::read::field;
+use crate::read::refusal::field;
 use crate::read::unit::{angle_of_code, length_of_code};
 use crate::read::words::Fate::{Harmless, Only, Used};
 use crate::read::words::{Decider, Met, Vocabulary, numbered};
 
-/// Text for names.
+/// Text for keys that are names.
 const NAME: &str = "a name for people";
 /// Text for figures of projections that are not known here.
 const OTHER: &str = "figure of a projection that is not known here, whose metres are taken as they are";
@@ -231,7 +231,7 @@ mod tests {
     use std::path::Path;
 
     use super::Keys;
-    use crate::read::ReadOptions;
+    use crate::read::options::ReadOptions;
     use crate::read::words::Decider;
 
     fn of(entries: &[[u16; 4]], numbers: &[f64]) -> Result<Keys, String> {

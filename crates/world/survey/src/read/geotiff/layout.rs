@@ -6,12 +6,13 @@ use tiff::decoder::{ChunkType, DecodingResult, Limits};
 use tiff::tags::Tag;
 use tiff::{TiffError, TiffResult};
 
-use super::{Tiff, block, tags};
+use super::file::{MOST_EXPANSION, Tiff};
+use super::{block, tags};
 use crate::error::SurveyError;
-use crate::read::field;
+use crate::read::refusal::field;
 
-/// Most decoded bytes a byte of a compressed file; flat ground packs well, but not without limit.
-pub const MOST_EXPANSION: u64 = 4096;
+/// Most samples a byte of a file: each takes eight bytes of memory.
+const MOST_PIXELS: u64 = 1024;
 
 /// How the samples are stored.
 pub struct Layout {
@@ -73,24 +74,28 @@ impl Layout {
         (self.bits, self.format) == (32, 3)
     }
 
-    /// Refuses samples that are not read here, and a raster that a file of `found` bytes cannot hold: before anything is
-    /// allocated.
-    pub fn check(&self, path: &Path, found: u64) -> Result<(), SurveyError> {
+    /// Refuses samples that are not read here.
+    pub fn check_samples(&self, path: &Path) -> Result<(), SurveyError> {
         let known: &[u32] = match self.format {
             1 => &[1, 2, 4, 8, 16, 32, 64],
             2 => &[8, 16, 32, 64],
             _ => &[16, 32, 64],
         };
-        if !known.contains(&self.bits) {
-            let listed = known.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
-            let advice = "write it again with gdal_translate -ot Float32";
-            return Err(field(path, tags::place(258), self.bits.to_string(), listed, advice));
+        if known.contains(&self.bits) {
+            return Ok(());
         }
-        let samples =
-            [self.lines, self.columns, self.bands].iter().fold(1u64, |n, &k| n.saturating_mul(k as u64));
-        let needed = samples.saturating_mul(self.bits.max(8).into()) / 8;
-        let is_whole = !self.is_packed && self.bits >= 8 && self.present.iter().all(|present| *present);
-        let expected = if is_whole { needed } else { needed / MOST_EXPANSION };
+        let listed = known.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
+        let advice = "write it again with gdal_translate -ot Float32";
+        Err(field(path, tags::place(258), self.bits.to_string(), listed, advice))
+    }
+
+    /// Before anything is allocated: can a file of `found` bytes hold the raster?
+    pub fn check_size(&self, path: &Path, found: u64) -> Result<(), SurveyError> {
+        let pixels = (self.lines as u64).saturating_mul(self.columns as u64);
+        let bytes = pixels.saturating_mul(self.bands as u64).saturating_mul(self.bits.into()) / 8;
+        let is_whole = !self.is_packed && self.present.iter().all(|present| *present);
+        let packed = (bytes / MOST_EXPANSION).max(pixels / MOST_PIXELS);
+        let expected = if is_whole { bytes.max(packed) } else { packed };
         if found < expected {
             let place = format!("{} x {} samples of {} bands", self.lines, self.columns, self.bands);
             return Err(SurveyError::Truncated { path: path.to_path_buf(), place, found, expected });

@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 
 use tiff::tags::Tag;
 
+use super::file::{Tiff, limits, open};
 use super::items::Items;
 use super::layout::Layout;
-use super::{Tiff, open, tags};
+use super::tags;
 use crate::error::SurveyError;
-use crate::read::field;
+use crate::read::refusal::field;
 
 /// Bit of NewSubfileType: a copy of less detail.
 const SMALLER: u32 = 1;
@@ -61,13 +62,13 @@ fn masked(
     place: &str,
 ) -> Result<Vec<f64>, SurveyError> {
     let failed = |source| SurveyError::Tiff { path: path.to_path_buf(), place: place.to_owned(), source };
-    let layout = Layout::of(tiff, super::limits(bytes)).map_err(failed)?;
+    let layout = Layout::of(tiff, limits(bytes)).map_err(failed)?;
     if [layout.lines, layout.columns] != size {
         let found = format!("a mask of {} x {} samples", layout.lines, layout.columns);
         let expected = format!("{} x {}, as the heights have", size[0], size[1]);
         return Err(field(path, place, found, expected, "write it again with gdal_translate"));
     }
-    layout.check(path, bytes)?;
+    layout.check_samples(path)?;
     Ok(layout.read(path, tiff, 0)?.samples)
 }
 

@@ -2,6 +2,7 @@
 
 mod block;
 mod directory;
+mod file;
 mod grid;
 mod heights;
 pub mod items;
@@ -11,30 +12,23 @@ mod mask;
 mod place;
 pub mod tags;
 
-use std::fs::File;
-use std::io::{BufReader, Seek};
 use std::path::Path;
 
 use landscape::LUNOID_RADIUS;
-use tiff::TiffResult;
-use tiff::decoder::ifd::Value;
-use tiff::decoder::{Decoder, Limits};
 use tiff::tags::Tag;
 
-use self::directory::{TooLarge, too_large};
+use self::file::{Tiff, limits, open, text};
 use self::grid::GeoTags;
 use self::heights::Source;
 use self::items::Items;
 use self::keys::Keys;
-use self::layout::{Layout, MOST_EXPANSION};
+use self::layout::Layout;
+use super::options::ReadOptions;
+use super::refusal::{check_raster, field};
 use super::samples::{Conversion, Said};
 use super::words::Decider;
-use super::{ReadOptions, check_raster, field};
 use crate::elevation::{Affine, Elevation, Frame};
 use crate::error::SurveyError;
-
-/// A TIFF file being read.
-type Tiff = Decoder<BufReader<File>>;
 
 /// Reads one band of the first picture.
 pub fn read(path: &Path, options: &ReadOptions) -> Result<Elevation, SurveyError> {
@@ -54,7 +48,8 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Elevation, SurveyError
     let mut notes = decider.finish()?;
 
     let layout = Layout::of(&mut tiff, limits(bytes)).map_err(at("header"))?;
-    layout.check(path, bytes)?;
+    layout.check_samples(path)?;
+    layout.check_size(path, bytes)?;
     geo.expect_no_heights(path, options)?;
     let (affine, frame) = placed(path, options, &geo, &keys, layout.lines, &mut notes)?;
     let band = Bands::of(path, &mut tiff, &layout, &items)?.chosen(path, options, &items)?;
@@ -72,36 +67,6 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Elevation, SurveyError
     elevation.sources = vec![path.to_path_buf()];
     elevation.notes = notes;
     Ok(elevation)
-}
-
-/// A TIFF at its first picture, and its bytes.
-fn open(path: &Path) -> Result<(Tiff, u64), SurveyError> {
-    let failed = |source| SurveyError::Read { path: path.to_path_buf(), source };
-    let mut file = BufReader::new(File::open(path).map_err(failed)?);
-    let bytes = file.get_ref().metadata().map_err(failed)?.len();
-    if let Some(claim) = too_large(&mut file, bytes) {
-        return Err(impossible(path, claim, bytes));
-    }
-    file.rewind().map_err(failed)?;
-    let broken = |source| SurveyError::Tiff { path: path.to_path_buf(), place: "header".into(), source };
-    Ok((Decoder::new(file).map_err(broken)?.with_limits(limits(bytes)), bytes))
-}
-
-fn impossible(path: &Path, TooLarge { tag, bytes }: TooLarge, size: u64) -> SurveyError {
-    let place = tag.map_or_else(|| "directory".to_owned(), |tag| format!("tag {tag}"));
-    let expected = format!("at most {size}, the bytes of the file");
-    field(path, place, format!("{bytes} bytes"), expected, "the header is damaged: fetch the file again")
-}
-
-/// What a strip or a value of a file of so many bytes may take, whatever its header claims.
-fn limits(bytes: u64) -> Limits {
-    let usual = Limits::default();
-    let most = |bytes: u64, usual: usize| usize::try_from(bytes).map_or(usual, |bytes| bytes.min(usual));
-    let mut limits = usual.clone();
-    limits.decoding_buffer_size = most(bytes.saturating_mul(MOST_EXPANSION), usual.decoding_buffer_size);
-    limits.intermediate_buffer_size = most(bytes, usual.intermediate_buffer_size);
-    limits.ifd_value_size = most(bytes, usual.ifd_value_size);
-    limits
 }
 
 fn placed(
@@ -189,10 +154,4 @@ impl Band {
         }
         Ok(band.samples)
     }
-}
-
-/// Text of a tag, without what ends it.
-fn text(tiff: &mut Tiff, tag: Tag) -> TiffResult<Option<String>> {
-    let value = tiff.find_tag(tag)?.map(Value::into_string).transpose()?;
-    Ok(value.map(|text| text.trim_end_matches('\0').to_string()))
 }

@@ -10,7 +10,7 @@ use super::keys::{self, Keys};
 use crate::elevation::{Affine, Frame};
 use crate::error::SurveyError;
 use crate::projection::{Method, Projection};
-use crate::read::field;
+use crate::read::refusal::field;
 
 const MODEL_TYPE: u16 = 1024;
 const RASTER_TYPE: u16 = 1025;

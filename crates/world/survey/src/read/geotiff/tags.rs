@@ -5,7 +5,7 @@ use std::path::Path;
 use tiff::decoder::ifd::Value;
 use tiff::tags::Tag;
 
-use super::Tiff;
+use super::file::Tiff;
 use crate::error::SurveyError;
 use crate::read::words::Fate::{Harmless, Only, Refused, Used, Void};
 use crate::read::words::{Decider, Met, Vocabulary, numbered};

@@ -12,8 +12,10 @@ use super::statements::{FILE, IMAGE, Label, plain};
 use super::{in_folder, map, special};
 use crate::elevation::Elevation;
 use crate::error::SurveyError;
+use crate::read::options::ReadOptions;
+use crate::read::refusal::check_raster;
 use crate::read::samples::{Conversion, Said};
-use crate::read::{ReadOptions, check_raster, unit};
+use crate::read::unit;
 
 /// File and first byte of the image, from the pointer `^IMAGE`.
 pub fn locate(label: &Label) -> Result<(PathBuf, u64), SurveyError> {

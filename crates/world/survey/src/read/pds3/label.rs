@@ -40,7 +40,7 @@ impl Value {
 /// An OBJECT or GROUP of a label.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Block {
-    /// Name in capitals.
+    /// Name of the object in capitals.
     pub name: String,
     /// Line of the label where it begins, from 1.
     pub line: usize,

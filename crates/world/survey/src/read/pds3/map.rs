@@ -7,7 +7,7 @@ use super::statements::{Label, MAP, angles, kilometres, length_of_sample, pieces
 use crate::elevation::{Affine, Frame};
 use crate::error::SurveyError;
 use crate::projection::{Method, Projection};
-use crate::read::ReadOptions;
+use crate::read::options::ReadOptions;
 
 /// Relative difference above which the scale and the resolution of a map contradict one another.
 const CONTRADICTION: f64 = 0.01;

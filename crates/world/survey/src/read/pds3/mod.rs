@@ -13,8 +13,9 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use self::statements::Label;
+use super::options::ReadOptions;
+use super::refusal::field;
 use super::words::Decider;
-use super::{ReadOptions, field};
 use crate::elevation::Elevation;
 use crate::error::SurveyError;
 

@@ -6,7 +6,7 @@ use std::path::Path;
 use super::label::{Statement, Value};
 use super::words::{OBJECTS, vocabulary};
 use crate::error::SurveyError;
-use crate::read::field;
+use crate::read::refusal::field;
 use crate::read::unit;
 use crate::read::words::{Decider, Fate, Met, seen};
 
