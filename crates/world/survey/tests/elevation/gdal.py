@@ -1,6 +1,15 @@
-"""Writes GeoTIFFs by GDAL (through rasterio), and beside each what GDAL reads: heights in metres (.npy) and place (.json).
+"""GDAL through rasterio, for the tests in gdal.rs.
 
-Usage: gdal.py FOLDER. The heights are those of the band with the scale, offset and unit that GDAL reports; NaN is void.
+gdal.py all FOLDER
+    Writes GeoTIFFs, and beside each what GDAL reads: heights in metres (.npy; the band with the scale, offset and unit
+    that GDAL reports, NaN for voids) and place (.json).
+gdal.py translate FROM TO [NAME=VALUE]...
+    What gdal_translate does: a copy by GDALCreateCopy with creation options. `ot=TYPE` and `a_ullr=X,Y,X,Y` are -ot and
+    -a_ullr.
+gdal.py warp FROM TO CRS
+    What gdalwarp -t_srs CRS does: a copy on a grid north up. CRS `same` keeps the file's own.
+gdal.py packed TO PACKING
+    A file packed in a way that the reader does not know.
 """
 
 import json
@@ -10,11 +19,12 @@ from pathlib import Path
 import numpy as np
 import rasterio
 import rasterio.shutil
+import rasterio.vrt
 import rasterio.warp
 from rasterio.crs import CRS
 from rasterio.transform import Affine
 
-FOLDER = Path(sys.argv[1])
+FOLDER = Path(sys.argv[2])
 WIDTH, HEIGHT = 70, 50
 GROUND = np.add.outer(-7 * np.arange(HEIGHT), 3 * np.arange(WIDTH)).astype("f8")
 METRES = Affine(10, 0, 1000, 0, -10, 5000)
@@ -144,6 +154,47 @@ def tell(path):
         path.with_suffix(".json").write_text(json.dumps(place))
 
 
-write_all()
-for path in sorted(FOLDER.glob("*.tif")):
-    tell(path)
+def translate(source, target, options):
+    options = dict(option.split("=", 1) for option in options)
+    kind, edges = options.pop("ot", None), options.pop("a_ullr", None)
+    if not kind and not edges:
+        rasterio.shutil.copy(source, target, driver="GTiff", **options)
+        return
+    with rasterio.open(source) as file:
+        profile, samples = file.profile, file.read()
+    for key in ("nbits", "NBITS"):
+        profile.pop(key, None)
+    profile.update(driver="GTiff", dtype=kind or profile["dtype"], **options)
+    if edges:
+        west, north, east, south = map(float, edges.split(","))
+        profile["transform"] = rasterio.transform.from_bounds(west, south, east, north, profile["width"], profile["height"])
+    with rasterio.open(target, "w", **profile) as file:
+        file.write(samples.astype(profile["dtype"]))
+
+
+def warp(source, target, name):
+    with rasterio.open(source) as file:
+        own = file.crs or file.gcps[1]
+        crs = own if name == "same" else CRS.from_user_input(name)
+        with rasterio.vrt.WarpedVRT(file, src_crs=own, crs=crs, nodata=-9999.0) as turned:
+            rasterio.shutil.copy(turned, target, driver="GTiff")
+
+
+def write_and_tell_all():
+    write_all()
+    for path in sorted(FOLDER.glob("*.tif")):
+        tell(path)
+
+
+match sys.argv[1:]:
+    case ["all", _]:
+        write_and_tell_all()
+    case ["translate", source, target, *options]:
+        translate(source, target, options)
+    case ["warp", source, target, crs]:
+        warp(source, target, crs)
+    case ["packed", target, packing]:
+        FOLDER = Path(target).parent
+        write(Path(target).stem, COMPRESS=packing)
+    case other:
+        raise SystemExit(f"{other}: expected all, translate, warp or packed")

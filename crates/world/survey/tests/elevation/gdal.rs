@@ -9,6 +9,8 @@ use std::process::Command;
 use serde_json::Value;
 use survey::{Frame, ReadOptions, read};
 
+use crate::made::{Directory, Field, Made, bytes, tiff};
+
 /// Files that must be refused, with a word of the refusal.
 const REFUSED: [(&str, &str); 5] = [
     ("bits-7", "BitsPerSample"),
@@ -21,15 +23,24 @@ const REFUSED: [(&str, &str); 5] = [
 /// Fewest files that GDAL must have written.
 const FEWEST: usize = 70;
 
-#[test]
-fn files_of_gdal_are_read_as_gdal_reads_them() {
+/// Runs the script; false, and a loud line, if there is no Python for it.
+fn gdal(arguments: &[&Path]) -> bool {
     let Some(python) = std::env::var_os("LUNOID_GDAL_PYTHON") else {
         println!("SKIPPED: LUNOID_GDAL_PYTHON does not name a Python with rasterio");
-        return;
+        return false;
     };
-    let folder = tempfile::tempdir().unwrap();
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/elevation/gdal.py");
-    assert!(Command::new(python).arg(script).arg(folder.path()).status().unwrap().success());
+    let done = Command::new(python).arg(script).args(arguments).output().unwrap();
+    assert!(done.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&done.stderr));
+    true
+}
+
+#[test]
+fn files_of_gdal_are_read_as_gdal_reads_them() {
+    let folder = tempfile::tempdir().unwrap();
+    if !gdal(&["all".as_ref(), folder.path()]) {
+        return;
+    }
     let (mut faults, mut count) = (Vec::new(), 0);
     for entry in folder.path().read_dir().unwrap() {
         let path = entry.unwrap().path();
@@ -88,4 +99,105 @@ fn compared(path: &Path, read: &survey::Elevation) -> Option<String> {
         }
     }
     (!is_right).then(|| format!("{:?} {:?}, GDAL has {first:?} {step:?}", read.affine, read.frame))
+}
+
+/// A file that is refused, a word of the refusal, the command that it advises, and the words of the command for the script.
+type Advice<'a> = (&'a str, Made, &'a str, &'a [&'a str]);
+
+fn advised() -> Vec<Advice<'static>> {
+    let with = |tag: u16, field: Field| Directory::ground().with(tag, field).made();
+    let matrix = |a: f64, b: f64| {
+        vec![a, b, 0.0, 10_000.0, b, -10.0, 0.0, 20_000.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0]
+    };
+    let mut turned = Directory::ground().with(34264, Field::Doubles(matrix(10.0, 1.0)));
+    [33550, 33922].iter().for_each(|tag| drop(turned.tags.remove(tag)));
+    let corners = [[0.0, 0.0], [24.0, 0.0], [0.0, 24.0], [24.0, 24.0]];
+    let tie = |[x, y]: [f64; 2]| vec![x, y, 0.0, 10_000.0 + 10.0 * x, 20_000.0 - 10.0 * y, 0.0];
+    let mut tied = Directory::ground().with(33922, Field::Doubles(corners.map(tie).concat()));
+    tied.tags.remove(&33550);
+    let mut bare = Directory::ground();
+    [33550, 33922, 34735, 34736].iter().for_each(|tag| drop(bare.tags.remove(tag)));
+    let mut unsaid = Directory::ground();
+    unsaid.tags.remove(&262);
+    let mut small = Directory::new(
+        &[(254, 4), (256, 12), (257, 12), (258, 8), (259, 1), (262, 4), (277, 1), (278, 12)],
+        vec![vec![255; 144]],
+    );
+    small.put(339, Field::Shorts(vec![1]));
+    let rows = "1 2 3\n".repeat(3);
+    let grid = format!("ncols 3\nnrows 3\nxllcorner 0\nyllcorner 0\ncellsize 10\n{rows}");
+    let california = Directory::ground().with_keys(&[(1024, 1.0), (1025, 1.0), (3072, 2226.0)]);
+    let dangling = Field::Shorts(vec![1, 1, 0, 2, 1024, 0, 1, 1, 2057, 34736, 1, 9]);
+    vec![
+        ("made.asc", Made::new(&[("made.asc", grid.as_bytes())]), "gdal_translate -of GTiff", &["translate"]),
+        ("made.tif", with(274, Field::Shorts(vec![6])), "gdal_translate", &["translate"]),
+        (
+            "made.tif",
+            with(262, Field::Shorts(vec![0])),
+            "gdal_translate -co PHOTOMETRIC=MINISBLACK",
+            &["translate", "PHOTOMETRIC=MINISBLACK"],
+        ),
+        (
+            "made.tif",
+            Directory::of(vec![0; 24 * 24 * 2], 12, 1).made(),
+            "gdal_translate -ot Float32",
+            &["translate", "ot=float32"],
+        ),
+        ("made.tif", turned.made(), "turn it north up with gdalwarp", &["warp", "same"]),
+        ("made.tif", tied.made(), "lay it on a regular grid with gdalwarp", &["warp", "same"]),
+        ("made.tif", california.made(), "gdal_translate, which adds the unit", &["translate"]),
+        ("made.tif", bare.made(), "gdal_translate -a_ullr", &["translate", "a_ullr=0,240,240,0"]),
+        ("made.tif", tiff(&[Directory::ground(), small]), "gdal_translate", &["translate"]),
+        ("made.tif", with(34264, Field::Doubles(matrix(11.0, 0.0))), "gdal_translate", &["translate"]),
+        ("made.tif", with(34735, dangling), "gdal_translate", &["translate"]),
+        ("made.tif", with(42112, Field::Text("<Item name=".into())), "gdal_translate", &["translate"]),
+        (
+            "made.tif",
+            unsaid.made(),
+            "gdal_translate -of GTiff -co COMPRESS=DEFLATE",
+            &["translate", "COMPRESS=DEFLATE"],
+        ),
+    ]
+}
+
+/// Files of GDAL itself, as those of [`advised`].
+fn advised_of_gdal() -> Option<Vec<Advice<'static>>> {
+    let packed = Made::new(&[("made.tif", b"")]);
+    let paris = Made::new(&[("made.tif", b"")]);
+    let degrees = Directory::ground()
+        .with(33550, Field::Doubles(vec![0.01, 0.01, 0.0]))
+        .with(33922, Field::Doubles(vec![0.0, 0.0, 0.0, 5.0, 40.0, 0.0]))
+        .with_keys(&[(1024, 2.0), (1025, 1.0), (2048, 4807.0)]);
+    std::fs::write(&paris.path, bytes(&[degrees])).unwrap();
+    gdal(&["packed".as_ref(), &packed.path, "LZMA".as_ref()]).then(|| {
+        vec![
+            (
+                "made.tif",
+                packed,
+                "gdal_translate -co COMPRESS=DEFLATE",
+                &["translate", "COMPRESS=DEFLATE"][..],
+            ),
+            ("made.tif", paris, "gdalwarp -t_srs", &["warp", "EPSG:4326"]),
+        ]
+    })
+}
+
+#[test]
+fn commands_of_gdal_that_refusals_advise_lead_out() {
+    let all = advised().into_iter().chain(advised_of_gdal().into_iter().flatten());
+    for (name, made, command, words) in all {
+        let refusal = made.refusal();
+        assert!(refusal.contains(command) && refusal.contains(name), "no {command}: {refusal}");
+        let target = made.path.with_file_name("after.tif");
+        let arguments = [&words[0], made.path.to_str().unwrap(), target.to_str().unwrap()];
+        let arguments: Vec<&Path> = arguments.iter().chain(&words[1..]).map(Path::new).collect();
+        if gdal(&arguments) {
+            let after = read(&target, &ReadOptions::default());
+            assert!(
+                after.is_ok(),
+                "{refusal}\n{command} leads to {:?}",
+                after.map_err(|said| said.to_string())
+            );
+        }
+    }
 }

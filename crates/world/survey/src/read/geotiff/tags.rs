@@ -32,9 +32,16 @@ pub const TAGS: Vocabulary = Vocabulary {
         numbered(
             259,
             "Compression",
-            Only(&["1", "5", "8", "32773", "32946", "50000"], "how samples are packed"),
+            Only(
+                &["1", "5", "8", "32773", "32946", "50000"],
+                "how samples are packed; gdal_translate -co COMPRESS=DEFLATE packs them again",
+            ),
         ),
-        numbered(262, "PhotometricInterpretation", Only(&["1", "2"], "white that is zero, or colours")),
+        numbered(
+            262,
+            "PhotometricInterpretation",
+            Only(&["1", "2"], "white that is zero, or colours; gdal_translate -co PHOTOMETRIC=MINISBLACK"),
+        ),
         numbered(263, "Threshholding", Harmless(SHOWN)),
         numbered(264, "CellWidth", Harmless(SHOWN)),
         numbered(265, "CellLength", Harmless(SHOWN)),
@@ -44,7 +51,11 @@ pub const TAGS: Vocabulary = Vocabulary {
         numbered(271, "Make", Harmless(ORIGIN)),
         numbered(272, "Model", Harmless(ORIGIN)),
         numbered(273, "StripOffsets", Used("where strips begin; one without a place is void, with a note")),
-        numbered(274, "Orientation", Only(&["1"], "a turned or mirrored picture")),
+        numbered(
+            274,
+            "Orientation",
+            Only(&["1"], "a turned or mirrored picture; gdal_translate leaves the tag out"),
+        ),
         numbered(277, "SamplesPerPixel", Used("bands, of which --band chooses")),
         numbered(278, "RowsPerStrip", Used("lines of a strip")),
         numbered(279, "StripByteCounts", Used("bytes of strips; one without bytes is void, with a note")),
