@@ -1,6 +1,9 @@
 //! Elevation files into memory.
 
+mod dted;
+mod earth;
 mod geotiff;
+mod hgt;
 mod npy;
 mod options;
 mod page;
@@ -24,7 +27,8 @@ pub use self::options::ReadOptions;
 pub use self::page::{VOCABULARIES, words_page};
 pub use self::words::{Fate, Vocabulary, Word};
 
-/// Reads a GeoTIFF, a PDS3 image (by image or label) or a `.npy` array; the first bytes decide which.
+/// Reads a GeoTIFF, a PDS3 image (by image or label), a DTED cell, a `.npy` array or an SRTM tile. The ending `.hgt` makes a
+/// tile; else the first bytes decide.
 ///
 /// # Errors
 /// If the file is missing, damaged, of another kind, without finite heights, or needs an option.
@@ -33,8 +37,10 @@ pub fn read(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Elevation, 
     options.check()?;
     let start = first_bytes(path)?;
     let mut elevation = match start.as_slice() {
+        _ if hgt::is_tile(path) => hgt::read(path, options)?,
         [b'I', b'I', 42 | 43, 0, ..] | [b'M', b'M', 0, 42 | 43, ..] => geotiff::read(path, options)?,
         [0x93, b'N', b'U', b'M', b'P', b'Y', ..] => npy::read(path, options)?,
+        _ if dted::is_dted(&start) => dted::read(path, options)?,
         _ if pds3::is_label(&start) => pds3::read(path, options)?,
         _ => match pds3::label_beside(path)? {
             Some(label) => pds3::read(&label, options)?,

@@ -19,7 +19,8 @@ pub struct ReadOptions {
     /// Whether the first line is the southernmost, for files without a place. Default false: the northernmost.
     pub first_line_south: bool,
     /// Names of tags, keys and keywords that are not known here and that change neither heights nor their place:
-    /// `KEYWORD` or `object:NAME` of a label, `tag:NUMBER`, `key:NUMBER` or `item:NAME` of a TIFF.
+    /// `KEYWORD` or `object:NAME` of a label, `tag:NUMBER`, `key:NUMBER` or `item:NAME` of a TIFF; `checksum` of a DTED
+    /// cell.
     pub ignore: Vec<String>,
 }
 

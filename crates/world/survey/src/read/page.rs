@@ -1,11 +1,12 @@
 //! The page of the docs about names in elevation files, made from the tables that decide about them.
 
+use super::dted;
 use super::geotiff::{items, keys, tags};
 use super::pds3::words;
 use super::words::Vocabulary;
 
-/// All tables of names, with their headings: those of GeoTIFF, then those of PDS3 labels.
-pub const VOCABULARIES: [(&str, &Vocabulary); 8] = [
+/// All tables of names, with their headings: those of GeoTIFF, then those of PDS3 labels, then that of DTED.
+pub const VOCABULARIES: [(&str, &Vocabulary); 9] = [
     ("Tags of the first directory", &tags::TAGS),
     ("Geo keys", &keys::KEYS),
     ("Items of GDAL metadata (tag 42112)", &items::ITEMS),
@@ -14,15 +15,18 @@ pub const VOCABULARIES: [(&str, &Vocabulary); 8] = [
     ("Keywords outside of IMAGE and IMAGE_MAP_PROJECTION", &words::FILE),
     ("Keywords of IMAGE", &words::IMAGE),
     ("Keywords of IMAGE_MAP_PROJECTION", &words::MAP),
+    ("Fields of the headers and records", &dted::FIELDS),
 ];
 
 /// How many of the tables are of GeoTIFF.
 const OF_TIFF: usize = 4;
+/// How many of the tables are of PDS3 labels.
+const OF_PDS3: usize = 4;
 
 const HEAD: &str = "# Names in elevation files
 
-`lunoid survey` decides about every tag, key and keyword that it meets in a GeoTIFF or a PDS3 label. The tables below are
-the ones that the readers themselves ask. A test holds this page equal to them.
+`lunoid survey` decides about every tag, key and keyword that it meets in a GeoTIFF, a PDS3 label or a DTED cell. The tables
+below are the ones that the readers themselves ask. A test holds this page equal to them.
 
 | fate | what it means |
 |---|---|
@@ -42,12 +46,22 @@ mile and nautical mile. If more than half of the samples lie within 2 % of the r
 radius is taken off, with a note.
 ";
 
+const HGT: &str = "
+The sum of a record must be that of its bytes; `--ignore checksum` reads a cell whose sums are wrong.
+
+## SRTM tiles
+
+A tile `.hgt` holds no names. Its own name is its south-west corner, as `S05W120.hgt`; its size must be that of 1201 x 1201,
+3601 x 3601 or 3601 x 1801 samples. -32768 is a void.
+";
+
 /// The page `docs/elevation-words.md` as Markdown: a table for every kind of name, made from what the readers ask.
 pub fn words_page() -> String {
     let section = |(title, table): &(&str, &Vocabulary)| format!("\n### {title}\n\n{}", table.table());
-    let [tiff, pds3] = [&VOCABULARIES[..OF_TIFF], &VOCABULARIES[OF_TIFF..]]
-        .map(|tables| tables.iter().map(section).collect::<String>());
+    let (tiff, rest) = VOCABULARIES.split_at(OF_TIFF);
+    let (pds3, dted) = rest.split_at(OF_PDS3);
+    let [tiff, pds3, dted] = [tiff, pds3, dted].map(|tables| tables.iter().map(section).collect::<String>());
     let later = "\nLater directories are copies of less detail, which are not read; masks, whose zeros are voids; or other \
                  pictures,\nwhich are told. A file `NAME.msk` beside the TIFF is a mask too.\n";
-    format!("{HEAD}\n## GeoTIFF\n{later}{tiff}\n## PDS3 labels\n{pds3}")
+    format!("{HEAD}\n## GeoTIFF\n{later}{tiff}\n## PDS3 labels\n{pds3}\n## DTED\n{dted}{HGT}")
 }

@@ -27,7 +27,7 @@ pub enum Fate {
 /// A name and what becomes of it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Word {
-    /// Number of a TIFF tag or geo key; 0 for what has a name only.
+    /// Number of a TIFF tag or geo key, or first byte of a field; 0 for what has a name only.
     pub number: u16,
     /// The name. A star at an end stands for any characters.
     pub name: &'static str,
@@ -154,6 +154,13 @@ impl<'a> Decider<'a> {
         let expected = format!("a {} that is known here (docs/elevation-words.md)", met.of.kind);
         let advice = format!("if it changes neither heights nor their place, give --ignore {name}");
         Err(field(self.path, met.place, seen(met.value), expected, advice))
+    }
+
+    /// Whether the user wants a check left out that has a name of its own.
+    pub fn forgives(&mut self, name: &str) -> bool {
+        let is_ignored = self.ignore.iter().any(|ignored| ignored.eq_ignore_ascii_case(name));
+        self.ignored.extend(is_ignored.then(|| name.to_owned()));
+        is_ignored
     }
 
     /// Notes about what was ignored; an error if a name that was to be ignored was not met.

@@ -10,6 +10,7 @@ use super::keys::{self, Keys};
 use crate::elevation::{Affine, Frame};
 use crate::error::SurveyError;
 use crate::projection::{Method, Projection};
+use crate::read::earth;
 use crate::read::refusal::field;
 
 const MODEL_TYPE: u16 = 1024;
@@ -32,9 +33,6 @@ const LATITUDES: [u16; 3] = [3081, 3089, 3085];
 const LONGITUDES: [u16; 4] = [3095, 3080, 3088, 3084];
 /// Codes of systems, data and ellipsoids that EPSG gives: all of the Earth.
 const BODIES: [u16; 4] = [SYSTEM, 2050, 2056, PROJECTED];
-
-/// Radius of the Earth's ellipsoid WGS 84 (m); those of other codes differ by less than 0.03 %.
-const EARTH: f64 = 6_378_137.0;
 
 /// Place and frame; `None` if the file has no place at all. Remarks go to `notes`.
 pub fn place(
@@ -101,7 +99,7 @@ impl Body<'_> {
     }
 
     fn radius(&self) -> Result<f64, SurveyError> {
-        let usual = if self.of_earth().is_some() { EARTH } else { LUNOID_RADIUS };
+        let usual = if self.of_earth().is_some() { earth::RADIUS } else { LUNOID_RADIUS };
         Ok(self.stated_radius()?.unwrap_or(usual))
     }
 
@@ -127,7 +125,7 @@ impl Body<'_> {
                 notes.push(format!("the file does not name the radius of its body: {radius} m is assumed"));
             }
             (None, Some(_)) => self.tell_earth(notes),
-            (Some(stated), Some(_)) if (stated / EARTH - 1.0).abs() > 0.01 => self.tell_earth(notes),
+            (Some(stated), Some(_)) if (stated / earth::RADIUS - 1.0).abs() > 0.01 => self.tell_earth(notes),
             (Some(_), _) => {}
         }
         let minor = self
