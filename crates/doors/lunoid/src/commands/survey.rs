@@ -18,7 +18,7 @@ const AFTER: &str = "Examples:
   lunoid survey pole.tif --region-size-m 40 -o pole.bank --picture pole.png
   lunoid survey global.lbl --centre 20.19,30.77 --size-m 20000,20000 -o valley.bank
 
-Reads GeoTIFF, PDS3 images (image or label) and .npy arrays.
+Reads GeoTIFF, PDS3 images (image or label), DTED cells, SRTM tiles (.hgt) and .npy arrays.
 Coordinates of --area are metres of the file's own projection.";
 
 /// Fit a bank to an elevation file.

@@ -19,7 +19,7 @@ use std::path::Path;
 
 use quantities::degrees;
 
-use self::refusal::field;
+use self::refusal::{field, visible};
 use crate::elevation::{Elevation, Frame};
 use crate::error::SurveyError;
 
@@ -55,7 +55,9 @@ pub fn read(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Elevation, 
         ));
     }
     let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-    elevation.title = if elevation.title.is_empty() { stem } else { format!("{stem}: {}", elevation.title) };
+    let title = if elevation.title.is_empty() { stem } else { format!("{stem}: {}", elevation.title) };
+    elevation.title = visible(&title);
+    elevation.notes.iter_mut().for_each(|note| *note = visible(note));
     if elevation.range().is_none() {
         let count = elevation.lines * elevation.columns;
         return Err(SurveyError::AllVoid { what: path.display().to_string(), count });

@@ -19,6 +19,17 @@ pub fn check_raster(path: &Path, lines: u64, columns: u64) -> Result<usize, Surv
     })
 }
 
+/// Text with its control characters made visible, for messages, titles and notes.
+pub fn visible(text: &str) -> String {
+    text.chars().fold(String::new(), |mut shown, character| {
+        match character.is_control() {
+            true => shown.extend(character.escape_debug()),
+            false => shown.push(character),
+        }
+        shown
+    })
+}
+
 /// The error for a field of a file: where it stands, what was found and expected, and what to do.
 pub fn field(
     path: &Path,
@@ -29,9 +40,9 @@ pub fn field(
 ) -> SurveyError {
     SurveyError::Field {
         path: PathBuf::from(path),
-        place: place.into(),
-        found: found.into(),
-        expected: expected.into(),
-        advice: advice.into(),
+        place: visible(&place.into()),
+        found: visible(&found.into()),
+        expected: visible(&expected.into()),
+        advice: visible(&advice.into()),
     }
 }

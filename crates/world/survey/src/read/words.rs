@@ -6,7 +6,7 @@
 use std::path::Path;
 
 use super::options::ReadOptions;
-use super::refusal::field;
+use super::refusal::{field, visible};
 use crate::error::SurveyError;
 
 /// What becomes of a name.
@@ -151,7 +151,7 @@ impl<'a> Decider<'a> {
             self.ignored.push(name);
             return Ok(());
         }
-        let expected = format!("a {} that is known here (docs/elevation-words.md)", met.of.kind);
+        let expected = "a name that docs/elevation-words.md lists";
         let advice = format!("if it changes neither heights nor their place, give --ignore {name}");
         Err(field(self.path, met.place, seen(met.value), expected, advice))
     }
@@ -187,13 +187,7 @@ fn same(a: &str, b: &str) -> bool {
 /// A value for a message: short, and with control characters made visible.
 pub fn seen(value: &str) -> String {
     const MOST: usize = 60;
-    let shown = value.chars().take(MOST).fold(String::new(), |mut shown, character| {
-        match character.is_control() {
-            true => shown.extend(character.escape_debug()),
-            false => shown.push(character),
-        }
-        shown
-    });
+    let shown = visible(&value.chars().take(MOST).collect::<String>());
     match value.chars().nth(MOST) {
         Some(_) => format!("{shown}..."),
         None if value.is_empty() => "nothing".into(),

@@ -136,6 +136,25 @@ def write_all():
         rasterio.shutil.copy(FOLDER / f"{name}.tif", FOLDER / f"cloud-{name}.tif", driver="COG")
 
 
+def write_cells():
+    """Cells of one degree by other drivers, with heights of both signs and voids; posts stand on their edges."""
+    for name, driver, side, south, west, void in [
+        ("level-0.dt0", "DTED", 121, 45, 6, -32767),
+        ("level-1.dt1", "DTED", 1201, -44, -121, -32767),
+        ("S05W120.hgt", "SRTMHGT", 1201, -5, -120, -32768),
+        ("N61E010.hgt", "SRTMHGT", 1201, 61, 10, -32768),
+    ]:
+        line, column = np.mgrid[0:side, 0:side]
+        data = (line * 3 - column * 2 - 50).astype("i2")
+        data[(line + column) % 13 == 0] = void
+        step = 1 / (side - 1)
+        corner = Affine(step, 0, west - step / 2, 0, -step, south + 1 + step / 2)
+        plain = dict(driver="GTiff", dtype="int16", count=1, width=side, height=side, nodata=void)
+        with rasterio.open(FOLDER / "plain.tmp", "w", crs=CRS.from_epsg(4326), transform=corner, **plain) as file:
+            file.write(data, 1)
+        rasterio.shutil.copy(FOLDER / "plain.tmp", FOLDER / name, driver=driver)
+
+
 def tell(path):
     """What GDAL reads."""
     with rasterio.open(path) as file:
@@ -182,8 +201,10 @@ def warp(source, target, name):
 
 def write_and_tell_all():
     write_all()
-    for path in sorted(FOLDER.glob("*.tif")):
-        tell(path)
+    write_cells()
+    for path in sorted(FOLDER.iterdir()):
+        if path.suffix in (".tif", ".dt0", ".dt1", ".hgt"):
+            tell(path)
 
 
 match sys.argv[1:]:

@@ -44,7 +44,8 @@ fn files_of_gdal_are_read_as_gdal_reads_them() {
     let (mut faults, mut count) = (Vec::new(), 0);
     for entry in folder.path().read_dir().unwrap() {
         let path = entry.unwrap().path();
-        if path.extension().is_some_and(|ending| ending == "tif") {
+        let endings = ["tif", "dt0", "dt1", "hgt"];
+        if path.extension().is_some_and(|found| endings.iter().any(|ending| found == *ending)) {
             count += 1;
             faults.extend(fault(&path));
         }
@@ -70,9 +71,12 @@ fn fault(path: &Path) -> Option<String> {
 }
 
 fn compared(path: &Path, read: &survey::Elevation) -> Option<String> {
+    let is_turned = path.extension().is_some_and(|ending| ending == "dt0" || ending == "dt1");
     let array = files::read_npy(path.with_extension("npy"), limits::Limit::ElevationBytes).unwrap();
     for (index, height) in array.data().to_f64().into_iter().enumerate() {
+        // GDAL turns cells whose first line is the southernmost.
         let (line, column) = (index / read.columns, index % read.columns);
+        let line = if is_turned { read.lines - 1 - line } else { line };
         let found = read.height(line, column);
         let is_equal = found.map_or(height.is_nan(), |found| (found - height).abs() <= 1e-9 * height.abs());
         if !is_equal {
@@ -86,7 +90,11 @@ fn compared(path: &Path, read: &survey::Elevation) -> Option<String> {
     let first = [number(5) + 0.5 * step[0], number(2) + 0.5 * step[1] + east];
     let is_geographic = matches!(read.frame, Frame::Geographic { .. });
     let near = |a: f64, b: f64| (a - b).abs() <= 1e-9 * b.abs();
-    let is_there = (0..2).all(|k| near(read.affine.first[k], first[k]) && near(read.affine.step[k], step[k]));
+    let last = read.place(read.lines - 1, 0);
+    let (found, across) = if is_turned { (last, -1.0) } else { (read.affine.first, 1.0) };
+    let [north, east] = read.affine.step;
+    let is_there = near(found[0], first[0]) && near(found[1], first[1]);
+    let is_there = is_there && near(across * north, step[0]) && near(east, step[1]);
     let is_right = is_there && place["geographic"].as_bool() == Some(is_geographic);
     let on_moon = place["first"].as_array().zip(match read.frame {
         Frame::Plane(projection) => projection.and_then(|projection| projection.inverse(read.affine.first)),

@@ -2,6 +2,7 @@
 
 mod advice;
 mod cells;
+mod damage;
 mod gdal;
 mod geotiff;
 mod made;

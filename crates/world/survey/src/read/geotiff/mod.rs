@@ -24,7 +24,7 @@ use self::items::Items;
 use self::keys::Keys;
 use self::layout::Layout;
 use super::options::ReadOptions;
-use super::refusal::{check_raster, field};
+use super::refusal::{check_raster, field, visible};
 use super::samples::{Conversion, Said};
 use super::words::Decider;
 use crate::elevation::{Affine, Elevation, Frame};
@@ -116,7 +116,7 @@ impl Bands {
     /// The band that the user chose, or the only one that is no alpha band. An alpha band masks all but itself.
     fn chosen(&self, path: &Path, options: &ReadOptions, items: &Items) -> Result<Band, SurveyError> {
         let list = || {
-            let name = |band| items.get("DESCRIPTION", band).unwrap_or("no description");
+            let name = |band| visible(items.get("DESCRIPTION", band).unwrap_or("no description"));
             (0..self.count)
                 .map(|band| format!("{} ({})", band + 1, name(band)))
                 .collect::<Vec<_>>()
