@@ -1,6 +1,7 @@
 //! Elevation files made here, each with something that programs read wrong: what is not understood is never passed over.
 
 mod advice;
+mod cases;
 mod cells;
 mod damage;
 mod gdal;
