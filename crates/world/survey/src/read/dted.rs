@@ -96,7 +96,7 @@ pub fn is_dted(start: &[u8]) -> bool {
     ["UHL1", "VOL1", "HDR1"].iter().any(|word| start.starts_with(word.as_bytes()))
 }
 
-/// Reads a cell.
+/// Reads a cell: its headers, then a record a meridian.
 pub fn read(path: &Path, options: &ReadOptions) -> Result<Elevation, SurveyError> {
     options.expect_no_place()?;
     let failed = |source| SurveyError::Read { path: path.to_path_buf(), source };
@@ -337,9 +337,10 @@ mod tests {
     #[test]
     fn angles_of_all_hemispheres() {
         let found = |text: &str, letters: [char; 2]| angle(text, letters).map(degrees);
-        assert_eq!(found("0063000E", ['E', 'W']), Some(6.5));
-        assert_eq!(found("1203000W", ['E', 'W']), Some(-120.5));
-        assert!((found("431536.0S", ['N', 'S']).unwrap() + 43.26).abs() < 1e-12);
+        let near =
+            |text: &str, letters, expected: f64| (found(text, letters).unwrap() - expected).abs() < 1e-12;
+        assert!(near("0063000E", ['E', 'W'], 6.5) && near("1203000W", ['E', 'W'], -120.5));
+        assert!(near("431536.0S", ['N', 'S'], -43.26));
         for text in ["0066000E", "0060000N", "1900000E", "E", "00600E", "006000xE", "0060060E"] {
             assert_eq!(found(text, ['E', 'W']), None, "{text}");
         }
