@@ -1,6 +1,6 @@
 //! Advice of refusals: what it says to give is given, and leads out.
 
-use survey::{Elevation, ReadOptions};
+use survey::{Area, Elevation, Plane, ReadOptions, SurveyOptions, survey};
 
 use crate::made::{Directory, Field, Made, against, floats, heights, labelled, quarters, words};
 
@@ -168,4 +168,45 @@ fn radii_in_kilometres_without_a_unit() {
     assert_eq!(advised(&notes, "give --scale"), "1000", "{notes}");
     let read = made.read(&ReadOptions { scale: Some(1000.0), ..options() }).unwrap();
     assert!(against(&read, 1.0, 0.0).1 < 1e-6);
+}
+
+/// The error of a survey.
+fn said(elevation: &Elevation, options: &SurveyOptions) -> String {
+    survey(elevation, options, &mut |_| {}).unwrap_err().to_string()
+}
+
+#[test]
+fn areas_that_do_not_go_with_the_file() {
+    let metres = Area::Metres { south: 19_800.0, west: 10_050.0, north: 19_900.0, east: 10_150.0 };
+    let centre = |size: f64| {
+        let [latitude, longitude] = [0.656_f64, 0.334].map(quantities::radians);
+        Area::Centred { latitude, longitude, size: [size; 2], plane: Plane::Equirectangular }
+    };
+    let with = |area: Area, region: f64| SurveyOptions { area, ..SurveyOptions::new(region) };
+    let works = |elevation: &Elevation, options: &SurveyOptions| {
+        survey(elevation, options, &mut |_| {}).unwrap_or_else(|error| panic!("{error}"));
+    };
+    let known = Directory::ground().made().plain().unwrap();
+    let unknown = Directory::ground().with_keys(&[(1024, 1.0), (3076, 9001.0)]).made().plain().unwrap();
+    assert!(said(&unknown, &with(centre(50.0), 25.0)).contains("give the area in metres"));
+    works(&unknown, &with(metres, 25.0));
+    assert!(said(&known, &with(centre(900.0), 25.0)).contains("give a smaller area"));
+    works(&known, &with(centre(50.0), 25.0));
+    assert!(said(&known, &with(Area::Whole, 300.0)).contains("at most the size of the area"));
+    assert!(said(&known, &with(Area::Whole, 0.5)).contains("give larger regions"));
+    works(&known, &with(Area::Whole, 25.0));
+    // Degrees: an area by its centre, and a plane that is true where it is large.
+    let degrees = Directory::ground()
+        .with(33550, Field::Doubles(vec![0.5, 0.5, 0.0]))
+        .with(33922, Field::Doubles(vec![0.0, 0.0, 0.0, 0.0, 60.0, 0.0]))
+        .with_keys(&[(1024, 2.0), (2057, 1_737_400.0)]);
+    let degrees = degrees.made().plain().unwrap();
+    assert!(said(&degrees, &with(metres, 25.0)).contains("give the area by its centre and size"));
+    let on = |plane: Plane| {
+        let [latitude, longitude] = [54.0_f64, 6.0].map(quantities::radians);
+        let area = Area::Centred { latitude, longitude, size: [200_000.0; 2], plane };
+        survey(&degrees, &with(area, 50_000.0), &mut |_| {}).unwrap().report.warnings.join(" ")
+    };
+    assert!(on(Plane::Equirectangular).contains("use a smaller area or the orthographic plane"));
+    assert!(!on(Plane::Orthographic).contains("off by up to"));
 }
