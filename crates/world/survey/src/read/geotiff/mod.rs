@@ -46,6 +46,9 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Elevation, SurveyError
     let geo = GeoTags::of(&mut tiff).map_err(at("geo tags"))?;
     let keys = Keys::of(path, &geo.directory, &geo.numbers, &mut decider)?;
     let mut notes = decider.finish()?;
+    if tiff.image_ifd().directory().contains(Tag::SubIfd) {
+        notes.push("the file has pictures below the first (SubIFDs), which are not read: they may mask it".into());
+    }
 
     let layout = Layout::of(&mut tiff, limits(bytes)).map_err(at("header"))?;
     layout.check_samples(path)?;

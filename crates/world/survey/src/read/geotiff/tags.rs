@@ -91,7 +91,7 @@ pub const TAGS: Vocabulary = Vocabulary {
         numbered(323, "TileLength", Used("lines of a tile")),
         numbered(324, "TileOffsets", Used("where tiles begin; one without a place is void, with a note")),
         numbered(325, "TileByteCounts", Used("bytes of tiles; one without bytes is void, with a note")),
-        numbered(330, "SubIFDs", Harmless(ELSEWHERE)),
+        numbered(330, "SubIFDs", Used("pictures below this one, masks too, are not read, with a note")),
         numbered(338, "ExtraSamples", Used("which bands are alpha: voids where it is 0")),
         numbered(339, "SampleFormat", Only(&["1", "2", "3"], "complex numbers, or none that are said")),
         numbered(340, "SMinSampleValue", Used("as MinSampleValue")),
