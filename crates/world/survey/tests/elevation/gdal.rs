@@ -197,7 +197,7 @@ fn commands_of_gdal_that_refusals_advise_lead_out() {
         let refusal = made.refusal();
         assert!(refusal.contains(command) && refusal.contains(name), "no {command}: {refusal}");
         let target = made.path.with_file_name("after.tif");
-        let arguments = [&words[0], made.path.to_str().unwrap(), target.to_str().unwrap()];
+        let arguments = [words[0], made.path.to_str().unwrap(), target.to_str().unwrap()];
         let arguments: Vec<&Path> = arguments.iter().chain(&words[1..]).map(Path::new).collect();
         if gdal(&arguments) {
             let after = read(&target, &ReadOptions::default());
