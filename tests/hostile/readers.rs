@@ -28,7 +28,7 @@ pub struct Reader {
 }
 
 /// All readers that are given damaged files.
-pub const READERS: [Reader; 16] = [
+pub const READERS: [Reader; 17] = [
     Reader { name: "scenario", file: "scene.toml", read: |path| said(Scenario::read(path)) },
     Reader {
         name: "path-csv",
@@ -47,6 +47,7 @@ pub const READERS: [Reader; 16] = [
     Reader { name: "geotiff", file: "dem.tif", read: elevation },
     Reader { name: "pds", file: "dem.lbl", read: elevation },
     Reader { name: "npy", file: "dem.npy", read: elevation },
+    Reader { name: "dted", file: "dem.dt0", read: elevation },
     Reader {
         name: "png",
         file: "frame.png",

@@ -78,6 +78,7 @@ pub fn seeds(name: &str) -> Vec<Vec<u8>> {
             Tiff { bands: 2, heights: vec![1.5; 800], no_data: Some("-9999"), ..Tiff::plane() }.bytes(),
         ],
         "pds" => vec![label()],
+        "dted" => vec![cell()],
         "npy" => vec![
             npy("<f8", "(5, 5)", &doubles(&[1.0; 25])),
             npy("<i2", "(3, 4)", &[7; 24]),
@@ -94,6 +95,28 @@ fn label() -> Vec<u8> {
     let mut bytes = LABEL.replace("\"GROUND.IMG\"", "200").into_bytes();
     bytes.resize(199 * 6, b' ');
     bytes.extend([2_i16, -4, 6, 8, -32768, 12].iter().flat_map(|height| height.to_le_bytes()));
+    bytes
+}
+
+/// A DTED cell of three meridians of two samples, by the offsets of its headers.
+fn cell() -> Vec<u8> {
+    let mut bytes = vec![b' '; 3428];
+    let fields = [
+        (0, "UHL10060000E0450000S01800300NA  U"),
+        (47, "000300020"),
+        (80, "DSIU"),
+        (139, "DTED0"),
+        (221, "E96WGS84"),
+        (265, "450000.0S0060000.0E"),
+        (344, "0000000.003000180000200030"),
+        (728, "ACC"),
+    ];
+    fields.iter().for_each(|(at, text)| bytes[*at..at + text.len()].copy_from_slice(text.as_bytes()));
+    for meridian in 0..3_u8 {
+        let record = [0xaa, 0, 0, meridian, 0, meridian, 0, 0, 0x80, 7, 0xff, 0xff];
+        let sum: u32 = record.iter().map(|byte| u32::from(*byte)).sum();
+        bytes.extend(record.iter().copied().chain(sum.to_be_bytes()));
+    }
     bytes
 }
 

@@ -101,8 +101,8 @@ pub fn cut(
         }
     };
     let mut warnings = Vec::new();
-    if let Frame::Geographic { radius } = elevation.frame {
-        warn_of_sphere(radius, &mut warnings);
+    elevation.frame.sphere().into_iter().for_each(|radius| warn_of_sphere(radius, &mut warnings));
+    if let Frame::Geographic { .. } = elevation.frame {
         match placed.resampled {
             Some(_) => warnings.push("heights are interpolated between the samples of the file".into()),
             None => warn_of_stretch(placed.area, &mut warnings),
@@ -125,7 +125,10 @@ fn place(elevation: &Elevation, area: Area) -> Result<Placed, SurveyError> {
             advice: "give the area in metres",
         }),
         (Frame::Plane(Some(projection)), Area::Centred { latitude, longitude, size, .. }) => {
-            let [north, east] = projection.forward(latitude, longitude).ok_or(SurveyError::AreaKind {
+            let [south, west, north, east] = elevation.extent();
+            let middle = [0.5 * (south + north), 0.5 * (west + east)];
+            let there = projection.forward_near(latitude, longitude, middle);
+            let [north, east] = there.ok_or(SurveyError::AreaKind {
                 found: "by centre",
                 reason: "the projection of the file does not show this point",
                 advice: "give the area in metres",
@@ -191,13 +194,13 @@ fn on_sphere(radius: f64, latitude: f64, longitude: f64, area: [f64; 4]) -> Plac
 fn check_inside(elevation: &Elevation, area: [f64; 4]) -> Result<(), SurveyError> {
     let (held, step) = (elevation.extent(), elevation.affine.step.map(f64::abs));
     let geographic = matches!(elevation.frame, Frame::Geographic { .. });
-    let around = elevation.goes_around();
+    let around = elevation.turn().is_some();
     let fits = |axis: usize| {
         let free = axis == 1 && around;
         free || (area[axis] >= held[axis] - step[axis] && area[2 + axis] <= held[2 + axis] + step[axis])
     };
     let sane = area.iter().all(|edge| edge.is_finite()) && area[2] > area[0] && area[3] > area[1];
-    let at_most_a_turn = !around || area[3] - area[1] <= 2.0 * std::f64::consts::PI;
+    let at_most_a_turn = !around || area[3] - area[1] <= 2.0 * std::f64::consts::PI * (1.0 + 1e-9);
     if sane && at_most_a_turn && fits(0) && fits(1) {
         return Ok(());
     }
@@ -217,7 +220,7 @@ fn check_resampled(elevation: &Elevation, plane: &Projection, size: [f64; 2]) ->
     let step = elevation.affine.step.map(f64::abs);
     let within = |at: f64, low: f64, high: f64, step: f64| at >= low - step && at <= high + step;
     let inside = within(plane.latitude, held[0], held[2], step[0])
-        && (elevation.goes_around() || within(longitude, held[1], held[3], step[1]));
+        && (elevation.turn().is_some() || within(longitude, held[1], held[3], step[1]));
     let samples = size.iter().map(|length| length / (plane.radius * step[0])).product::<f64>();
     let fits = samples <= 4.0 * (elevation.lines * elevation.columns) as f64;
     if inside && fits && size.iter().all(|length| *length > 0.0 && *length < 1.4 * plane.radius) {
@@ -270,13 +273,13 @@ fn take(elevation: &Elevation, origin: [f64; 2], metres: [f64; 2], wanted: [f64;
     let affine = elevation.affine;
     let [north, east] =
         [0, 1].map(|k| walk(affine.first[k], affine.step[k], counts[k], origin[k], metres[k], wanted[k]));
-    let around = elevation.goes_around();
+    let turn = elevation.turn();
     let mut heights = Vec::with_capacity(north.count * east.count);
     for i in 0..north.count {
         let line = usize::try_from(north.file_first + i as i64 * north.file_step).unwrap_or(usize::MAX);
         for j in 0..east.count {
             let column = east.file_first + j as i64 * east.file_step;
-            let column = if around { column.rem_euclid(elevation.columns as i64) } else { column };
+            let column = turn.map_or(column, |turn| column.rem_euclid(turn as i64));
             let column = usize::try_from(column).unwrap_or(usize::MAX);
             heights.push(elevation.height(line, column).unwrap_or(f64::NAN));
         }
@@ -310,11 +313,11 @@ fn between(elevation: &Elevation, [latitude, longitude]: [f64; 2]) -> Option<f64
     let middle = 0.5 * (elevation.extent()[1] + elevation.extent()[3]);
     let longitude = middle + wrap(longitude - middle);
     let at = [(latitude - affine.first[0]) / affine.step[0], (longitude - affine.first[1]) / affine.step[1]];
-    let (floor, around) = (at.map(f64::floor), elevation.goes_around());
+    let (floor, turn) = (at.map(f64::floor), elevation.turn());
     let [u, v] = [at[0] - floor[0], at[1] - floor[1]];
     let sample = |i: i64, j: i64| {
         let column = floor[1] as i64 + j;
-        let column = if around { column.rem_euclid(elevation.columns as i64) } else { column };
+        let column = turn.map_or(column, |turn| column.rem_euclid(turn as i64));
         elevation.height(usize::try_from(floor[0] as i64 + i).ok()?, usize::try_from(column).ok()?)
     };
     let near = (1.0 - v) * sample(0, 0)? + v * sample(0, 1)?;

@@ -16,6 +16,16 @@ pub enum Frame {
     },
 }
 
+impl Frame {
+    /// Radius of the sphere that the coordinates lie on (m); `None` for a plane whose projection is not known.
+    pub fn sphere(&self) -> Option<f64> {
+        match self {
+            Self::Plane(projection) => projection.map(|projection| projection.radius),
+            Self::Geographic { radius } => Some(*radius),
+        }
+    }
+}
+
 /// Where the samples lie: north or latitude first, east or longitude second (m or rad, see [`Frame`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Affine {
@@ -89,12 +99,22 @@ impl Elevation {
         [a[0].min(b[0]), a[1].min(b[1]), a[0].max(b[0]), a[1].max(b[1])]
     }
 
-    /// Whether the columns go once around the sphere.
-    pub(crate) fn goes_around(&self) -> bool {
-        let turn = 2.0 * std::f64::consts::PI;
-        let around = (self.columns as f64 * self.affine.step[1]).abs();
-        matches!(self.frame, Frame::Geographic { .. })
-            && (around - turn).abs() < 1e-3 * self.affine.step[1].abs()
+    /// Columns that go once around the sphere: all of them, or all but a last one that stands for the first again. `None`
+    /// if the columns go less or further around.
+    pub(crate) fn turn(&self) -> Option<usize> {
+        let is_turn = |columns: &usize| {
+            let apart = (*columns as f64 * self.affine.step[1]).abs() - 2.0 * std::f64::consts::PI;
+            apart.abs() < 1e-3 * self.affine.step[1].abs()
+        };
+        let geographic = matches!(self.frame, Frame::Geographic { .. });
+        [self.columns, self.columns - 1].into_iter().find(|columns| geographic && is_turn(columns))
+    }
+
+    /// Lines whose last column stands for the first again but has another height.
+    pub(crate) fn seams(&self) -> usize {
+        let last = self.columns - 1;
+        let differs = |line: &usize| self.height(*line, 0) != self.height(*line, last);
+        if self.turn() == Some(last) { (0..self.lines).filter(differs).count() } else { 0 }
     }
 
     /// Whether every height is a whole number: so files look that hold another unit than the metre.

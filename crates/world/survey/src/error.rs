@@ -17,10 +17,10 @@ pub enum SurveyError {
         source: io::Error,
     },
     /// A folder or device in place of a file.
-    #[error("{path}: is not a file; expected a GeoTIFF, a PDS3 image or label, or a .npy array; name the file itself", path = .0.display())]
+    #[error("{path}: is not a file; expected a GeoTIFF, a PDS3 image or label, a DTED cell, an SRTM tile or a .npy array; name the file itself", path = .0.display())]
     NotAFile(PathBuf),
     /// None of the formats read here.
-    #[error("{path}: starts with {found}; expected a TIFF, a PDS3 label or a NumPy array; convert it with gdal_translate -of GTiff", path = .path.display())]
+    #[error("{path}: starts with {found}; expected a TIFF, a PDS3 label, a DTED cell, an SRTM tile (NAME.hgt) or a NumPy array; convert it with gdal_translate -of GTiff", path = .path.display())]
     UnknownFormat {
         /// Path of the file.
         path: PathBuf,
@@ -96,7 +96,7 @@ pub enum SurveyError {
         list: String,
     },
     /// Sample that is no height on the Moon and not the no-data value.
-    #[error("{path}, line {line}, column {column} (from 0): found {value:?}; expected a height within a lunar radius of the lunoid or the no-data value; if it marks voids, give --no-data {value:?}", path = .path.display())]
+    #[error("{path}, line {line}, column {column} (from 0): found {value:?}; expected a height within half a lunar radius of the lunoid, a radius as the other samples have, or the no-data value; if it marks voids, give --no-data {list}", path = .path.display(), list = listed(.voids))]
     NotFinite {
         /// Path of the file.
         path: PathBuf,
@@ -106,6 +106,8 @@ pub enum SurveyError {
         column: usize,
         /// Value of the sample that was found.
         value: f64,
+        /// Marks of voids that are known already, and this value.
+        voids: Vec<f64>,
     },
     /// All samples of a file or an area are voids.
     #[error(
@@ -170,4 +172,9 @@ pub enum SurveyError {
     /// The fit cannot be a bank.
     #[error("the fit is not a bank: {0}")]
     Bank(#[from] BankError),
+}
+
+/// Numbers as an option takes them: joined by commas, exact to the bit.
+fn listed(values: &[f64]) -> String {
+    values.iter().map(|value| format!("{value:?}")).collect::<Vec<_>>().join(",")
 }

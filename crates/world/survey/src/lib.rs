@@ -1,7 +1,8 @@
 //! Elevation files into coefficient banks.
 //!
-//! [`read()`] takes a GeoTIFF, a PDS3 image or a `.npy` array and gives an [`Elevation`]; [`survey()`] cuts an
-//! [`Area`] out of it and fits the Lagrange 2-2 lattice to the samples by least squares, all words at once.
+//! [`read()`] takes a GeoTIFF, a PDS3 image, a DTED cell, an SRTM tile or a `.npy` array and gives an [`Elevation`];
+//! [`survey()`] cuts an [`Area`] out of it and fits the Lagrange 2-2 lattice to the samples by least squares, all words at
+//! once. [`VOCABULARIES`] has every name that the readers know, and what becomes of each.
 //! Axes of the bank: x north, y east, origin at the south-west corner of the area.
 //!
 //! - [`Projection`]: closed forms of the map projections that lunar files use.
@@ -41,7 +42,7 @@ pub use elevation::{Affine, Elevation, Frame};
 pub use error::SurveyError;
 pub use fit::Stiffness;
 pub use projection::{Method, Projection};
-pub use read::{ReadOptions, read};
+pub use read::{Fate, ReadOptions, VOCABULARIES, Vocabulary, Word, read, words_page};
 pub use report::{SurveyReport, Worst};
 pub use survey::{Grid, Step, Survey, SurveyOptions, survey};
 pub use told::SurveyTold;

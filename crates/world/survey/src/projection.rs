@@ -46,6 +46,15 @@ impl Projection {
         Some([0, 1].map(|axis| self.radius * plane[axis] + self.offset[axis]))
     }
 
+    /// Plane coordinates of a point (rad), on the turn around the sphere that lies nearest to the east of `near` (m). An
+    /// equirectangular map may count its longitudes from 0 to 360 degrees.
+    pub fn forward_near(&self, latitude: f64, longitude: f64, near: [f64; 2]) -> Option<[f64; 2]> {
+        let [north, east] = self.forward(latitude, longitude)?;
+        let Method::Equirectangular { parallel } = self.method else { return Some([north, east]) };
+        let turn = 2.0 * PI * self.radius * libm::cos(parallel);
+        Some([north, east + turn * ((near[1] - east) / turn).round()])
+    }
+
     /// Latitude and longitude (rad, longitude in (-pi, pi]) of a plane point; `None` outside the picture.
     pub fn inverse(&self, place: [f64; 2]) -> Option<[f64; 2]> {
         let [north, east] = [0, 1].map(|axis| (place[axis] - self.offset[axis]) / self.radius);
@@ -68,7 +77,7 @@ impl Projection {
     pub fn true_north(&self, place: [f64; 2]) -> Option<f64> {
         let [latitude, longitude] = self.inverse(place)?;
         let toward = if latitude > 0.0 { -1e-6 } else { 1e-6 };
-        let [north, east] = self.forward(latitude + toward, longitude)?;
+        let [north, east] = self.forward_near(latitude + toward, longitude, place)?;
         let sign = if toward > 0.0 { 1.0 } else { -1.0 };
         Some(libm::atan2(sign * (east - place[1]), sign * (north - place[0])))
     }
@@ -160,6 +169,17 @@ mod tests {
             [R * radians(1.0), R * radians(0.5)],
             1e-6,
         );
+    }
+
+    #[test]
+    fn longitudes_may_count_from_0_to_360() {
+        let flat = with(Method::Equirectangular { parallel: radians(60.0) }, 0.0, 0.0);
+        let place = [R * radians(1.0), R * radians(0.5 * 190.0)];
+        near(flat.inverse(place).unwrap().map(degrees), [1.0, -170.0], 1e-9);
+        near(flat.forward_near(radians(1.0), radians(-170.0), place).unwrap(), place, 1e-6);
+        assert!(flat.true_north(place).unwrap().abs() < 1e-9);
+        let polar = with(Method::PolarStereographic { scale: 1.0 }, 90.0, 0.0);
+        assert_eq!(polar.forward_near(1.0, 2.0, [0.0, 1e9]), polar.forward(1.0, 2.0));
     }
 
     #[test]

@@ -112,7 +112,7 @@ fn global_grid_around_a_site_and_at_the_pole() {
 #[test]
 fn a_file_with_a_third_of_voids() {
     let Some(path) = shared("photo_dem/craterlake-elev-16bit-30m.tif") else { return };
-    let voids = ReadOptions { no_data: Some(-32767.0), ..ReadOptions::default() };
+    let voids = ReadOptions { no_data: vec![-32767.0], ..ReadOptions::default() };
     let found = surveyed(&path, &voids, &SurveyOptions::new(150.0));
     let [low, high] = found.report.height;
     assert_eq!([low, high], [1289.0, 1880.0]);

@@ -128,7 +128,7 @@ fn no_data_scale_offset_and_their_options() {
     let with = |options: &ReadOptions| heights(&read(&path, options).unwrap());
     assert_eq!(with(&ReadOptions::default()), [None, Some(1.0), Some(1.5), Some(-2.5)]);
     let own =
-        ReadOptions { scale: Some(2.0), offset: Some(1.0), no_data: Some(3.0), ..ReadOptions::default() };
+        ReadOptions { scale: Some(2.0), offset: Some(1.0), no_data: vec![3.0], ..ReadOptions::default() };
     assert_eq!(with(&own), [Some(-65535.0), Some(5.0), None, Some(-9.0)]);
 
     let tags = Tags { no_data: Some("-3.4028226550889045e+38"), ..Tags::default() };
@@ -158,10 +158,11 @@ fn pixels_are_areas_or_points() {
 #[test]
 fn degrees_and_projections() {
     let keys = vec![1, 1, 0, 3, 1024, 0, 1, 2, 1025, 0, 1, 1, 2054, 0, 1, 9102];
-    let (_folder, path) = write::<Gray8>(4, 3, &[1; 12], &Tags { keys, ..Tags::default() });
+    let tie = Some(vec![0.0, 0.0, 0.0, 100.0, 50.0, 0.0]);
+    let (_folder, path) = write::<Gray8>(4, 3, &[1; 12], &Tags { keys, tie, ..Tags::default() });
     let geographic = read(path, &ReadOptions::default()).unwrap();
     assert!(matches!(geographic.frame, Frame::Geographic { radius: 1_737_400.0 }));
-    assert!((degrees(geographic.affine.first[0]) - 498.5).abs() < 1e-9);
+    assert!((degrees(geographic.affine.first[0]) - 48.5).abs() < 1e-9);
 
     let mut keys = PROJECTED.to_vec();
     keys[3] = 6;
@@ -285,11 +286,15 @@ fn unusable_files_say_why() {
     assert!(refused(1, 3, &[1.0; 3], &plain()).contains("3 lines of 1 samples"));
     assert!(refused(2, 2, &[f32::NAN; 4], &plain()).contains("all 4 samples are void"));
     assert!(refused(2, 2, &[1.0, 2.0, f32::INFINITY, 4.0], &plain()).contains("line 1, column 0"));
-    assert!(refused(2, 2, &[1.0; 4], &Tags { scale: None, ..plain() }).contains("--spacing-m METRES"));
+    assert!(
+        refused(2, 2, &[1.0; 4], &Tags { scale: None, tie: None, ..plain() }).contains("--spacing-m METRES")
+    );
+    assert!(refused(2, 2, &[1.0; 4], &Tags { scale: None, ..plain() }).contains("ModelPixelScaleTag"));
     assert!(refused(2, 2, &[1.0; 4], &Tags { no_data: Some("none"), ..plain() }).contains("GDAL_NODATA"));
-    let feet = PROJECTED.iter().map(|&key| if key == 9001 { 9002 } else { key }).collect();
-    assert!(refused(2, 2, &[1.0; 4], &Tags { keys: feet, ..plain() }).contains("geo key 3076"));
+    let rods = PROJECTED.iter().map(|&key| if key == 9001 { 9999 } else { key }).collect();
+    assert!(refused(2, 2, &[1.0; 4], &Tags { keys: rods, ..plain() }).contains("geo key 3076"));
     let mut dangling = PROJECTED.to_vec();
+    dangling[3] = 4;
     dangling.extend([3078, 34736, 1, 9]);
     assert!(refused(2, 2, &[1.0; 4], &Tags { keys: dangling, ..plain() }).contains("geo key 3078"));
     let turned = vec![2.0, 1.0, 0.0, 100.0, -1.0, -3.0, 0.0, 500.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0];

@@ -108,15 +108,16 @@ fn kilometres_of_radius_become_heights() {
 
 #[test]
 fn plane_projections() {
+    let plane = LABEL.replace("MAP_RESOLUTION = 4", "MAP_RESOLUTION = 303.233");
     let polar =
-        LABEL.replace("SIMPLE CYLINDRICAL", "POLAR STEREOGRAPHIC").replace("LATITUDE = 0", "LATITUDE = -90");
+        plane.replace("SIMPLE CYLINDRICAL", "POLAR STEREOGRAPHIC").replace("LATITUDE = 0", "LATITUDE = -90");
     let (_folder, path) = folder(&polar.replace("LONGITUDE = 180", "LONGITUDE = 0"), &little());
     let elevation = plain(&path).unwrap();
     assert_eq!(elevation.affine.first, [35_950.0, -71_950.0]);
     assert_eq!(elevation.affine.step, [-100.0, 100.0]);
     let Frame::Plane(Some(projection)) = elevation.frame else { panic!() };
     assert_eq!(projection.method, Method::PolarStereographic { scale: 1.0 });
-    let (_folder, path) = folder(&LABEL.replace("SIMPLE CYLINDRICAL", "EQUIRECTANGULAR"), &little());
+    let (_folder, path) = folder(&plane.replace("SIMPLE CYLINDRICAL", "EQUIRECTANGULAR"), &little());
     assert!(matches!(plain(&path).unwrap().frame, Frame::Plane(Some(_))));
 }
 
@@ -138,7 +139,7 @@ fn damaged_labels_name_line_and_keyword() {
     assert!(refused("SIMPLE CYLINDRICAL", "SINUSOIDAL").contains("POLAR STEREOGRAPHIC"));
     assert!(refused("\"EAST\"", "\"WEST\"").contains("EAST"));
     assert!(refused("= 4 <pix/deg>", "= 0 <pix/deg>").contains("MAP_RESOLUTION"));
-    assert!(refused("MAP_PROJECTION_TYPE", "OTHER").contains("--spacing-m METRES"));
+    assert!(refused("MAP_PROJECTION_TYPE = \"SIMPLE CYLINDRICAL\"", "").contains("--spacing-m METRES"));
     assert!(refused("^IMAGE", "^TABLE").contains("^IMAGE"));
     assert!(refused("\nEND\n", "\n").contains("truncated"));
     assert!(refused("MISSING_CONSTANT = -32768", "MISSING_CONSTANT = 16#XY#").contains("16#DIGITS#"));

@@ -18,7 +18,7 @@ const AFTER: &str = "Examples:
   lunoid survey pole.tif --region-size-m 40 -o pole.bank --picture pole.png
   lunoid survey global.lbl --centre 20.19,30.77 --size-m 20000,20000 -o valley.bank
 
-Reads GeoTIFF, PDS3 images (image or label) and .npy arrays.
+Reads GeoTIFF, PDS3 images (image or label), DTED cells, SRTM tiles (.hgt) and .npy arrays.
 Coordinates of --area are metres of the file's own projection.";
 
 /// Fit a bank to an elevation file.
@@ -62,9 +62,13 @@ pub struct SurveyCommand {
     /// Metres added after scaling, in place of the file's own.
     #[arg(long, value_name = "METRES", value_parser = values::of_heights, allow_hyphen_values = true)]
     offset: Option<f64>,
-    /// Stored value that marks a void, in place of the file's own.
-    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
-    no_data: Option<f64>,
+    /// Stored values that mark voids, in place of the file's own, as -9999 or -9999,0.
+    #[arg(long, value_name = "VALUES", value_delimiter = ',', allow_hyphen_values = true)]
+    no_data: Vec<f64>,
+    /// A tag, key or keyword of the file that is not known and that changes neither heights nor their place. Repeat it for
+    /// several.
+    #[arg(long, value_name = "NAME")]
+    ignore: Vec<String>,
     /// Band with the heights, from 1.
     #[arg(long, value_parser = values::at_least(0_usize))]
     band: Option<usize>,
@@ -153,9 +157,10 @@ impl SurveyCommand {
             band: self.band,
             scale: self.scale,
             offset: self.offset,
-            no_data: self.no_data,
+            no_data: self.no_data.clone(),
             spacing: self.spacing_m,
             first_line_south: self.first_line_south,
+            ignore: self.ignore.clone(),
         }
     }
 

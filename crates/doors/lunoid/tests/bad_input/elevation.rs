@@ -149,6 +149,62 @@ fn surveys_that_cannot_be() {
     }
 }
 
+/// The word behind `option` in what a refusal says.
+fn advised<'a>(said: &'a str, option: &str) -> &'a str {
+    let (_, after) = said.split_once(&format!("{option} ")).unwrap_or_else(|| panic!("no {option}: {said}"));
+    after.split([' ', '\n']).next().unwrap_or_default()
+}
+
+/// Gives the option that each refusal advises until the survey is made; how many refusals there were.
+fn followed(room: &Room, file: &str, option: &str) -> usize {
+    let mut values: Vec<String> = Vec::new();
+    for refusals in 0..5 {
+        let given: Vec<&str> = values.iter().flat_map(|value| [option, value.as_str()]).collect();
+        let said = room.run(&survey(file, &[&["--region-size-m", "40"], given.as_slice()].concat()));
+        if said.code == Some(0) {
+            return refusals;
+        }
+        said.is_one_error(INPUT, &[file, option], file);
+        // The values of voids come all at once, names one after the other.
+        values.retain(|_| option == "--ignore");
+        values.push(advised(&said.err, option).to_owned());
+    }
+    panic!("{file}: {option} leads in a circle: {values:?}")
+}
+
+#[test]
+fn advice_leads_out() {
+    let room = Room::new();
+    let mut plane = Tiff::plane();
+    [f32::MIN, 1e30, f32::MIN].iter().enumerate().for_each(|(k, void)| plane.heights[77 + k] = *void);
+    room.write("voids.tif", plane.bytes());
+    assert_eq!(followed(&room, "voids.tif", "--no-data"), 2);
+    let image: Vec<u8> = (0..24 * 24_u16).flat_map(|index| (200 + index % 24).to_le_bytes()).collect();
+    room.write("GROUND.IMG", image);
+    let label = LABEL
+        .replace("LINES = 2\n", "LINES = 24\n  PIXEL_BIAS = 3\n  PIXEL_SHEAR = 4\n")
+        .replace("LINE_SAMPLES = 3", "LINE_SAMPLES = 24")
+        .replace("SIMPLE CYLINDRICAL", "EQUIRECTANGULAR")
+        .replace("  MAP_RESOLUTION = 4 <pix/deg>\n", "")
+        .replace("MAP_SCALE = 0.1 <km/pix>", "MAP_SCALE = 10 <m/pix>")
+        .replace("NAME = HEIGHT", "NAME = HEIGHT\n  UNIT = ROD");
+    room.write("ground.lbl", &label);
+    refused(&room, "ground.lbl", &["PIXEL_BIAS", "--ignore PIXEL_BIAS"]);
+    let with = |options: &[&'static str]| {
+        let names = ["--ignore", "PIXEL_BIAS", "--ignore", "PIXEL_SHEAR", "--region-size-m", "40"];
+        room.run(&survey("ground.lbl", &[&names[..], options].concat()))
+    };
+    with(&[]).is_one_error(INPUT, &["UNIT", "ROD", "--scale METRES and --offset METRES"], "a unit");
+    let said = with(&["--scale", "2", "--offset", "0"]);
+    assert_eq!(said.code, Some(0), "{said:?}");
+    assert!(
+        said.out.contains("PIXEL_BIAS of the file is ignored") && said.out.contains("PIXEL_SHEAR"),
+        "{said:?}"
+    );
+    room.write("ground.lbl", label.replace("UNIT = ROD", "UNIT = METER"));
+    assert_eq!(followed(&room, "ground.lbl", "--ignore"), 2);
+}
+
 /// A hole is no fault; how far the fit goes astray in it is said.
 #[test]
 fn ground_without_data_is_told() {

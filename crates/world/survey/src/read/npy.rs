@@ -4,8 +4,10 @@ use std::path::Path;
 
 use limits::Limit;
 
-use super::samples::Conversion;
-use super::{ReadOptions, check_raster, field};
+use super::options::ReadOptions;
+use super::refusal::{check_raster, field};
+use super::samples::{Conversion, Said};
+use super::words::Decider;
 use crate::elevation::{Elevation, Frame};
 use crate::error::SurveyError;
 
@@ -18,18 +20,11 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Elevation, SurveyError
     };
     check_raster(path, lines as u64, columns as u64)?;
     let place = options.own_place(lines).ok_or_else(|| SurveyError::NoSpacing(path.to_path_buf()))?;
-    let conversion = Conversion::new(path, options, Vec::new(), None, None)?;
+    let conversion = Conversion::new(path, options, Said::default())?;
     let mut heights = array.data().to_f64();
-    for (index, value) in heights.iter_mut().enumerate() {
-        let not_finite = SurveyError::NotFinite {
-            path: path.to_path_buf(),
-            line: index / columns,
-            column: index % columns,
-            value: *value,
-        };
-        *value = conversion.height(*value).ok_or(not_finite)?;
-    }
+    let notes = conversion.convert(path, &mut heights, columns)?;
     let mut elevation = Elevation::new(lines, columns, heights, place, Frame::Plane(None));
     elevation.sources = vec![path.to_path_buf()];
+    elevation.notes = [notes, Decider::new(path, options).finish()?].concat();
     Ok(elevation)
 }

@@ -1,5 +1,7 @@
 //! PDS3 labels: keyword = value statements of the Object Description Language.
 
+use crate::read::words::seen;
+
 /// A value as the label has it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
@@ -14,11 +16,41 @@ pub enum Value {
     List(Vec<Value>),
 }
 
+impl Value {
+    /// The value as it stands in the label, without quotes.
+    pub fn text(&self) -> String {
+        match self {
+            Self::Plain { text, unit: Some(unit) } => format!("{text} <{unit}>"),
+            Self::Plain { text, unit: None } => text.clone(),
+            Self::List(values) => {
+                format!("({})", values.iter().map(Self::text).collect::<Vec<_>>().join(", "))
+            }
+        }
+    }
+
+    /// The same value with a unit, where it has none of its own.
+    fn with(self, unit: &str) -> Self {
+        match self {
+            Self::Plain { text, unit: None } => Self::Plain { text, unit: Some(unit.to_owned()) },
+            other => other,
+        }
+    }
+}
+
+/// An OBJECT or GROUP of a label.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Block {
+    /// Name of the object in capitals.
+    pub name: String,
+    /// Line of the label where it begins, from 1.
+    pub line: usize,
+}
+
 /// One statement of a label: keyword = value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Statement {
-    /// Innermost OBJECT or GROUP around it, empty at the top.
-    pub object: String,
+    /// OBJECTs and GROUPs around it, the outermost first.
+    pub blocks: Vec<Block>,
     /// Keyword in capitals, pointers with `^`.
     pub keyword: String,
     /// Value that stands after the equals sign.
@@ -38,6 +70,9 @@ pub struct LabelFault {
     pub expected: &'static str,
 }
 
+/// Most OBJECTs and GROUPs within one another; those of the archives have four.
+const MOST_NESTED: usize = 16;
+
 #[derive(Debug, Clone, PartialEq)]
 enum Token {
     Word(String),
@@ -46,25 +81,37 @@ enum Token {
     Mark(u8),
 }
 
+impl Token {
+    /// The token as it stands in the label.
+    fn text(&self) -> String {
+        match self {
+            Self::Word(text) => text.clone(),
+            Self::Quoted(text) => format!("\"{text}\""),
+            Self::Unit(text) => format!("<{text}>"),
+            Self::Mark(mark) => char::from(*mark).to_string(),
+        }
+    }
+}
+
 /// Statements up to END; what follows END is not looked at.
 pub fn parse(bytes: &[u8]) -> Result<Vec<Statement>, LabelFault> {
     let mut reader = Reader { bytes, at: 0, line: 1 };
-    let (mut objects, mut out): (Vec<String>, Vec<Statement>) = (Vec::new(), Vec::new());
+    let (mut blocks, mut out): (Vec<Block>, Vec<Statement>) = (Vec::new(), Vec::new());
     loop {
         let (line, keyword) = match reader.next()? {
             Some((line, Token::Word(word))) => (line, word.to_ascii_uppercase()),
-            Some((line, token)) => return Err(fault(line, format!("{token:?}"), "a keyword")),
+            Some((line, token)) => return Err(fault(line, token.text(), "a keyword")),
             None => return Err(fault(reader.line, "the end of the label", "END: the label is truncated")),
         };
         match keyword.as_str() {
             "END" => break,
             "END_OBJECT" | "END_GROUP" => {
-                if objects.pop().is_none() {
+                if blocks.pop().is_none() {
                     return Err(fault(line, keyword, "an OBJECT before it"));
                 }
                 if reader.peek()?.is_some_and(|token| token == Token::Mark(b'=')) {
                     reader.next()?;
-                    reader.value()?;
+                    reader.value(line, &keyword)?;
                 }
                 continue;
             }
@@ -73,26 +120,35 @@ pub fn parse(bytes: &[u8]) -> Result<Vec<Statement>, LabelFault> {
         match reader.next()? {
             Some((_, Token::Mark(b'='))) => {}
             other => {
-                let found = other.map_or("the end".to_string(), |(_, token)| format!("{token:?}"));
+                let found = other.map_or("the end".to_string(), |(_, token)| token.text());
                 return Err(fault(line, format!("{keyword} followed by {found}"), "="));
             }
         }
-        let value = reader.value()?;
-        if let ("OBJECT" | "GROUP", Value::Plain { text, .. }) = (keyword.as_str(), &value) {
-            objects.push(text.to_ascii_uppercase());
-        } else {
-            let object = objects.last().cloned().unwrap_or_default();
-            out.push(Statement { object, keyword, value, line });
+        let value = reader.value(line, &keyword)?;
+        match (keyword.as_str(), value) {
+            ("OBJECT" | "GROUP" | "BEGIN_OBJECT" | "BEGIN_GROUP", Value::Plain { text, .. }) => {
+                if blocks.len() == MOST_NESTED {
+                    return Err(fault(
+                        line,
+                        "one more OBJECT within others",
+                        "at most 16 within one another",
+                    ));
+                }
+                blocks.push(Block { name: text.to_ascii_uppercase(), line });
+            }
+            (_, value) => out.push(Statement { blocks: blocks.clone(), keyword, value, line }),
         }
     }
-    match objects.last() {
+    match blocks.last() {
         None => Ok(out),
-        Some(open) => Err(fault(reader.line, format!("END inside OBJECT = {open}"), "END_OBJECT before it")),
+        Some(open) => {
+            Err(fault(reader.line, format!("END inside OBJECT = {}", open.name), "END_OBJECT before it"))
+        }
     }
 }
 
 fn fault(line: usize, found: impl Into<String>, expected: &'static str) -> LabelFault {
-    LabelFault { line, found: found.into(), expected }
+    LabelFault { line, found: seen(&found.into()), expected }
 }
 
 #[derive(Clone)]
@@ -103,21 +159,36 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    fn value(&mut self) -> Result<Value, LabelFault> {
-        let (line, token) =
-            self.next()?.ok_or_else(|| fault(self.line, "the end of the label", "a value"))?;
-        match token {
-            Token::Word(text) | Token::Quoted(text) => {
-                let mut unit = None;
-                if let Some(Token::Unit(found)) = self.peek()? {
-                    self.next()?;
-                    unit = Some(found);
-                }
-                Ok(Value::Plain { text, unit })
+    /// The value of the keyword on `line`, with its unit.
+    fn value(&mut self, line: usize, keyword: &str) -> Result<Value, LabelFault> {
+        let missing =
+            |found: &str| fault(line, format!("{keyword} without a value, then {found}"), "its value");
+        let (at, token) = self.next()?.ok_or_else(|| missing("the end of the label"))?;
+        let value = match token {
+            Token::Word(word) if at > line && self.is_keyword(&word)? => return Err(missing(&word)),
+            Token::Word(text) | Token::Quoted(text) => return Ok(Value::Plain { text, unit: self.unit()? }),
+            Token::Mark(b'(' | b'{') => self.list(at)?,
+            other => return Err(missing(&other.text())),
+        };
+        // A unit behind a list is that of all its values.
+        Ok(match (self.unit()?, value) {
+            (Some(unit), Value::List(values)) => {
+                Value::List(values.into_iter().map(|v| v.with(&unit)).collect())
             }
-            Token::Mark(b'(' | b'{') => self.list(line),
-            other => Err(fault(line, format!("{other:?}"), "a value")),
-        }
+            (_, value) => value,
+        })
+    }
+
+    /// Whether the word just read is the next keyword: then the value before it is missing.
+    fn is_keyword(&self, word: &str) -> Result<bool, LabelFault> {
+        let is_end = ["END", "END_OBJECT", "END_GROUP"].iter().any(|end| word.eq_ignore_ascii_case(end));
+        Ok(is_end || self.peek()? == Some(Token::Mark(b'=')))
+    }
+
+    fn unit(&mut self) -> Result<Option<String>, LabelFault> {
+        let Some(Token::Unit(found)) = self.peek()? else { return Ok(None) };
+        self.next()?;
+        Ok(Some(found))
     }
 
     fn list(&mut self, line: usize) -> Result<Value, LabelFault> {
@@ -154,8 +225,14 @@ impl Reader<'_> {
 
     fn plain(&mut self, line: usize) -> Result<Value, LabelFault> {
         match self.peek()? {
-            Some(Token::Word(_) | Token::Quoted(_)) => self.value(),
-            other => Err(fault(line, format!("{other:?} in a list"), "a value")),
+            Some(Token::Word(text) | Token::Quoted(text)) => {
+                self.next()?;
+                Ok(Value::Plain { text, unit: self.unit()? })
+            }
+            other => {
+                let found = other.map_or("the end of the label".to_owned(), |token| token.text());
+                Err(fault(line, format!("{found} in a list"), "a value"))
+            }
         }
     }
 
@@ -212,7 +289,8 @@ impl Reader<'_> {
 
     fn word(&mut self) -> String {
         let rest = &self.bytes[self.at..];
-        let ends = |byte: &u8| byte.is_ascii_whitespace() || b"=(){},<\"".contains(byte);
+        let ends =
+            |byte: &u8| byte.is_ascii_whitespace() || byte.is_ascii_control() || b"=(){},<\"".contains(byte);
         let length = rest.iter().position(ends).unwrap_or(rest.len()).max(1);
         let word = String::from_utf8_lossy(&rest[..length]).into_owned();
         self.advance(length);
@@ -222,7 +300,12 @@ impl Reader<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Value, parse};
+    use super::{Statement, Value, parse};
+
+    /// Name of the innermost object of a statement.
+    fn inner(statement: &Statement) -> &str {
+        statement.blocks.last().map_or("", |block| block.name.as_str())
+    }
 
     fn plain(text: &str, unit: Option<&str>) -> Value {
         Value::Plain { text: text.into(), unit: unit.map(Into::into) }
@@ -233,8 +316,7 @@ mod tests {
         let text = b"PDS_VERSION_ID = PDS3 /* note = 3 */\r\nPHASE = {\"ONE\",\"TWO\n   MORE\"}\n^IMAGE = (\"A.IMG\", 3 <BYTES>)
 OBJECT = IMAGE\n LINES\n =\n 720\n SCALE = 4 <pix/deg>\nEND_OBJECT = IMAGE\nEND\n\x00\xff = garbage";
         let found = parse(text).unwrap();
-        let keywords: Vec<_> =
-            found.iter().map(|s| (s.object.as_str(), s.keyword.as_str(), s.line)).collect();
+        let keywords: Vec<_> = found.iter().map(|s| (inner(s), s.keyword.as_str(), s.line)).collect();
         assert_eq!(
             keywords,
             [
@@ -251,6 +333,26 @@ OBJECT = IMAGE\n LINES\n =\n 720\n SCALE = 4 <pix/deg>\nEND_OBJECT = IMAGE\nEND\
     }
 
     #[test]
+    fn archives_write_begin_units_behind_lists_and_nul_behind_end() {
+        let text = b"BEGIN_OBJECT = A\nB = (1.0, 2.0 <M>) <S>\nEND_OBJECT = A\nEND\0\0\0";
+        let found = parse(text).unwrap();
+        assert_eq!((inner(&found[0]), found.len()), ("A", 1));
+        assert_eq!(found[0].value, Value::List(vec![plain("1.0", Some("S")), plain("2.0", Some("M"))]));
+        assert_eq!(found[0].value.text(), "(1.0 <S>, 2.0 <M>)");
+    }
+
+    #[test]
+    fn a_missing_value_names_its_own_keyword() {
+        for next in ["B = 2\nEND", "OBJECT = X\nEND", "END", "END_OBJECT = X\nEND"] {
+            let text = format!("A = 1\nNOTE =\n{next}\n");
+            let fault = parse(text.as_bytes()).unwrap_err();
+            assert_eq!((fault.line, fault.expected), (2, "its value"), "{next}");
+            assert!(fault.found.starts_with("NOTE without a value, then "), "{fault:?}");
+        }
+        assert_eq!(parse(b"A =\n NULL\nEND\n").unwrap()[0].value, plain("NULL", None));
+    }
+
+    #[test]
     fn damaged_labels_name_the_line() {
         let fault = |text: &[u8]| parse(text).unwrap_err();
         assert_eq!(fault(b"A = 1\nB = \"open\nEND").line, 2);
@@ -260,6 +362,6 @@ OBJECT = IMAGE\n LINES\n =\n 720\n SCALE = 4 <pix/deg>\nEND_OBJECT = IMAGE\nEND\
         assert_eq!(fault(b"A = 1\nB 2\nEND").expected, "=");
         assert!(fault(b"A = 1\n").expected.contains("truncated"));
         assert_eq!(fault(b"A = (1, 2\nEND = 3").expected, "a value");
-        assert_eq!(fault(b"A = = 3\nEND").expected, "a value");
+        assert_eq!(fault(b"A = = 3\nEND").expected, "its value");
     }
 }

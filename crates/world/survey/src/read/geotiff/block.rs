@@ -1,36 +1,41 @@
-//! Strips and tiles packed by Zstandard (compression 50000), unpacked in Rust.
+//! One strip or tile of a TIFF, whatever its picture means: a mask, colours or heights.
 //!
-//! The crate `tiff` unpacks them by a C library only. Here `ruzstd` unpacks a strip or tile, and `tiff` reads what it
-//! holds from a TIFF in memory that has it alone: byte order, predictor, bands and padding stay with `tiff`.
+//! The crate `tiff` refuses masks and some colours, and unpacks Zstandard (compression 50000) by a C library only. Here each
+//! strip or tile becomes a TIFF of its own in memory, which says that black is zero; `ruzstd` unpacks Zstandard. Byte order,
+//! predictor and bands stay with `tiff`.
 
-use std::fs::File;
-use std::io::{self, BufReader, Cursor, Read, Seek, SeekFrom};
+use std::io::{self, Cursor, Read, Seek, SeekFrom};
 
 use ruzstd::decoding::StreamingDecoder;
 use tiff::decoder::{ChunkType, Decoder, DecodingResult, Limits};
 use tiff::tags::{ByteOrder, Tag};
 use tiff::{TiffError, TiffResult};
 
-/// The code of this compression.
-pub const ZSTD: u16 = 50_000;
+use super::file::Tiff;
 
-/// A TIFF file being read.
-type Tiff = Decoder<BufReader<File>>;
+/// The code of Zstandard.
+const ZSTD: u32 = 50_000;
+/// The code of samples that are not packed.
+const PLAIN: u32 = 1;
 
 /// Bytes in front of the directory of a TIFF.
 const HEADER: usize = 8;
 /// Bytes of an entry of the directory.
 const ENTRY: usize = 12;
 
-/// The values of strip or tile `index`, as [`Decoder::read_chunk`] gives them.
-pub fn read_chunk(tiff: &mut Tiff, index: u32, mut limits: Limits) -> TiffResult<DecodingResult> {
-    let chunk = Chunk::of(tiff, index)?;
+/// The values of strip or tile `index`, all that it stores: also what lies beyond the picture.
+pub fn read(tiff: &mut Tiff, index: u32, mut limits: Limits) -> TiffResult<DecodingResult> {
+    let mut chunk = Chunk::of(tiff, index)?;
     if chunk.bytes() > limits.decoding_buffer_size as u64 {
         return Err(TiffError::LimitsExceeded);
     }
-    let unpacked = unpacked(&packed(tiff, index, &limits)?, chunk.bytes())?;
-    limits.intermediate_buffer_size = unpacked.len();
-    let alone = chunk.alone(tiff.byte_order(), &unpacked);
+    let mut bytes = packed(tiff, index, &limits)?;
+    if chunk.compression == ZSTD {
+        bytes = unpacked(&bytes, chunk.bytes())?;
+        chunk.compression = PLAIN;
+    }
+    limits.intermediate_buffer_size = bytes.len();
+    let alone = chunk.alone(tiff.byte_order(), &bytes);
     Decoder::new(Cursor::new(alone))?.with_limits(limits).read_chunk(0)
 }
 
@@ -38,14 +43,12 @@ pub fn read_chunk(tiff: &mut Tiff, index: u32, mut limits: Limits) -> TiffResult
 struct Chunk {
     /// Columns and lines that it stores.
     stored: [u32; 2],
-    /// Columns and lines of them that lie in the picture.
-    used: [u32; 2],
     /// Samples of a pixel.
     samples: u32,
     bits: u32,
     format: u32,
     predictor: u32,
-    photometric: u32,
+    compression: u32,
 }
 
 impl Chunk {
@@ -56,33 +59,31 @@ impl Chunk {
         };
         let is_planar = first(Tag::PlanarConfiguration, 1)? == 2;
         let samples = if is_planar { 1 } else { first(Tag::SamplesPerPixel, 1)? };
-        let photometric = if is_planar { 1 } else { first(Tag::PhotometricInterpretation, 1)? };
         let (bits, format) = (first(Tag::BitsPerSample, 1)?, first(Tag::SampleFormat, 1)?);
-        let predictor = first(Tag::Predictor, 1)?;
-        let (width, lines) = tiff.chunk_data_dimensions(index);
+        let (predictor, compression) = (first(Tag::Predictor, 1)?, first(Tag::Compression, PLAIN)?);
         let stored = match tiff.get_chunk_type() {
             // The last strip ends where the picture does.
-            ChunkType::Strip => [width, lines],
+            ChunkType::Strip => tiff.chunk_data_dimensions(index).into(),
             ChunkType::Tile => tiff.chunk_dimensions().into(),
         };
-        Ok(Self { stored, used: [width, lines], samples, bits, format, predictor, photometric })
+        Ok(Self { stored, samples, bits, format, predictor, compression })
     }
 
     /// Bytes of the samples; each line begins with a byte of its own.
     fn bytes(&self) -> u64 {
         let [columns, lines] = self.stored.map(u64::from);
-        let bits = columns.saturating_mul((self.samples * self.bits).into());
-        bits.div_ceil(8).saturating_mul(lines)
+        let pixel = u64::from(self.samples).saturating_mul(self.bits.into());
+        columns.saturating_mul(pixel).div_ceil(8).saturating_mul(lines)
     }
 
-    /// A TIFF of one tile, this one, without compression.
+    /// A TIFF of one tile, this one.
     fn alone(&self, order: ByteOrder, samples: &[u8]) -> Vec<u8> {
         let tags = [
-            (Tag::ImageWidth, self.used[0]),
-            (Tag::ImageLength, self.used[1]),
+            (Tag::ImageWidth, self.stored[0]),
+            (Tag::ImageLength, self.stored[1]),
             (Tag::BitsPerSample, self.bits),
-            (Tag::Compression, 1),
-            (Tag::PhotometricInterpretation, self.photometric),
+            (Tag::Compression, self.compression),
+            (Tag::PhotometricInterpretation, 1),
             (Tag::SamplesPerPixel, self.samples),
             (Tag::Predictor, self.predictor),
             (Tag::TileWidth, self.stored[0]),

@@ -1,0 +1,231 @@
+//! Where the samples of a TIFF lie and in which projection (OGC GeoTIFF 1.1).
+
+use std::path::Path;
+
+use landscape::LUNOID_RADIUS;
+use quantities::radians;
+
+use super::grid::{GeoTags, grid};
+use super::keys::{self, Keys};
+use crate::elevation::{Affine, Frame};
+use crate::error::SurveyError;
+use crate::projection::{Method, Projection};
+use crate::read::earth;
+use crate::read::refusal::field;
+
+const MODEL_TYPE: u16 = 1024;
+const RASTER_TYPE: u16 = 1025;
+const SYSTEM: u16 = 2048;
+const PRIME_MERIDIAN: u16 = 2051;
+const SEMI_MAJOR_AXIS: u16 = 2057;
+const SEMI_MINOR_AXIS: u16 = 2058;
+const INVERSE_FLATTENING: u16 = 2059;
+const MERIDIAN_LONGITUDE: u16 = 2061;
+const PROJECTED: u16 = 3072;
+const METHOD: u16 = 3075;
+const LINEAR_UNIT: u16 = 3076;
+const PARALLEL: u16 = 3078;
+const SECOND_PARALLEL: u16 = 3079;
+const EASTINGS: [u16; 3] = [3082, 3090, 3086];
+const NORTHINGS: [u16; 3] = [3083, 3091, 3087];
+const SCALES: [u16; 2] = [3092, 3093];
+const LATITUDES: [u16; 3] = [3081, 3089, 3085];
+const LONGITUDES: [u16; 4] = [3095, 3080, 3088, 3084];
+/// Codes of systems, data and ellipsoids that EPSG gives: all of the Earth.
+const BODIES: [u16; 4] = [SYSTEM, 2050, 2056, PROJECTED];
+
+/// Place and frame; `None` if the file has no place at all. Remarks go to `notes`.
+pub fn place(
+    path: &Path,
+    tags: &GeoTags,
+    keys: &Keys,
+    notes: &mut Vec<String>,
+) -> Result<Option<(Affine, Frame)>, SurveyError> {
+    let Some(mut affine) = grid(path, tags)? else { return Ok(None) };
+    // PixelIsPoint: the tie point names a centre; else a corner, and centres lie half a step inside.
+    match keys.get(RASTER_TYPE) {
+        None | Some(0.0 | 1.0) => affine.first = [0, 1].map(|k| affine.first[k] + 0.5 * affine.step[k]),
+        Some(2.0) => {}
+        Some(other) => return Err(unknown(path, RASTER_TYPE, other, "1 (area) or 2 (point)")),
+    }
+    let scaled = |affine: Affine, unit: f64| Affine {
+        first: affine.first.map(|value| value * unit),
+        step: affine.step.map(|value| value * unit),
+    };
+    let body = Body { path, keys };
+    match keys.get(MODEL_TYPE) {
+        Some(2.0) => {
+            let mut affine = scaled(affine, keys.unit_of_angles(path)?);
+            affine.first[1] += body.meridian()?;
+            body.tell(notes)?;
+            Ok(Some((affine, Frame::Geographic { radius: body.radius()? })))
+        }
+        None | Some(0.0 | 1.0 | 32767.0) => {
+            let unit = body.unit_of_map(notes)?;
+            let projection = body.projection(unit)?;
+            match projection {
+                Some(_) => body.tell(notes)?,
+                None => body.tell_unknown(notes),
+            }
+            Ok(Some((scaled(affine, unit), Frame::Plane(projection))))
+        }
+        Some(other) => Err(unknown(path, MODEL_TYPE, other, "1 (projected) or 2 (latitude and longitude)")),
+    }
+}
+
+fn unknown(path: &Path, key: u16, found: f64, expected: &str) -> SurveyError {
+    field(path, keys::place(key), found.to_string(), expected, "convert the file with gdalwarp -t_srs")
+}
+
+/// The body and the projection that the keys describe.
+struct Body<'a> {
+    path: &'a Path,
+    keys: &'a Keys,
+}
+
+impl Body<'_> {
+    /// A key whose code is one of EPSG's, which are all of the Earth.
+    fn of_earth(&self) -> Option<u16> {
+        BODIES.into_iter().find(|key| self.keys.code(*key).is_some_and(|code| code < 32767))
+    }
+
+    fn stated_radius(&self) -> Result<Option<f64>, SurveyError> {
+        let unit = self.keys.unit_of_axes(self.path)?;
+        match self.keys.get(SEMI_MAJOR_AXIS) {
+            Some(axis) if axis > 0.0 => Ok(Some(axis * unit)),
+            Some(axis) => Err(unknown(self.path, SEMI_MAJOR_AXIS, axis, "a radius above 0")),
+            None => Ok(None),
+        }
+    }
+
+    fn radius(&self) -> Result<f64, SurveyError> {
+        let usual = if self.of_earth().is_some() { earth::RADIUS } else { LUNOID_RADIUS };
+        Ok(self.stated_radius()?.unwrap_or(usual))
+    }
+
+    /// Longitude of the prime meridian, east of the body's own (rad).
+    fn meridian(&self) -> Result<f64, SurveyError> {
+        if let Some(longitude) = self.keys.get(MERIDIAN_LONGITUDE) {
+            return Ok(longitude * self.keys.unit_of_angles(self.path)?);
+        }
+        // Systems of these codes count from Paris, Rome and the like (EPSG registry).
+        let system = self.keys.code(SYSTEM).filter(|code| (4801..=4904).contains(code));
+        let meridian = self.keys.code(PRIME_MERIDIAN).filter(|code| *code != 8901);
+        match meridian.map(|code| (PRIME_MERIDIAN, code)).or(system.map(|code| (SYSTEM, code))) {
+            Some((key, code)) => Err(unknown(self.path, key, code.into(), "longitudes from Greenwich")),
+            None => Ok(0.0),
+        }
+    }
+
+    /// Notes on a body whose radius is assumed, or that is no sphere.
+    fn tell(&self, notes: &mut Vec<String>) -> Result<(), SurveyError> {
+        let (stated, radius) = (self.stated_radius()?, self.radius()?);
+        match (stated, self.of_earth()) {
+            (None, None) => {
+                notes.push(format!("the file does not name the radius of its body: {radius} m is assumed"));
+            }
+            (None, Some(_)) => self.tell_earth(notes),
+            (Some(stated), Some(_)) if (stated / earth::RADIUS - 1.0).abs() > 0.01 => self.tell_earth(notes),
+            (Some(_), _) => {}
+        }
+        let minor = self
+            .keys
+            .get(SEMI_MINOR_AXIS)
+            .map(|minor| minor / self.keys.get(SEMI_MAJOR_AXIS).unwrap_or(minor));
+        let flattening = self.keys.get(INVERSE_FLATTENING).filter(|inverse| *inverse != 0.0).map(f64::recip);
+        let flattened = minor.map(|minor| 1.0 - minor).or(flattening).unwrap_or(0.0);
+        if flattened.abs() > 1e-6 {
+            let share = 100.0 * flattened;
+            notes
+                .push(format!("the body is flattened by {share:.3} %: a sphere of {radius} m stands for it"));
+        }
+        Ok(())
+    }
+
+    fn tell_earth(&self, notes: &mut Vec<String>) {
+        let Some(key) = self.of_earth() else { return };
+        let code = self.keys.code(key).unwrap_or_default();
+        notes.push(format!("{} is {code}, a code of the Earth, not of the Moon", keys::place(key)));
+    }
+
+    /// Notes on a projection that is not known here.
+    fn tell_unknown(&self, notes: &mut Vec<String>) {
+        self.tell_earth(notes);
+        notes.push(match self.keys.get(METHOD) {
+            Some(method) => format!(
+                "{} is {method}, a projection that is not known here: its metres are taken as they are",
+                keys::place(METHOD)
+            ),
+            None => {
+                "the file does not name a projection that is known here: its metres are taken as they are"
+                    .into()
+            }
+        });
+    }
+
+    /// Metres of a unit of the map. Codes of the Earth imply a unit, which not every code has as the metre.
+    fn unit_of_map(&self, notes: &mut Vec<String>) -> Result<f64, SurveyError> {
+        if let Some(metres) = self.keys.unit_of_map(self.path)? {
+            return Ok(metres);
+        }
+        match self.keys.code(PROJECTED) {
+            // Universal transverse and web Mercator, and the zones of ETRS89: metres (EPSG registry).
+            Some(3857 | 25828..=25838 | 32601..=32660 | 32701..=32760) => Ok(1.0),
+            Some(code) => {
+                let expected = format!("{} beside it", keys::place(LINEAR_UNIT));
+                let advice = "write it again with gdal_translate, which adds the unit of the map";
+                Err(field(self.path, keys::place(PROJECTED), code.to_string(), expected, advice))
+            }
+            None => {
+                notes.push("the file does not name the unit of its map: metres are assumed".into());
+                Ok(1.0)
+            }
+        }
+    }
+
+    fn projection(&self, unit: f64) -> Result<Option<Projection>, SurveyError> {
+        let angle = self.keys.unit_of_angles(self.path)?;
+        let first = |keys: &[u16]| self.keys.first(keys).unwrap_or(0.0);
+        let parallel = self.keys.get(PARALLEL).map(|parallel| parallel * angle);
+        let latitude = first(&LATITUDES) * angle;
+        let Some(number) = self.keys.get(METHOD) else { return Ok(None) };
+        let (method, latitude) = match number as u16 {
+            14 if !is_pole(latitude) => return Ok(None),
+            14 | 15 => {
+                // A latitude other than the pole names the parallel of true scale.
+                let true_at = if is_pole(latitude) { parallel.unwrap_or(latitude) } else { latitude };
+                let scale = self.keys.first(&SCALES).unwrap_or(1.0);
+                let scale = scale * 0.5 * (1.0 + libm::sin(true_at.abs()));
+                (Method::PolarStereographic { scale }, radians(90.0_f64.copysign(true_at)))
+            }
+            17 => (Method::Equirectangular { parallel: parallel.unwrap_or(0.0) }, latitude),
+            21 => (Method::Orthographic, latitude),
+            _ => return Ok(None),
+        };
+        self.expect_no_more(method, parallel, angle)?;
+        let longitude = first(&LONGITUDES) * angle + self.meridian()?;
+        let offset = [first(&NORTHINGS), first(&EASTINGS)].map(|offset| offset * unit);
+        Ok(Some(Projection { method, latitude, longitude, radius: self.radius()?, offset }))
+    }
+
+    /// Refuses figures that a known projection does not have.
+    fn expect_no_more(&self, method: Method, parallel: Option<f64>, angle: f64) -> Result<(), SurveyError> {
+        let is_polar = matches!(method, Method::PolarStereographic { .. });
+        for key in SCALES.into_iter().filter(|_| !is_polar) {
+            if let Some(scale) = self.keys.get(key).filter(|scale| *scale != 1.0) {
+                return Err(unknown(self.path, key, scale, "1 in this projection"));
+            }
+        }
+        let second = self.keys.get(SECOND_PARALLEL).filter(|second| {
+            *second != 0.0 && parallel.is_none_or(|parallel| (second * angle - parallel).abs() > 1e-9)
+        });
+        match second {
+            Some(second) => Err(unknown(self.path, SECOND_PARALLEL, second, "0, or key 3078")),
+            None => Ok(()),
+        }
+    }
+}
+
+fn is_pole(latitude: f64) -> bool {
+    (latitude.abs() - radians(90.0)).abs() < 1e-9
+}

@@ -1,0 +1,110 @@
+//! Longitudes of every kind, seams, and maps that count past half a turn.
+
+use quantities::{degrees, radians};
+use survey::{Affine, Area, Elevation, Frame, Plane, SurveyOptions, survey};
+
+use crate::made::{Directory, Field, Made, quarters, words};
+
+const MOON: f64 = 1_737_400.0;
+
+/// The made ground with its west edge at a longitude (degrees) of an equirectangular map.
+fn at(longitude: f64) -> Directory {
+    let east = MOON * radians(longitude);
+    Directory::ground().with(33922, Field::Doubles(vec![0.0, 0.0, 0.0, east, 20_000.0, 0.0]))
+}
+
+/// A survey of 100 m around a point (degrees).
+fn around(elevation: &Elevation, latitude: f64, longitude: f64) -> Result<survey::Survey, String> {
+    let [latitude, longitude] = [latitude, longitude].map(radians);
+    let area = Area::Centred { latitude, longitude, size: [100.0; 2], plane: Plane::Equirectangular };
+    let options = SurveyOptions { area, ..SurveyOptions::new(50.0) };
+    survey(elevation, &options, &mut |_| {}).map_err(|error| error.to_string())
+}
+
+#[test]
+fn maps_count_longitudes_from_0_to_360() {
+    for edge in [190.0, 359.0, 180.5, -170.0, 10.0] {
+        let read = at(edge).made().plain().unwrap();
+        let whole = survey(&read, &SurveyOptions::new(40.0), &mut |_| {}).unwrap();
+        assert!(whole.report.true_north.unwrap().abs() < 1e-9, "{edge}: {:?}", whole.report.true_north);
+        let place = whole.bank.georeference().unwrap();
+        let off = degrees(place.longitude) - edge - 0.004;
+        assert!((off - 360.0 * (off / 360.0).round()).abs() < 1e-3, "{edge}: {off}");
+        // The same place by either of its longitudes.
+        for turn in [-360.0, 0.0] {
+            let found =
+                around(&read, 0.655, edge + 0.004 + turn).unwrap_or_else(|said| panic!("{edge}: {said}"));
+            assert_eq!(found.report.levels[0].void, 0, "{edge}");
+        }
+        assert!(around(&read, 0.655, edge + 1.0).unwrap_err().contains("expected it inside"));
+    }
+    // A label of the same kind.
+    let label = format!("{:.6}", -MOON * radians(190.0) / 10.0);
+    let made: Made = crate::made::labelled(&[("-1000.0", &label)], &words(&quarters()));
+    let read = made.plain().unwrap();
+    assert!(around(&read, 0.655, -169.996).is_ok() && around(&read, 0.655, 190.004).is_ok());
+}
+
+/// Heights of a whole globe with a step of 10 degrees from a longitude on, and with so many columns.
+fn globe(first: f64, columns: usize) -> Elevation {
+    let step = radians(10.0);
+    let height = |column: usize| (column % 36) as f64;
+    let heights = (0..18 * columns).map(|index| height(index % columns)).collect();
+    let affine = Affine { first: [radians(85.0), radians(first)], step: [-step, step] };
+    Elevation::new(18, columns, heights, affine, Frame::Geographic { radius: MOON })
+}
+
+#[test]
+fn one_seam_column_too_many_still_goes_around() {
+    let size = [40.0, 60.0].map(|angle| MOON * radians(angle));
+    let across = |elevation: &Elevation, longitude: f64, plane: Plane| {
+        let area = Area::Centred { latitude: 0.0, longitude: radians(longitude), size, plane };
+        let options = SurveyOptions { area, ..SurveyOptions::new(MOON * radians(20.0)) };
+        survey(elevation, &options, &mut |_| {}).map_err(|error| error.to_string())
+    };
+    for (first, columns) in [(5.0, 36), (0.0, 37), (-180.0, 37), (-180.0, 36)] {
+        let read = globe(first, columns);
+        for longitude in [first, first + 180.0, first - 30.0, first + 370.0] {
+            for plane in [Plane::Equirectangular, Plane::Orthographic] {
+                let found = across(&read, longitude, plane);
+                let found = found.unwrap_or_else(|said| panic!("{first}, {columns}, {longitude}: {said}"));
+                assert_eq!(found.report.levels[0].void, 0, "{first}, {columns}, {longitude}, {plane:?}");
+            }
+        }
+    }
+    // Two columns too few are a gap.
+    assert!(across(&globe(0.0, 34), -5.0, Plane::Equirectangular).is_err());
+}
+
+/// A TIFF in degrees of a whole globe, with a last column that stands for the first again.
+fn seamed(last: f32) -> Made {
+    let row = |line: usize| (0..37).map(move |column| if column == 36 { last } else { line as f32 });
+    let bytes = (0..18).flat_map(row).flat_map(f32::to_le_bytes).collect();
+    let (columns, lines) = (Field::Shorts(vec![37]), Field::Shorts(vec![18]));
+    Directory::of(bytes, 32, 3)
+        .with(256, columns)
+        .with(257, lines.clone())
+        .with(278, lines)
+        .with(33550, Field::Doubles(vec![10.0, 10.0, 0.0]))
+        .with(33922, Field::Doubles(vec![0.0, 0.0, 0.0, 0.0, 85.0, 0.0]))
+        .with_keys(&[(1024, 2.0), (1025, 2.0), (2057, MOON)])
+        .made()
+}
+
+#[test]
+fn a_seam_that_differs_is_told() {
+    let notes = seamed(-7.0).plain().unwrap().notes.join("\n");
+    assert!(notes.contains("has other heights in 18 lines"), "{notes}");
+    let notes = seamed(5.0).plain().unwrap().notes.join("\n");
+    assert!(notes.contains("has other heights in 17 lines"), "{notes}");
+}
+
+#[test]
+fn a_plane_of_another_body_is_told() {
+    let keys = [(1024, 1.0), (2057, 6_378_137.0), (3075, 17.0), (3076, 9001.0)];
+    let read = Directory::ground().with_keys(&keys).made().plain().unwrap();
+    let found = survey(&read, &SurveyOptions::new(40.0), &mut |_| {}).unwrap();
+    let warnings = found.report.warnings.join("\n");
+    assert!(warnings.contains("sphere of radius 6378137 m, which is not the Moon"), "{warnings}");
+    assert!(found.bank.georeference().is_none());
+}
