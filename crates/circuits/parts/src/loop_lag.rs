@@ -96,7 +96,8 @@ mod tests {
 
     #[test]
     fn a_gain_that_stands_is_a_lag() {
-        for (h, tau, gain) in [(50e-9, 20e-9, 1.0), (50e-9, 20e-9, 0.1), (1e-9, 1e-3, 0.5), (1.0, 0.01, 1.0)] {
+        for (h, tau, gain) in [(50e-9, 20e-9, 1.0), (50e-9, 20e-9, 0.1), (1e-9, 1e-3, 0.5), (1.0, 0.01, 1.0)]
+        {
             let (part, lag) = (LoopLag::new(h, tau), LagStep::<f64>::new(h, tau / gain));
             let found = part.step(0.3, [-0.2, 0.7], [gain; 2]);
             assert!((found - lag.step(0.3, -0.2, 0.7)).abs() < 1e-14, "{h} {tau} {gain}: {found}");

@@ -2,8 +2,9 @@
 
 use super::{
     AmplifierParts, AnalogParts, ComparatorParts, FeatureChainParts, FoldDetect, FunctionGeneratorParts,
-    LoopParts, MemoryParts, MultiplierParts, MultiplyingDacParts, PictureTubeParts, ProjectionParts, ReflectivityParts,
-    SampleHoldParts, ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts, WriteCompensation,
+    LoopParts, MemoryParts, MultiplierParts, MultiplyingDacParts, PictureTubeParts, ProjectionParts,
+    ReflectivityParts, SampleHoldParts, ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts,
+    WriteCompensation,
 };
 
 impl SweepParts {
