@@ -60,8 +60,10 @@ impl<'a> Draw<'a> {
         LagStep::new(self.h, self.tau("sum", number, self.parts.reflectivity.summer_bandwidth))
     }
 
+    /// Scale of the multiplier in the feedback of a part; one that is far off has a hundredth.
     fn scale(&self, part: &str) -> f64 {
-        1.0 + self.error(&format!("{part}.eg"), 0, self.parts.reflectivity.multiplier.scale_error)
+        let error = self.error(&format!("{part}.eg"), 0, self.parts.reflectivity.multiplier.scale_error);
+        (1.0 + error).max(0.01)
     }
 
     fn lag(&self, part: &str, parts: LoopParts) -> LoopLag {
@@ -71,8 +73,8 @@ impl<'a> Draw<'a> {
     pub fn root(&self) -> Root {
         let parts = self.parts.reflectivity.root;
         Root {
+            scale: self.scale("root"),
             offset: self.error("root.eo", 0, parts.error),
-            one_over_scale: 1.0 / self.scale("root"),
             lag: self.lag("root", parts),
         }
     }

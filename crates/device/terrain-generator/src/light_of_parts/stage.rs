@@ -46,8 +46,8 @@ pub(super) struct Cell {
 /// A root by a squarer in its feedback: `scale y^2 + offset` is what it is given.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Root {
+    pub scale: f64,
     pub offset: f64,
-    pub one_over_scale: f64,
     pub lag: LoopLag,
 }
 
@@ -136,7 +136,7 @@ impl Cell {
 impl Root {
     #[inline(always)]
     fn of<V: Value>(&self, square: V) -> V {
-        let square = (square + square.like(-self.offset)) * square.like(self.one_over_scale);
+        let square = (square + square.like(-self.offset)) / square.like(self.scale);
         square.at_least(square.like(LEAST * LEAST)).root()
     }
 }
@@ -203,8 +203,8 @@ impl Stage {
         ));
         let sums = self.add::<V, AT_REST>(state, products, squares);
         let root = self.root.of(sums[1]);
-        let before = state.root.input;
-        let root = self.clip(state.root.close::<AT_REST>(&self.root.lag, root, [before, root]));
+        let gain = [state.root.input, root].map(|root| root * root.like(self.root.scale));
+        let root = self.clip(state.root.close::<AT_REST>(&self.root.lag, root, gain));
         let divisor = self.divider.divisor(root);
         let quotient = self.divider.quotient(sums[0], root, divisor);
         let gain = [state.divisor, divisor];

@@ -162,7 +162,7 @@ fn the_error_of_the_divider_is_largest_where_the_normal_is_shortest() {
 #[test]
 fn divider_and_root_solve_what_stands_in_their_feedback() {
     let mut light = stage(ReflectivityParts::IDEAL);
-    (light.stage.root.offset, light.stage.root.one_over_scale) = (0.003, 1.0 / 1.01);
+    (light.stage.root.offset, light.stage.root.scale) = (0.003, 1.01);
     (light.stage.divider.scale, light.stage.divider.feed_output) = (0.99, 0.004);
     light.stage.divider.feed_divisor = -0.002;
     let scene = Scene::new(Photometry::Lambert, hills);

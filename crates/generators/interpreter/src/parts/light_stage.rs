@@ -91,6 +91,8 @@ impl LightStage {
         let lag =
             |name: &str, number: usize, band| kit.lag(&format!("tg.light.{name}.bandwidth"), number, band);
         let scale_error = parts.multiplier.scale_error;
+        // A multiplier in feedback has a hundredth of its scale at least.
+        let scale = |part: &str| (1.0 + error(&format!("{part}.eg"), scale_error)).max(0.01);
         let half = 0.5 * parts.divider.error;
         let span = (2.0 * parts.slope_full_scale * parts.slope_full_scale + 1.0).sqrt();
         let nominal = [parts.multiplier.bandwidth, parts.summer_bandwidth].map(|band| kit.nominal_lag(band));
@@ -100,13 +102,9 @@ impl LightStage {
             products: [0, 1, 2].map(|number| MultiplierFigures::of(kit, "product", number)),
             squarers: [0, 1].map(|number| MultiplierFigures::of(kit, "square", number)),
             summers: [0, 1].map(|number| lag("sum", number, parts.summer_bandwidth)),
-            root: [
-                1.0 + error("root.eg", scale_error),
-                error("root.eo", parts.root.error),
-                lag("root", 0, parts.root.bandwidth),
-            ],
+            root: [scale("root"), error("root.eo", parts.root.error), lag("root", 0, parts.root.bandwidth)],
             divider: [
-                1.0 + error("divider.eg", scale_error),
+                scale("divider"),
                 error("divider.ex", half),
                 error("divider.ey", half),
                 error("divider.eo", half),
@@ -138,7 +136,8 @@ impl LightStage {
         let squares = self.clipped(self.lagged(&squares, self.summers[1], count));
         let [scale, offset, tau] = self.root;
         let rest = each(&|k| ((at(&squares, k) - offset) / scale).max(LEAST * LEAST).sqrt());
-        let root = self.clipped(self.looped(&rest, &rest, tau, count));
+        let gain: Vec<f64> = rest.iter().map(|root| scale * root).collect();
+        let root = self.clipped(self.looped(&rest, &gain, tau, count));
         let [scale, feed_output, feed_divisor, offset, tau] = self.divider;
         let divisor = each(&|k| (scale * at(&root, k) + feed_output).max(LEAST));
         let rest = each(&|k| (at(&facing, k) - feed_divisor * at(&root, k) - offset) / divisor[k]);
