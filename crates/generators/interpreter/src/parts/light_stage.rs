@@ -48,34 +48,42 @@ pub fn ideal(slopes: &[[f64; 2]], to_sun: [f64; 3]) -> LightWires {
 
 /// A multiplier of the stage.
 #[derive(Debug, Clone, Copy)]
-struct MultiplierFigures {
-    gain: f64,
-    feed: [f64; 2],
-    offset: f64,
-    bend: f64,
+pub struct MultiplierFigures {
+    /// Scale error (share of the product).
+    pub gain: f64,
+    /// Feedthrough of both inputs.
+    pub feed: [f64; 2],
+    /// Offset of the output (share of full scale).
+    pub offset: f64,
+    /// Bend of the first input.
+    pub bend: f64,
     /// What it makes of a change by 1 in a sample.
-    leak: f64,
+    pub leak: f64,
     /// Time constant (samples).
-    tau: f64,
+    pub tau: f64,
 }
 
 /// The stage of a model.
 #[derive(Debug, Clone)]
 pub struct LightStage {
-    /// Slope at full scale, and the length of the longest normal of such slopes.
-    scale: f64,
-    span: f64,
-    products: [MultiplierFigures; 3],
-    squarers: [MultiplierFigures; 2],
+    /// Slope at full scale (m/m).
+    pub scale: f64,
+    /// Length of the longest normal of slopes in scale.
+    pub span: f64,
+    /// Products with the sun's words for north, east and up.
+    pub products: [MultiplierFigures; 3],
+    /// Squarers of north and east.
+    pub squarers: [MultiplierFigures; 2],
     /// Time constants of the summers (samples).
-    summers: [f64; 2],
+    pub summers: [f64; 2],
     /// Scale and offset of the squarer in the root's feedback, and the time constant at full scale (samples).
-    root: [f64; 3],
+    pub root: [f64; 3],
     /// Scale, feedthrough of output and of divisor, offset, and the time constant at full scale (samples).
-    divider: [f64; 5],
-    saturation: f64,
+    pub divider: [f64; 5],
+    /// Voltage of either sign at which wires clip (share of full scale).
+    pub saturation: f64,
     /// By how many samples the slopes run ahead.
-    ahead: f64,
+    pub ahead: f64,
     /// Steps of a sample.
     between: usize,
 }
