@@ -52,7 +52,8 @@ impl LoopLag {
 /// `e^-r` and `(1 - e^-r) / r`.
 #[inline(always)]
 fn shares<V: Comparable>(r: V) -> [V; 2] {
-    let [zero, one, half, most] = [0.0, 1.0, 0.5, FORGOTTEN].map(|value| r.like(value));
+    // No closures: these would be compiled without the width of vectors of whoever asks.
+    let (zero, one, half, most) = (r.like(0.0), r.like(1.0), r.like(0.5), r.like(FORGOTTEN));
     let mut x = r.at_most(most) * r.like(1.0 / 64.0);
     let mut mean = r.like(SERIES[SERIES.len() - 1]);
     for &power in SERIES[..SERIES.len() - 1].iter().rev() {

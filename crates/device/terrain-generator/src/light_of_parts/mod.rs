@@ -175,11 +175,14 @@ impl PartsLight {
         let wide = |value: f64| eight(simd, &[value; LANES]);
         let (words, albedo) = (group.sun.map(wide), wide(group.light[0].albedo));
         let mut state = State::at_rest(wide(0.0));
-        let place = |sample: usize| Place::of(sample as f64 + self.ahead, along.len());
+        let [cos, sin] = directions;
+        let (whole, share) = (self.ahead.min(along.len() as f64) as usize, self.ahead - self.ahead.floor());
+        let last = along.len().saturating_sub(1);
         for sample in 0..reflectivity.len() {
-            let place = place(sample);
-            let slopes = [&*along, &*across].map(|signal| place.of_signal(simd, signal));
-            let [[x, y], [cos, sin]] = [slopes, directions];
+            // No closures in here: these would be compiled without the width of vectors of whoever asks.
+            let (begin, end) = ((sample + whole).min(last), (sample + whole + 1).min(last));
+            let x = between(simd, &along[begin], &along[end], share);
+            let y = between(simd, &across[begin], &across[end], share);
             let slopes = [x * cos - y * sin, x * sin + y * cos];
             let wires = if sample == 0 {
                 self.stage.advance::<_, true>(&mut state, slopes, words)
@@ -202,25 +205,10 @@ impl PartsLight {
     }
 }
 
-/// Between two samples.
-#[derive(Clone, Copy)]
-struct Place {
-    ends: [usize; 2],
-    share: f64,
-}
-
-impl Place {
-    /// Of a signal of `samples` samples at `time`, 0 or more (samples); beyond the last it stays.
-    fn of(time: f64, samples: usize) -> Self {
-        let (last, whole) = (samples - 1, time.floor());
-        let begin = (whole.min(last as f64)) as usize;
-        Self { ends: [begin, (begin + 1).min(last)], share: time - whole }
-    }
-
-    #[inline(always)]
-    fn of_signal<L: Simd, S: Real>(self, simd: L, signal: &[Lanes<S>]) -> f64x8<L> {
-        let [begin, end] =
-            self.ends.map(|sample| S::widen(S::Vector::<L>::from_slice(simd, &signal[sample].0)));
-        begin + (end - begin) * self.share
-    }
+/// A signal a `share` of the way from one sample to another.
+#[inline(always)]
+fn between<L: Simd, S: Real>(simd: L, begin: &Lanes<S>, end: &Lanes<S>, share: f64) -> f64x8<L> {
+    let begin = S::widen(S::Vector::<L>::from_slice(simd, &begin.0));
+    let end = S::widen(S::Vector::<L>::from_slice(simd, &end.0));
+    begin + (end - begin) * share
 }

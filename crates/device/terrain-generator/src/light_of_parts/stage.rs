@@ -22,6 +22,8 @@ impl<V: Wire<f64> + Comparable> Value for V {}
 pub(super) struct Stage {
     /// Slope at full scale.
     slope: f64,
+    /// Length of the longest normal of slopes in scale.
+    span: f64,
     /// Products with the sun's words: north, east, up.
     pub(super) products: [Cell; 3],
     pub(super) squarers: [Cell; 2],
@@ -161,6 +163,7 @@ impl Stage {
         let slope = figures.slope_full_scale;
         Self {
             slope,
+            span: span(slope),
             products: [0, 1, 2].map(|number| draw.cell("product", number)),
             squarers: [0, 1].map(|number| draw.cell("square", number)),
             summers: [0, 1].map(|number| draw.summer(number)),
@@ -185,10 +188,10 @@ impl Stage {
         words: [V; 3],
     ) -> Wires<V> {
         let full = words[0].like(1.0);
-        let none = words[0].like(0.0);
+        let (none, in_scale) = (words[0].like(0.0), words[0].like(1.0 / self.slope));
         let (mut products, mut squares) = ([none; 3], [none; 2]);
         for axis in 0..2 {
-            let slope = self.clip(slopes[axis] * full.like(1.0 / self.slope));
+            let slope = self.clip(slopes[axis] * in_scale);
             let change = if AT_REST { none } else { slope - state.slopes[axis] };
             let (product, square) = (&mut state.products[axis], &mut state.squares[axis]);
             products[axis] =
@@ -203,7 +206,8 @@ impl Stage {
         ));
         let sums = self.add::<V, AT_REST>(state, products, squares);
         let root = self.root.of(sums[1]);
-        let gain = [state.root.input, root].map(|root| root * root.like(self.root.scale));
+        let scale = root.like(self.root.scale);
+        let gain = [state.root.input * scale, root * scale];
         let root = self.clip(state.root.close::<AT_REST>(&self.root.lag, root, gain));
         let divisor = self.divider.divisor(root);
         let quotient = self.divider.quotient(sums[0], root, divisor);
@@ -221,8 +225,8 @@ impl Stage {
         products: [V; 3],
         squares: [V; 2],
     ) -> [V; 2] {
-        let (slope, one) = (self.slope, products[0].like(1.0));
-        let (one_over, share) = (1.0 / span(slope), slope / span(slope));
+        let one = products[0].like(1.0);
+        let (one_over, share) = (1.0 / self.span, self.slope / self.span);
         let facing = products[2] * one.like(one_over) - (products[0] + products[1]) * one.like(share);
         let square = (squares[0] + squares[1]) * one.like(share * share) + one.like(one_over * one_over);
         [
@@ -238,7 +242,7 @@ impl Stage {
 
     /// The wires in their units, in the order of [`crate::LIGHT`].
     pub fn in_units<V: Value>(&self, wires: &Wires<V>) -> [V; WIRES] {
-        let (slope, span) = (self.slope, span(self.slope));
+        let (slope, span) = (self.slope, self.span);
         let Wires { products, squares, sums, root, cosine } = *wires;
         let scaled = |value: V, scale: f64| value * value.like(scale);
         [
