@@ -30,7 +30,7 @@
 //! **Our choices.** The eye's height is subtracted in the summer, so that f32 signals keep their precision near
 //! the eye. Beyond the end of the profile the height drops out of sight ([`OUT_OF_SIGHT`]). Levels
 //! are blended before the light, so the light is that of the ground that is shown.
-//! **Of real parts.** [`PartsArray`] is the same array wire by wire; a machine has one or the other. Whoever looks inside
+//! **Of real parts.** [`PartsArray`] is the same array wire by wire, [`PartsLight`] the light of its slopes; a machine has one or the other. Whoever looks inside
 //! either names [`InnerWire`]s and gets [`Inside`]: accumulators, ramps, function generators, products, D/As and sums.
 
 mod array;

@@ -36,7 +36,7 @@ pub(super) struct Stage {
     delay: f64,
 }
 
-/// A multiplier.
+/// A multiplier with its lag.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cell {
     pub multiplier: Multiplier<f64>,
@@ -217,7 +217,7 @@ impl Stage {
         Wires { products, squares, sums, root, cosine }
     }
 
-    /// Both sums.
+    /// N.S, and the square of |N|.
     #[inline(always)]
     fn add<V: Value, const AT_REST: bool>(
         &self,

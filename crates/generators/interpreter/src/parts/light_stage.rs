@@ -59,7 +59,7 @@ pub struct MultiplierFigures {
     pub bend: f64,
     /// What it makes of a change by 1 in a sample.
     pub leak: f64,
-    /// Time constant (samples).
+    /// Time constant of its lag (samples).
     pub tau: f64,
 }
 
