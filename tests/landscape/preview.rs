@@ -104,6 +104,23 @@ fn output_amplifiers_show_as_they_do_in_the_whole_machine() {
     assert!(error < 0.01 && fault > 5.0 * error, "{fault} {error}");
 }
 
+/// A stage of slow parts that are off makes the light of the terrain in both; the craters it lights in the preview alone.
+#[test]
+fn light_of_parts_shows_as_it_does_in_the_whole_machine() {
+    let mut set = full(1);
+    let ideal = drawn(&set, Economy::Preview, 2800, &[]);
+    let light = &mut set.stage.settings.analog.reflectivity;
+    light.multiplier.error = 0.01;
+    light.summer_bandwidth = Some(1e5);
+    light.divider.error = 0.01;
+    let [preview, whole] =
+        [Economy::Preview, Economy::Bounded].map(|economy| drawn(&set, economy, 2800, &[]));
+    let (fault, error) = (difference(&ideal, &preview), difference(&preview, &whole));
+    println!("{fault} {error}");
+    assert!(bits(&preview.picture) != bits(&whole.picture), "it is drawn whole");
+    assert!(error < 0.01 && fault > 2.5 * error, "{fault} {error}");
+}
+
 #[test]
 fn words_that_never_come_show_as_they_do_in_the_whole_machine() {
     let mut set = full(1);

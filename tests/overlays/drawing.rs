@@ -9,7 +9,8 @@ pub fn family(name: &str) -> String {
     let is_fed = |part: &str| ["x", "cx", "y", "cy"].contains(&part);
     let is_colour = |part: &str| ["yellow", "green", "black", "red"].contains(&part);
     let mut parts: Vec<String> = Vec::new();
-    let is_inner = ["product", "dac", "word"].iter().any(|word| name.contains(word));
+    let is_of_sums = |name: &str| ["product", "dac", "word"].iter().any(|word| name.contains(word));
+    let is_inner = is_of_sums(name) && !name.starts_with("tg.light.");
     for part in name.split('.') {
         let behind_fn = parts.last().is_some_and(|before| before == "fn");
         let kind = part.trim_end_matches(|c: char| c.is_ascii_digit());
@@ -49,7 +50,15 @@ const DRAWING: &[(&str, &[&str])] = &[
     ("tg.height", &["tg.sum.height", "tg.coarse.sum.height"]),
     ("tg.slope.u", &["tg.sum.u", "tg.coarse.sum.u"]),
     ("tg.slope.v", &["tg.sum.v", "tg.coarse.sum.v"]),
-    ("tg.reflectivity", &["tg.slope.u", "tg.slope.v"]),
+    ("tg.light.product.n", &["tg.slope.u"]),
+    ("tg.light.product.e", &["tg.slope.v"]),
+    ("tg.light.square.n", &["tg.slope.u"]),
+    ("tg.light.square.e", &["tg.slope.v"]),
+    ("tg.light.facing", &["tg.light.product.n", "tg.light.product.e", "tg.light.product.u"]),
+    ("tg.light.squares", &["tg.light.square.n", "tg.light.square.e"]),
+    ("tg.light.root", &["tg.light.squares"]),
+    ("tg.light.cosine", &["tg.light.facing", "tg.light.root"]),
+    ("tg.reflectivity", &["tg.light.cosine"]),
     ("fg.present", &["fg.or"]),
     ("fg.reflectivity", &["fg.slope.u", "fg.slope.v", "fg.or", "tg.slope.u", "tg.slope.v"]),
     ("sc.gate", &["sc.or"]),
@@ -96,6 +105,7 @@ fn families_of_names() {
         ("sweep.x", "sweep.x"),
         ("tg.slope.u", "tg.slope.u"),
         ("tg.red.hold", "tg.*.hold"),
+        ("tg.light.product.u", "tg.light.product.u"),
     ] {
         assert_eq!(family(name), expected, "{name}");
     }

@@ -33,7 +33,7 @@ pub static OVERLAYS: &[Overlay] = &[
     shipped("stale", WORDS),
     shipped("mirror", WORDS),
     shipped("starve", WORDS),
-    shipped("smear", &["tg.*product.*", "tg.*sum.*"]),
+    shipped("smear", &["tg.product.*", "tg.coarse.product.*", "tg.*sum.*"]),
     shipped("slew", SUMS),
     shipped("fold", RAMPS),
     shipped("fringe", DACS),
@@ -74,6 +74,16 @@ pub static OVERLAYS: &[Overlay] = &[
     own("converter-feedthrough", "[multiplying_dac]\nfeedthrough_pct = 1\n", DACS),
     own("amplifier-noise", "[amplifier]\nnoise_mv = 5\n", SUMS),
     own("amplifier-bandwidth", "[amplifier]\ngain_bandwidth_mhz = 1\n", SUMS),
+    own("light-error", "[reflectivity]\nmultiplier_error_pct = 1\n", LIGHT_MULTIPLIERS),
+    own("light-scale", "[reflectivity]\nmultiplier_scale_error_pct = 1\n", LIGHT_MULTIPLIERS),
+    own("light-feedthrough", "[reflectivity]\nmultiplier_feedthrough_pct = 1\n", LIGHT_SLOPES),
+    own("light-bandwidth", "[reflectivity]\nmultiplier_bandwidth_mhz = 1\n", LIGHT_SLOPES),
+    own("light-summers", "[reflectivity]\nsummer_bandwidth_mhz = 1\n", LIGHT_SUMS),
+    own("light-root-error", "[reflectivity]\nroot_error_pct = 1\n", &["tg.light.root"]),
+    own("light-root-bandwidth", "[reflectivity]\nroot_bandwidth_mhz = 1\n", &["tg.light.root"]),
+    own("light-divider-error", "[reflectivity]\ndivider_error_pct = 1\n", &["tg.light.cosine"]),
+    own("light-divider-bandwidth", "[reflectivity]\ndivider_bandwidth_mhz = 1\n", &["tg.light.cosine"]),
+    own("light-saturation", "[reflectivity]\nsaturation_v = 2\n", &["tg.light.squares", "tg.light.root"]),
     own("feature-error", "[feature_generator]\nchain_error_pct = 5\n", FEATURES),
     own("feature-bandwidth", "[feature_generator]\nchain_bandwidth_mhz = 0.5\n", FEATURE_SUMS),
     own("few-sub-generators", "[feature_generator]\nsub_generators = 1\n", FEATURES),
@@ -121,9 +131,12 @@ const ACCUMULATORS: &[&str] = &["sweep.accumulator.*", "sweep.coarse.accumulator
 const RAMPS: &[&str] = &["sweep.x", "sweep.y", "sweep.coarse.x", "sweep.coarse.y"];
 const WORDS: &[&str] = &["tg.*.word*"];
 const FUNCTIONS: &[&str] = &["tg.*fn.*"];
-const PRODUCTS: &[&str] = &["tg.*product.*"];
+const PRODUCTS: &[&str] = &["tg.product.*", "tg.coarse.product.*"];
 const DACS: &[&str] = &["tg.*.dac*"];
 const SUMS: &[&str] = &["tg.*sum.*"];
+const LIGHT_SLOPES: &[&str] = &["tg.light.product.n", "tg.light.product.e", "tg.light.square.*"];
+const LIGHT_MULTIPLIERS: &[&str] = &["tg.light.product.*", "tg.light.square.*"];
+const LIGHT_SUMS: &[&str] = &["tg.light.facing", "tg.light.squares"];
 const FEATURE_SUMS: &[&str] = &["fg.height", "fg.slope.*"];
 const FEATURES: &[&str] = &["fg.height", "fg.slope.*", "fg.or"];
 const GATES: &[&str] = &["fg.present", "sc.gate"];

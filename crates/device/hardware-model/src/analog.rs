@@ -179,11 +179,32 @@ pub struct SampleHoldParts {
     pub jitter: f64,
 }
 
-/// From slopes to reflectivity.
+/// From slopes to reflectivity: three products, two squarers, two summers, a root and a divider (section 7).
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct ReflectivityParts {
     /// Delay of the reflectivity against the height of the same place (s); 0: matched.
     pub delay_mismatch: f64,
+    /// Slope at full scale of the stage (m/m); of effect with a figure below alone.
+    pub slope_full_scale: f64,
+    /// Products of slopes with the sun's words, and squares of slopes.
+    pub multiplier: MultiplierParts,
+    /// Bandwidth of either summer (Hz); unlimited if `None`.
+    pub summer_bandwidth: Option<f64>,
+    /// Root: a squarer in the feedback of an amplifier.
+    pub root: LoopParts,
+    /// Divider: a multiplier in the feedback of an amplifier.
+    pub divider: LoopParts,
+    /// Voltage of either sign at which every wire of the stage clips (V).
+    pub saturation: Option<f64>,
+}
+
+/// A part that solves its law by what stands in its feedback: the smaller the signal there, the slower it is and the larger its error.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct LoopParts {
+    /// Static error of what stands in its feedback, one sigma (share).
+    pub error: f64,
+    /// Bandwidth with full scale in its feedback (Hz); unlimited if `None`.
+    pub bandwidth: Option<f64>,
 }
 
 /// Video switches (hardware section 3.6).

@@ -27,10 +27,10 @@ mod written;
 
 pub use analog::{
     AmplifierParts, AnalogParts, CROSSTALK_FREQUENCY, ComparatorParts, FEEDTHROUGH_FREQUENCY,
-    FeatureChainParts, FoldDetect, FunctionGeneratorParts, MAIN_WIRES, MemoryParts, MultiplierParts,
-    MultiplyingDacParts, PictureTubeParts, ProjectionParts, ReflectivityParts, SMOOTHER_DAMPING,
-    SampleHoldParts, ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts, WireParts,
-    WriteCompensation,
+    FeatureChainParts, FoldDetect, FunctionGeneratorParts, LoopParts, MAIN_WIRES, MemoryParts,
+    MultiplierParts, MultiplyingDacParts, PictureTubeParts, ProjectionParts, ReflectivityParts,
+    SMOOTHER_DAMPING, SampleHoldParts, ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts,
+    WireParts, WriteCompensation,
 };
 pub use budget::{
     Budget, BudgetLine, CpuBudget, CrossingBudget, DrumBudget, GroundScale, LoaderBudget, SweepBudget,

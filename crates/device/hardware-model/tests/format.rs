@@ -166,7 +166,7 @@ fn digital_changes() -> impl Iterator<Item = (&'static str, Option<Setting>, Str
     of_the_drum.chain(others.into_iter().map(|(key, value)| (key, None, value.to_owned())))
 }
 
-fn analog_changes() -> [(&'static str, &'static str); 75] {
+fn analog_changes() -> [(&'static str, &'static str); 86] {
     [
         ("analog.full_scale_v", "10"),
         ("spread.parts", "on"),
@@ -200,6 +200,17 @@ fn analog_changes() -> [(&'static str, &'static str); 75] {
         ("sample_hold.droop_mv_us", "0.01"),
         ("sample_hold.pedestal_mv", "5"),
         ("reflectivity.delay_mismatch_ns", "12"),
+        ("reflectivity.slope_full_scale", "2"),
+        ("reflectivity.multiplier_error_pct", "0.25"),
+        ("reflectivity.multiplier_scale_error_pct", "0.2"),
+        ("reflectivity.multiplier_feedthrough_pct", "0.5"),
+        ("reflectivity.multiplier_bandwidth_mhz", "8"),
+        ("reflectivity.summer_bandwidth_mhz", "20"),
+        ("reflectivity.root_error_pct", "0.5"),
+        ("reflectivity.root_bandwidth_mhz", "5"),
+        ("reflectivity.divider_error_pct", "1"),
+        ("reflectivity.divider_bandwidth_mhz", "3"),
+        ("reflectivity.saturation_v", "11"),
         ("video_switch.time_ns", "20"),
         ("video_switch.level_mismatch_pct", "1"),
         ("video.bandwidth_mhz", "12"),

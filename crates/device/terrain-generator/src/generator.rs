@@ -19,12 +19,44 @@ pub const SIGNALS: &[Signal] = &[
     Signal::ground("tg.slope.u", Unit::Slope, "terrain slope to the north", "section 7"),
     Signal::ground("tg.slope.v", Unit::Slope, "terrain slope to the east", "section 7"),
     Signal::ground(
+        "tg.light.product.n",
+        Unit::Slope,
+        "slope to the north times the sun's word for the north",
+        "section 7",
+    ),
+    Signal::ground(
+        "tg.light.product.e",
+        Unit::Slope,
+        "slope to the east times the sun's word for the east",
+        "section 7",
+    ),
+    Signal::ground("tg.light.product.u", Unit::Number, "1 times the sun's word for up", "section 7"),
+    Signal::ground(
+        "tg.light.facing",
+        Unit::Number,
+        "N.S: the third product less the two of the slopes",
+        "section 7",
+    ),
+    Signal::ground("tg.light.square.n", Unit::Number, "square of the slope to the north", "section 7"),
+    Signal::ground("tg.light.square.e", Unit::Number, "square of the slope to the east", "section 7"),
+    Signal::ground("tg.light.squares", Unit::Number, "1 and both squares: the square of |N|", "section 7"),
+    Signal::ground("tg.light.root", Unit::Number, "length of the normal N", "section 7"),
+    Signal::ground(
+        "tg.light.cosine",
+        Unit::Number,
+        "n.s with its sign: what the divider makes of N.S and |N|",
+        "section 7",
+    ),
+    Signal::ground(
         "tg.reflectivity",
         Unit::Reflectivity,
         "reflectivity of the terrain: n.s, factor of the law, albedo",
         "fig. 24",
     ),
 ];
+
+/// Those of the stage that makes light of slopes, among [`SIGNALS`].
+pub const LIGHT: &[Signal] = SIGNALS.split_at(3).1.split_at(9).0;
 
 /// Profiles of a group: one [`Lanes`] a sample.
 #[derive(Debug, Clone, Default)]

@@ -30,7 +30,7 @@
 //! **Our choices.** The eye's height is subtracted in the summer, so that f32 signals keep their precision near
 //! the eye. Beyond the end of the profile the height drops out of sight ([`OUT_OF_SIGHT`]). Levels
 //! are blended before the light, so the light is that of the ground that is shown.
-//! **Of real parts.** [`PartsArray`] is the same array wire by wire; a machine has one or the other. Whoever looks inside
+//! **Of real parts.** [`PartsArray`] is the same array wire by wire, [`PartsLight`] the light of its slopes; a machine has one or the other. Whoever looks inside
 //! either names [`InnerWire`]s and gets [`Inside`]: accumulators, ramps, function generators, products, D/As and sums.
 
 mod array;
@@ -38,6 +38,7 @@ mod eight_stretches;
 mod generator;
 mod inner;
 mod inside;
+mod light_of_parts;
 mod modified;
 mod of_parts;
 mod points;
@@ -51,9 +52,10 @@ mod stretches;
 mod terms;
 
 pub use array::array;
-pub use generator::{Method, OUT_OF_SIGHT, Profile, SIGNALS, TerrainGenerator};
+pub use generator::{LIGHT, Method, OUT_OF_SIGHT, Profile, SIGNALS, TerrainGenerator};
 pub use inner::{COARSE, FINE, InnerSignals, InnerWire};
 pub use inside::{Inside, held_words};
+pub use light_of_parts::{LitGroup, PartsLight, light_full_scales, light_wires};
 pub use modified::{ModifiedTerrainGenerator, Overlap};
 pub use of_parts::{ArrayState, PartsArray, PartsTerrain, Scale, broken_lines};
 pub use polynomials::Polynomials;

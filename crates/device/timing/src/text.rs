@@ -138,7 +138,11 @@ fn write_units(out: &mut String, totals: &Totals) -> fmt::Result {
     let head = ["least", "mean", "most", "longest queue"];
     // Names of drums that several kinds share are longer than usual.
     let width = totals.units.keys().map(String::len).max().unwrap_or(0).max(20);
-    writeln!(out, "\n{:<width$} {:>10} {:>12} {:>12}  {}", "unit at work", head[0], head[1], head[2], head[3])?;
+    writeln!(
+        out,
+        "\n{:<width$} {:>10} {:>12} {:>12}  {}",
+        "unit at work", head[0], head[1], head[2], head[3]
+    )?;
     for (name, unit) in &totals.units {
         let UnitTotals { least, mean, most, longest_queue, .. } = *unit;
         let [least, mean, most] = [least, mean, most].map(|part| format!("{:.2} %", 100.0 * part));

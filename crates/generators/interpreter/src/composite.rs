@@ -12,12 +12,12 @@ use crate::given::spread;
 use crate::levels::GroundSample;
 use crate::loads::{DrawnCrater, Loads};
 use crate::mixing::{Inputs, mix, texture};
-use crate::parts::ReflectivityStage;
 use crate::parts::broken::Broken;
 use crate::parts::crater_chains::{Bend, Line, Loaded, Surface, surface};
 use crate::parts::kit::Kit;
 use crate::parts::sub_generator::SubGeneratorFigures;
 use crate::parts::texture::{Grain, grained};
+use crate::parts::{LightStage, ReflectivityStage, light_stage};
 use crate::sweep::Walker;
 
 /// A chain at the edge of rest by this part of what counts as rest has a margin of 1e-9.
@@ -110,14 +110,28 @@ impl Walker<'_> {
         }
     }
 
-    /// Light of the terrain behind its stage and its amplifier.
-    fn lights(&self, ground: &[GroundSample]) -> Vec<f64> {
-        let eye = self.scene.eye;
-        let places = ground.iter().zip(self.given.ranges);
-        let raw = places
-            .map(|(ground, range)| self.light.reflectivity(ground.slopes, (ground.height - eye[2]) / range));
+    /// Light of the terrain behind its stage, its delay and its amplifier.
+    fn lights(&mut self, ground: &[GroundSample]) -> Vec<f64> {
+        let (kit, between) = (Kit::of(self.scene, self.given), self.given.between);
+        let slopes: Vec<[f64; 2]> = ground.iter().map(|ground| ground.slopes).collect();
+        let parts = LightStage::of(&kit, between);
+        let wires = match &parts {
+            None => light_stage::ideal(&slopes, self.light.to_sun()),
+            Some(stage) => stage.run(&slopes, self.light.to_sun()),
+        };
+        let raw = (0..ground.len()).map(|step| {
+            let sight = (ground[step].height - self.scene.eye[2]) / self.given.ranges[step];
+            let [.., cosine] = &wires;
+            match parts {
+                None => self.light.reflectivity(slopes[step], sight),
+                Some(_) => self.light.beyond_lambert(cosine[step], slopes[step], sight),
+            }
+        });
         let stage = ReflectivityStage::of(self.scene);
-        self.wires.pass("tg.reflectivity", stage.pass(raw.collect(), self.given.between))
+        let raw: Vec<f64> = raw.collect();
+        let named = light_stage::NAMES.iter().map(|name| format!("tg.light.{name}"));
+        self.record.signals.extend(named.zip(wires));
+        self.wires.pass("tg.reflectivity", stage.pass(raw, between))
     }
 
     /// Features at the samples, and what the video is made of between them.

@@ -37,7 +37,18 @@ impl Light {
     pub fn reflectivity(&self, [hx, hy]: [f64; 2], sight: f64) -> f64 {
         let normal_length = (1.0 + hx * hx + hy * hy).sqrt();
         let [north, east, up] = self.to_sun;
-        let mu0 = (up - hx * north - hy * east) / normal_length;
+        self.beyond_lambert((up - hx * north - hy * east) / normal_length, [hx, hy], sight)
+    }
+
+    /// The unit vector to the sun: north, east, up.
+    pub fn to_sun(&self) -> [f64; 3] {
+        self.to_sun
+    }
+
+    /// The same where something else tells `mu0`, the cosine of the angle between sun and normal.
+    pub fn beyond_lambert(&self, mu0: f64, [hx, hy]: [f64; 2], sight: f64) -> f64 {
+        let normal_length = (1.0 + hx * hx + hy * hy).sqrt();
+        let [north, east, up] = self.to_sun;
         // From the ground back to the eye.
         let sight_length = (1.0 + sight * sight).sqrt();
         let to_eye =

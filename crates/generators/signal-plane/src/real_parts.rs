@@ -11,7 +11,7 @@ use polyhedron_generator::PartsSwitch;
 use shadow_controller::PartsLines;
 use signal::Real;
 use sweep_memory::{Tube, WriteGun};
-use terrain_generator::PartsArray;
+use terrain_generator::{PartsArray, PartsLight};
 use texture_generator::PartsTexture;
 
 use crate::output_amplifiers::OutputAmplifiers;
@@ -46,6 +46,8 @@ pub struct RealParts<S> {
 pub struct Terrain<S> {
     pub fine: PartsArray<S>,
     pub coarse: Option<PartsArray<S>>,
+    /// The stage that makes light of slopes.
+    pub light: Option<PartsLight>,
     /// Delay of the reflectivity against the height.
     pub reflectivity: Option<LagStep<S>>,
 }
@@ -92,15 +94,25 @@ impl<S: Real> RealParts<S> {
     }
 }
 
+impl<S> RealParts<S> {
+    /// The stage that makes light of slopes, where it is made of parts.
+    pub fn light(&self) -> Option<&PartsLight> {
+        self.terrain.as_ref()?.light.as_ref()
+    }
+}
+
 impl<S: Real> Terrain<S> {
     fn new(stage: &MachineStage, step: f64) -> Self {
         let settings = &stage.settings;
         let array = |level: &Level, name| PartsArray::new(step, level, &settings.analog, settings.seed, name);
         let levels = stage.landscape.bank().levels();
-        let mismatch = settings.analog.reflectivity.delay_mismatch;
+        let reflectivity = &settings.analog.reflectivity;
+        let mismatch = reflectivity.delay_mismatch;
+        let light = || PartsLight::new(step, &settings.analog, settings.seed);
         Self {
             fine: array(&levels[0], "tg"),
             coarse: settings.levels.and_then(|_| levels.get(1)).map(|level| array(level, "mtg")),
+            light: (!reflectivity.stage_is_ideal()).then(light),
             reflectivity: (mismatch > 0.0).then(|| LagStep::new(step, mismatch)),
         }
     }

@@ -5,7 +5,7 @@ use display_projection_processor::DERIVATIVE;
 use hardware_model::Settings;
 use scenario::Occlusion;
 use signal::{Kind, Signal, Unit, Wire};
-use terrain_generator::{COARSE, FINE, InnerSignals, Scale};
+use terrain_generator::{COARSE, FINE, InnerSignals, LIGHT, Scale, light_full_scales};
 
 use crate::signal_table::signals;
 
@@ -30,6 +30,8 @@ pub(crate) struct Scales {
     range: f64,
     /// Inner signals of each level, the scale of its array, and the side of its regions (m).
     arrays: Vec<(&'static InnerSignals, Scale, f64)>,
+    /// Full scales of the wires of the stage that makes light of slopes, by name.
+    light: Vec<(&'static str, f64)>,
 }
 
 /// Wires of the machine elaborated for `stage`, in the order of the signal table: those of blocks that are there.
@@ -70,6 +72,11 @@ impl Scales {
             lines: raster.lines as f64,
             range: stage.settings.range.end,
             arrays: vec![(&FINE, fine, size)],
+            light: LIGHT
+                .iter()
+                .map(|signal| signal.name)
+                .zip(light_full_scales(&stage.settings.analog))
+                .collect(),
         };
         if let (Some(_), Some(level)) = (stage.settings.levels, levels.get(1)) {
             let (coarse, size) = of_level(level);
@@ -85,7 +92,8 @@ impl Scales {
         let inner = self.arrays.iter().find_map(|(signals, scale, region_size)| {
             Some(signals.find(signal.name)?.full_scale(scale, *region_size))
         });
-        let [datum, full_scale] = inner.unwrap_or_else(|| self.of_unit(signal));
+        let light = || self.light.iter().find(|(name, _)| *name == signal.name).map(|(_, full)| [0.0, *full]);
+        let [datum, full_scale] = inner.or_else(light).unwrap_or_else(|| self.of_unit(signal));
         let volts = match signal.kind {
             Kind::Analog => self.volts,
             Kind::Gate => LOGIC,

@@ -121,8 +121,22 @@ fn what_goes_straight_is_named() {
 /// However finely a sweep is told, an instant has one value.
 #[test]
 fn an_instant_has_one_value() {
-    let told = Told::new("full-drive", "pra-nominal", &[]);
-    let names = ["sweep.x", "tg.fn.cx.g1", "tg.product.22", "tg.red.dac4", "tg.sum.height", "tg.height"];
+    const LIGHT: &[(&str, &str)] = &[
+        ("reflectivity.multiplier_bandwidth_mhz", "8"),
+        ("reflectivity.root_bandwidth_mhz", "5"),
+        ("reflectivity.divider_bandwidth_mhz", "3"),
+    ];
+    let told = Told::new("full-drive", "pra-nominal", LIGHT);
+    let names = [
+        "sweep.x",
+        "tg.fn.cx.g1",
+        "tg.product.22",
+        "tg.red.dac4",
+        "tg.sum.height",
+        "tg.height",
+        "tg.light.square.n",
+        "tg.light.cosine",
+    ];
     for (two, eight) in told.waves(&names, 2).iter().zip(told.waves(&names, 8)) {
         let (name, two) = (two.signal.name, &two.values);
         let scale = two.iter().fold(0.0_f64, |most, value| most.max(value.abs()));

@@ -6,7 +6,8 @@ use control_plane::{BankDemand, ControlPlane, DigitalUnit, FrameSweeps, MachineS
 use data_bank::{DrumUnit, Piece};
 use generator::{FrameError, Planes, Session};
 use interpreter::parts::gates::Edge;
-use interpreter::parts::{Array, Drawn};
+use interpreter::parts::kit::Kit;
+use interpreter::parts::{Array, Drawn, LightStage};
 use interpreter::{
     DrumFigures, Frame, FrameGiven, Given, GivenKind, Record, SceneData, ShadowLine, Unknown, interpret,
     range_programme, straight, why_not, why_straight,
@@ -32,6 +33,19 @@ pub struct Engines {
     session: Box<dyn Session>,
     control: ControlPlane,
     broken_lines: Vec<Vec<f64>>,
+}
+
+/// The stage that makes light of slopes, as one sweep drives it.
+#[derive(Debug, Clone)]
+pub struct LitSweep {
+    /// The second engine's stage with its figures.
+    pub stage: LightStage,
+    /// Slopes of the machine to the north and to the east at the samples within the stored ground (m/m).
+    pub slopes: [Vec<f64>; 2],
+    /// Unit vector to the sun: north, east, up.
+    pub to_sun: [f64; 3],
+    /// Length of a sample (s).
+    pub step: f64,
 }
 
 /// One sweep on both.
@@ -133,6 +147,27 @@ impl Engines {
         let ranges = range_programme(&own.scene.settings.range, own.scene.settings.raster.samples);
         let given = Given { shadow: &[], ..own.given(&ranges, &[], 1) };
         Ok(interpreter::array(&own.scene, sweep, &given, level))
+    }
+
+    /// The stage that makes light of slopes as sweep `sweep` drives it; none where it is ideal.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    pub fn light(&self, at: (u64, &Pose), sweep: u32) -> Result<Option<LitSweep>, FrameError> {
+        let settings = &self.stage.settings;
+        let step = 1.0 / settings.timebase.sample_rate().hertz();
+        let drawn = drawn(settings.seed, &self.broken_lines);
+        let Some(stage) = LightStage::of(&Kit { analog: &settings.analog, drawn: &drawn, step }, 1) else {
+            return Ok(None);
+        };
+        const SLOPES: [&str; 2] = ["tg.slope.u", "tg.slope.v"];
+        let (waves, record) = self.between(at, sweep, SLOPES.map(str::to_owned).into(), settings.timebase)?;
+        let slopes = SLOPES.map(|name| {
+            let wave = waves.iter().find(|wave| wave.signal.name == name);
+            wave.map_or(vec![], |wave| wave.values[..record.samples].to_vec())
+        });
+        let to_sun = self.stage.scenery.sun(at.1.time).direction();
+        Ok(Some(LitSweep { stage, slopes, to_sun, step }))
     }
 
     /// Sweep `sweep` on both, told between samples: the machine's waveforms of `signals` (patterns) and of what the interpreter is given,

@@ -23,7 +23,7 @@ pub mod scene;
 pub mod shrink;
 mod trials;
 
-pub use engines::{Engines, Seen, drawn};
+pub use engines::{Engines, LitSweep, Seen, drawn};
 pub use random::Dice;
 pub use report::{Difference, Report, Tally};
 pub use scene::{ComparedScene, Drawn, level_of, plane};

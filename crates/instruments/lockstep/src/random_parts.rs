@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use hardware_model::{
     AmplifierParts, AnalogParts, ComparatorParts, FeatureChainParts, FoldDetect, FunctionGeneratorParts,
-    MultiplierParts, MultiplyingDacParts, ProjectionParts, ReflectivityParts, SampleHoldParts,
+    LoopParts, MultiplierParts, MultiplyingDacParts, ProjectionParts, ReflectivityParts, SampleHoldParts,
     ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts,
 };
 
@@ -14,7 +14,7 @@ use crate::random::Dice;
 /// there or not.
 pub fn parts(dice: &mut Dice, step: f64) -> AnalogParts {
     let full_scale = dice.choose(&[1.0, 10.0]);
-    AnalogParts {
+    let mut parts = AnalogParts {
         full_scale,
         spread: dice.choose(&[true, false]),
         sweep: sweep(dice, step, full_scale),
@@ -46,9 +46,35 @@ pub fn parts(dice: &mut Dice, step: f64) -> AnalogParts {
             offset: dice.choose(&[0.0, 0.002 * full_scale]),
             ..ComparatorParts::IDEAL
         },
-        reflectivity: ReflectivityParts { delay_mismatch: dice.choose(&[0.0, 0.5 * step]) },
+        reflectivity: ReflectivityParts {
+            delay_mismatch: dice.choose(&[0.0, 0.5 * step]),
+            ..ReflectivityParts::IDEAL
+        },
         ..AnalogParts::ideal()
+    };
+    if dice.choose(&[true, false]) {
+        light(dice, step, &mut parts);
     }
+    parts
+}
+
+/// Parts of the stage that makes light of slopes, in the same way.
+fn light(dice: &mut Dice, step: f64, parts: &mut AnalogParts) {
+    let full_scale = parts.full_scale;
+    parts.reflectivity = ReflectivityParts {
+        slope_full_scale: dice.choose(&[0.3, 1.0, 4.0]),
+        multiplier: MultiplierParts {
+            error: dice.choose(&[0.0, 0.01]),
+            scale_error: dice.choose(&[0.0, 0.005]),
+            feedthrough: dice.choose(&[0.0, 0.01]),
+            bandwidth: bandwidth(dice, step),
+        },
+        summer_bandwidth: bandwidth(dice, step),
+        root: LoopParts { error: dice.choose(&[0.0, 0.01]), bandwidth: bandwidth(dice, step) },
+        divider: LoopParts { error: dice.choose(&[0.0, 0.01]), bandwidth: bandwidth(dice, step) },
+        saturation: dice.choose(&[None, Some(0.6 * full_scale), Some(1.1 * full_scale)]),
+        ..parts.reflectivity
+    };
 }
 
 /// Parts of feature generator, texture generator, mixing unit and projection processor, in the same way.

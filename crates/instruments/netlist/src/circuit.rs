@@ -7,11 +7,11 @@ use interpreter::parts::chain::{is_turned, units};
 use interpreter::parts::figures::{AmplifierFigures, CellFigures, PEAKS, TERMS, UNITS};
 use interpreter::parts::ramp::{carry, level_of, word_for};
 
-use crate::sources::{Level, stairs, straight};
+use crate::sources::{Level, lag, stairs, straight};
+use crate::written::{Netlist, Node};
 
-/// Nodes whose waveforms are kept, with the signals of the machine that they are and the full scale of the signal there; `{}` is the
-/// level in a name.
-pub const OUTPUTS: [(&str, &str); 7] = [
+/// Nodes of an array whose waveforms are kept, with the signals of the machine that they are; `{}` is the level in a name.
+pub const ARRAY: [(&str, &str); 7] = [
     ("rx", "sweep.{}x"),
     ("ry", "sweep.{}y"),
     ("fx0", "tg.{}fn.x.g0"),
@@ -20,9 +20,6 @@ pub const OUTPUTS: [(&str, &str); 7] = [
     ("slopeu", "tg.{}sum.u"),
     ("slopev", "tg.{}sum.v"),
 ];
-
-/// Instants of a sample at which waveforms are asked for; ngspice takes twice as many and more.
-const INSTANTS: f64 = 8.0;
 
 /// Ascending powers of the basis functions of section 5.2, then of their slopes.
 const POWERS: [[f64; 6]; 6] = [
@@ -43,12 +40,53 @@ pub struct Circuit<'a> {
     pub array: &'a Array,
     /// Points of broken lines of function generators ([`interpreter::parts::Drawn`]).
     pub broken_lines: &'a [Vec<f64>],
+    /// What stands before the names of its signals, behind the block: `coarse.`, or nothing.
+    pub level: &'a str,
 }
 
-/// The circuit as ngspice reads it.
-pub fn text(circuit: &Circuit<'_>) -> String {
+/// The circuit of an array.
+pub fn of_array(circuit: &Circuit<'_>) -> Netlist {
+    let array = circuit.array;
+    let node = |(number, (name, signal)): (usize, &(&'static str, &str))| Node {
+        name,
+        signal: signal.replace("{}", circuit.level),
+        full_scale: full_scale(array, number),
+    };
+    Netlist {
+        text: text(circuit),
+        nodes: ARRAY.iter().enumerate().map(node).collect(),
+        edges: edges(array),
+        step: array.figures.step,
+        begins: array.begins,
+        last: (array.accumulators.len() as i64 - 1 + array.begins) as usize,
+    }
+    .ended()
+}
+
+/// Instants at which a word or the polarity changes, or a ramp folds (steps from the first sample).
+fn edges(array: &Array) -> Vec<f64> {
+    let words = array.words.taken.iter().flatten().flatten().map(|word| word.at);
+    let turns = array.words.turns.iter().map(|(at, _)| *at);
+    let corners = array.corners.iter().flatten();
+    let folds = corners.filter(|[_, value]| *value == 0.0 || *value == 1.0).map(|[at, _]| *at);
+    let mut edges: Vec<f64> = words.chain(turns).chain(folds).filter(|at| at.is_finite()).collect();
+    edges.sort_by(f64::total_cmp);
+    edges
+}
+
+/// Full scale of a node of [`ARRAY`]: of ramps and function generators 1.
+fn full_scale(array: &Array, node: usize) -> f64 {
+    let scales = &array.figures.scales;
+    match node {
+        0..=3 => 1.0,
+        4 => scales.height,
+        _ => scales.slope / array.region_size,
+    }
+}
+
+/// All parts of an array, and its outputs.
+fn text(circuit: &Circuit<'_>) -> String {
     let Circuit { title, array, .. } = *circuit;
-    let figures = &array.figures;
     let mut text = format!("* {}\n", title.replace('\n', " "));
     for axis in 0..2 {
         ramp(circuit, axis, &mut text);
@@ -62,14 +100,6 @@ pub fn text(circuit: &Circuit<'_>) -> String {
         tree(array, sum, &mut text);
     }
     outputs(array, &mut text);
-    let step = figures.step / INSTANTS;
-    let end = (array.accumulators.len() - 1) as f64 * figures.step;
-    let saved: String = OUTPUTS.iter().map(|(node, _)| format!(" v({node})")).collect();
-    let _ = write!(
-        text,
-        ".options reltol=1e-5 abstol=1e-15 vntol=1e-9 chgtol=1e-18\n.save{saved}\n.tran {step:.15e} {end:.15e} 0 {:.3e}\n.end\n",
-        step / 2.0
-    );
     text
 }
 
@@ -78,14 +108,6 @@ impl Circuit<'_> {
     fn seconds(&self, at: f64) -> f64 {
         (at - self.array.begins as f64) * self.array.figures.step
     }
-}
-
-/// A lag from node `from` to node `to`: one pole, or a wire.
-fn lag(from: &str, to: &str, tau: f64, text: &mut String) {
-    let _ = match tau {
-        0.0 => writeln!(text, "R{to} {from} {to} 1e-6"),
-        tau => writeln!(text, "R{to} {from} {to} 1\nC{to} {to} 0 {tau:.15e}"),
-    };
 }
 
 /// Accumulator, converter and smoother, up to node `rx` or `ry`.

@@ -4,12 +4,14 @@ use std::io;
 use std::path::Path;
 use std::process::Command;
 
-/// Waveforms of the nodes of [`crate::OUTPUTS`], at the instants that ngspice chose.
+use crate::Netlist;
+
+/// Waveforms of the nodes that a circuit keeps, at the instants that ngspice chose.
 #[derive(Debug, Clone)]
 pub struct Curves {
     /// Instants of the points (s).
     pub times: Vec<f64>,
-    /// Values of each node, in the order of [`crate::OUTPUTS`].
+    /// Values of each node, in the order of [`Netlist::signals`].
     pub values: Vec<Vec<f64>>,
 }
 
@@ -38,11 +40,11 @@ pub enum RunError {
     Failed(String),
 }
 
-/// Runs the circuit in the file `circuit`; its raw file is written to `raw`.
+/// Runs the circuit of `netlist`, which stands in the file `circuit`; its raw file is written to `raw`.
 ///
 /// # Errors
 /// If ngspice is not there, or makes nothing of the circuit.
-pub fn run(circuit: &Path, raw: &Path) -> Result<Curves, RunError> {
+pub fn run(netlist: &Netlist, circuit: &Path, raw: &Path) -> Result<Curves, RunError> {
     let started = Command::new("ngspice").arg("-b").arg("-r").arg(raw).arg(circuit).output();
     let output = match started {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Err(RunError::NoNgspice),
@@ -55,11 +57,11 @@ pub fn run(circuit: &Path, raw: &Path) -> Result<Curves, RunError> {
         )
     };
     let bytes = std::fs::read(raw).map_err(|_| said())?;
-    parsed(&bytes).ok_or_else(said)
+    parsed(&bytes, netlist.nodes.len()).ok_or_else(said)
 }
 
 /// A raw file of real numbers: a header up to `Binary:`, then doubles, the time first.
-fn parsed(bytes: &[u8]) -> Option<Curves> {
+fn parsed(bytes: &[u8], nodes: usize) -> Option<Curves> {
     const MARK: &[u8] = b"Binary:\n";
     let body = bytes.windows(MARK.len()).position(|window| window == MARK)? + MARK.len();
     let header = std::str::from_utf8(&bytes[..body]).ok()?;
@@ -69,6 +71,6 @@ fn parsed(bytes: &[u8]) -> Option<Curves> {
     let numbers: Option<Vec<f64>> = bytes[body..].chunks_exact(8).map(number).collect();
     let numbers = numbers?;
     let column = |k: usize| numbers.iter().skip(k).step_by(variables).copied().collect::<Vec<f64>>();
-    (variables == crate::OUTPUTS.len() + 1 && numbers.len() > variables)
+    (variables == nodes + 1 && numbers.len() > variables)
         .then(|| Curves { times: column(0), values: (1..variables).map(column).collect() })
 }

@@ -1,4 +1,4 @@
-//! Sources that follow a list of points.
+//! Sources that follow a list of points, and lags.
 
 use std::fmt::Write;
 
@@ -57,4 +57,12 @@ pub fn stairs(name: &str, levels: &[Level]) -> String {
         before = Some(level);
     }
     straight(name, &points)
+}
+
+/// A lag from node `from` to node `to`: one pole, or a wire.
+pub fn lag(from: &str, to: &str, tau: f64, text: &mut String) {
+    let _ = match tau {
+        0.0 => writeln!(text, "R{to} {from} {to} 1e-6"),
+        tau => writeln!(text, "R{to} {from} {to} 1\nC{to} {to} 0 {tau:.15e}"),
+    };
 }

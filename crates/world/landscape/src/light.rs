@@ -79,9 +79,14 @@ impl SweepLight {
 /// albedo, and 1 / albedo. Of one place, or of several side by side.
 #[inline(always)]
 fn reflected<T: Number>(law: Photometry, sun: [T; 4], [along, across]: [T; 2], sight: T) -> T {
+    lit(law, sun, lambert(sun, [along, across]), [along, across], sight)
+}
+
+/// The same where Lambert's law gives `lambert`.
+#[inline(always)]
+fn lit<T: Number>(law: Photometry, sun: [T; 4], lambert: T, [along, across]: [T; 2], sight: T) -> T {
     let [sun_along, _, sun_up, unit] = sun;
     let one = along.like(1.0);
-    let lambert = lambert(sun, [along, across]);
     let slant = (one + sight * sight).root();
     let mu = (along - sight) / (normal([along, across]) * slant);
     let cos_g = -(sun_along + sun_up * sight) * unit / slant;
@@ -132,6 +137,24 @@ impl<S: Real> GroupLight<S> {
             Photometry::Lambert => lambert(sun, slopes).0,
             law => reflected(law, sun, slopes, one(&sight)).0,
         })
+    }
+
+    /// The same where a circuit gives `lambert`, `n.s` times albedo.
+    #[inline(always)]
+    pub fn beyond_lambert(
+        &self,
+        lambert: Lanes<S>,
+        [along, across]: [Lanes<S>; 2],
+        sight: Lanes<S>,
+    ) -> Lanes<S> {
+        let one = |lanes: &Lanes<S>| Places(lanes.0);
+        match self.photometry {
+            Photometry::Lambert => lambert,
+            law => {
+                let (sun, slopes) = (self.sun.each_ref().map(one), [one(&along), one(&across)]);
+                Lanes(lit(law, sun, one(&lambert), slopes, one(&sight)).0)
+            }
+        }
     }
 
     /// The same along a sweep whose samples lie at `ranges` (m), from height (m) and the slopes along and across, two samples at
@@ -299,6 +322,19 @@ mod tests {
                     prop_assert_eq!(run[k], light.reflectivity(along[k], across[k], sight), "{:?}", law);
                 }
             }
+        }
+    }
+
+    /// What a circuit of ideal parts gives is the law itself.
+    #[test]
+    fn light_beyond_lambert_is_that_of_the_law() {
+        let sun = Sun { azimuth: 0.4, elevation: 0.3 };
+        let [along, across, sight] = [0.2, -0.1, -0.05].map(Lanes::<f64>::splat);
+        let light = |law| GroupLight::new(&[SweepLight::new(&sun, 0.7, law, [0.8, 0.6]); 8]);
+        let lambert = light(Photometry::Lambert).reflectivity(along, across, sight);
+        for law in LAWS {
+            let found = light(law).beyond_lambert(lambert, [along, across], sight);
+            assert_eq!(found, light(law).reflectivity(along, across, sight), "{law:?}");
         }
     }
 

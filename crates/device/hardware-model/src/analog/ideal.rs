@@ -2,8 +2,9 @@
 
 use super::{
     AmplifierParts, AnalogParts, ComparatorParts, FeatureChainParts, FoldDetect, FunctionGeneratorParts,
-    MemoryParts, MultiplierParts, MultiplyingDacParts, PictureTubeParts, ProjectionParts, ReflectivityParts,
-    SampleHoldParts, ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts, WriteCompensation,
+    LoopParts, MemoryParts, MultiplierParts, MultiplyingDacParts, PictureTubeParts, ProjectionParts,
+    ReflectivityParts, SampleHoldParts, ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts,
+    WriteCompensation,
 };
 
 impl SweepParts {
@@ -53,8 +54,27 @@ impl SampleHoldParts {
 }
 
 impl ReflectivityParts {
-    /// In step with the height.
-    pub const IDEAL: Self = Self { delay_mismatch: 0.0 };
+    /// The law itself, in step with the height.
+    pub const IDEAL: Self = Self {
+        delay_mismatch: 0.0,
+        slope_full_scale: 1.0,
+        multiplier: MultiplierParts::IDEAL,
+        summer_bandwidth: None,
+        root: LoopParts::IDEAL,
+        divider: LoopParts::IDEAL,
+        saturation: None,
+    };
+
+    /// Whether the stage is the law itself, in step with the height or not.
+    pub fn stage_is_ideal(&self) -> bool {
+        let Self { delay_mismatch, slope_full_scale, .. } = *self;
+        *self == Self { delay_mismatch, slope_full_scale, ..Self::IDEAL }
+    }
+}
+
+impl LoopParts {
+    /// A part that solves its law itself.
+    pub const IDEAL: Self = Self { error: 0.0, bandwidth: None };
 }
 
 impl VideoSwitchParts {
@@ -130,7 +150,8 @@ impl AnalogParts {
             && self.multiplier == MultiplierParts::IDEAL
             && self.multiplying_dac == MultiplyingDacParts::IDEAL
             && self.amplifier == AmplifierParts::IDEAL
-            && self.reflectivity == ReflectivityParts::IDEAL
+            && self.reflectivity.delay_mismatch == 0.0
+            && self.reflectivity.stage_is_ideal()
     }
 
     /// Whether the video switches of the mixing unit and the comparators that key them are ideal.

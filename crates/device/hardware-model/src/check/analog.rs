@@ -48,9 +48,10 @@ fn ramps(check: &mut Check) {
 /// Level ground in one of 1000 lines of 30 degrees, seen from 1.63 m (hardware 4.8).
 const LINE_AT_100_M: f64 = 3.2;
 
-/// Hardware 4.9: ten times the rate of regions for each factor of a product, five times for the sum.
+/// Hardware 4.9: ten times the rate of regions for each factor of a product, five times for the sum, twice that for the light.
 fn bandwidths(check: &mut Check) {
     let (analog, rate) = (&check.model.analog, 1.0 / check.budget.crossings.axis);
+    let light = &analog.reflectivity;
     let video = check.budget.sweep.video_bandwidth;
     let sum = |product: f64| product / analog.summer_inputs.map_or(1.0, |inputs| f64::from(inputs) + 1.0);
     let parts = [
@@ -58,6 +59,10 @@ fn bandwidths(check: &mut Check) {
         ("multiplier.bandwidth_mhz", analog.multiplier.bandwidth, 10.0 * rate),
         ("multiplying_dac.bandwidth_mhz", analog.multiplying_dac.bandwidth, 10.0 * rate),
         ("amplifier.gain_bandwidth_mhz", analog.amplifier.gain_bandwidth.map(sum), 5.0 * rate),
+        ("reflectivity.multiplier_bandwidth_mhz", light.multiplier.bandwidth, 10.0 * rate),
+        ("reflectivity.summer_bandwidth_mhz", light.summer_bandwidth, 10.0 * rate),
+        ("reflectivity.root_bandwidth_mhz", light.root.bandwidth, 10.0 * rate),
+        ("reflectivity.divider_bandwidth_mhz", light.divider.bandwidth, 10.0 * rate),
         ("video.bandwidth_mhz", analog.video_bandwidth, video),
     ];
     for (key, bandwidth, needed) in parts {
@@ -76,8 +81,13 @@ fn slew(check: &mut Check) {
             format!("a slew rate of {} V/µs, needed are {}", short(1e-6 * slew), short(1e-6 * needed))
         });
     }
-    if let Some(clip) = amplifier.saturation {
-        check.warn_if(clip < full_scale, "A25", &["amplifier.saturation_v", "analog.full_scale_v"], || {
+    let clips = [
+        ("amplifier.saturation_v", amplifier.saturation),
+        ("reflectivity.saturation_v", check.model.analog.reflectivity.saturation),
+    ];
+    for (key, clip) in clips {
+        let Some(clip) = clip else { continue };
+        check.warn_if(clip < full_scale, "A25", &[key, "analog.full_scale_v"], || {
             format!("outputs clip at {} V, full scale is {} V", short(clip), short(full_scale))
         });
     }

@@ -4,9 +4,9 @@ use diagnostics::{Field, Reader};
 
 use crate::{
     AmplifierParts, AnalogParts, ComparatorParts, FeatureChainParts, FoldDetect, FunctionGeneratorParts,
-    MAIN_WIRES, MemoryParts, MultiplierParts, MultiplyingDacParts, PictureTubeParts, ProjectionParts,
-    ReflectivityParts, SampleHoldParts, ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts,
-    WireParts, WriteCompensation,
+    LoopParts, MAIN_WIRES, MemoryParts, MultiplierParts, MultiplyingDacParts, PictureTubeParts,
+    ProjectionParts, ReflectivityParts, SampleHoldParts, ShadowLineParts, SweepParts, TextureParts,
+    VideoSwitchParts, WireParts, WriteCompensation,
 };
 
 /// Tables that hold analog keys beside others.
@@ -33,7 +33,7 @@ pub(super) fn analog(root: &Reader, shared: &SharedTables) -> Option<AnalogParts
         part("summer").map(|t| t.u32("inputs_per_stage").between(2, 36).or_word("unlimited").required());
     let comparator = part("comparator").map(|t| comparator(&t));
     let sample_hold = part("sample_hold").map(|t| sample_hold(&t));
-    let mismatch = part("reflectivity").map(|t| signed_nanoseconds(&t, "delay_mismatch_ns").required());
+    let reflectivity = part("reflectivity").map(|t| reflectivity(&t));
     let video_switch = part("video_switch").map(|t| video_switch(&t));
     let video = part("video").map(|t| megahertz(&t, "bandwidth_mhz").required());
     let projection = shared.dpp.as_ref().map(projection);
@@ -54,7 +54,7 @@ pub(super) fn analog(root: &Reader, shared: &SharedTables) -> Option<AnalogParts
         summer_inputs: summer??,
         comparator: comparator??,
         sample_hold: sample_hold??,
-        reflectivity: ReflectivityParts { delay_mismatch: mismatch?? },
+        reflectivity: reflectivity??,
         video_switch: video_switch??,
         feature: feature??,
         shadow_line: ShadowLineParts { error: shadow_line?? },
@@ -172,8 +172,7 @@ fn amplifier(table: &Reader) -> Option<AmplifierParts> {
     let gain_bandwidth = megahertz(table, "gain_bandwidth_mhz").required();
     let slew = volts_a_microsecond(table, "slew_v_us").required();
     let noise = millivolts(table, "noise_mv").required();
-    let saturation = table.f64("saturation_v").above(0.0).at_most(1e6).unit("V");
-    let saturation = saturation.or_word("unlimited").required();
+    let saturation = saturation(table).required();
     let recovery = table.f64("recovery_us").between(0.0, 1e6).unit("µs").map(|time| 1e-6 * time).required();
     Some(AmplifierParts {
         gain_bandwidth: gain_bandwidth?,
@@ -182,6 +181,10 @@ fn amplifier(table: &Reader) -> Option<AmplifierParts> {
         saturation: saturation?,
         recovery: recovery?,
     })
+}
+
+fn saturation<'a>(table: &Reader<'a>) -> Field<'a, Option<f64>> {
+    table.f64("saturation_v").above(0.0).at_most(1e6).unit("V").or_word("unlimited")
 }
 
 fn comparator(table: &Reader) -> Option<ComparatorParts> {
@@ -205,6 +208,38 @@ fn sample_hold(table: &Reader) -> Option<SampleHoldParts> {
         pedestal: pedestal?,
         aperture: aperture?,
         jitter: jitter?,
+    })
+}
+
+/// A model without the keys of the stage has an ideal one: files from before there were any keep their meaning.
+fn reflectivity(table: &Reader) -> Option<ReflectivityParts> {
+    const IDEAL: ReflectivityParts = ReflectivityParts::IDEAL;
+    let delay_mismatch = signed_nanoseconds(table, "delay_mismatch_ns").required();
+    let slope_full_scale = table.f64("slope_full_scale").between(0.01, 100.0).unit("m/m");
+    let slope_full_scale = slope_full_scale.default(IDEAL.slope_full_scale);
+    let error = percent(table, "multiplier_error_pct").default(IDEAL.multiplier.error);
+    let scale_error = percent(table, "multiplier_scale_error_pct").default(IDEAL.multiplier.scale_error);
+    let feedthrough = percent(table, "multiplier_feedthrough_pct").default(IDEAL.multiplier.feedthrough);
+    let bandwidth = megahertz(table, "multiplier_bandwidth_mhz").default(IDEAL.multiplier.bandwidth);
+    let summer_bandwidth = megahertz(table, "summer_bandwidth_mhz").default(IDEAL.summer_bandwidth);
+    let root_error = percent(table, "root_error_pct").default(IDEAL.root.error);
+    let root_bandwidth = megahertz(table, "root_bandwidth_mhz").default(IDEAL.root.bandwidth);
+    let divider_error = percent(table, "divider_error_pct").default(IDEAL.divider.error);
+    let divider_bandwidth = megahertz(table, "divider_bandwidth_mhz").default(IDEAL.divider.bandwidth);
+    let saturation = saturation(table).default(IDEAL.saturation);
+    Some(ReflectivityParts {
+        delay_mismatch: delay_mismatch?,
+        slope_full_scale: slope_full_scale?,
+        multiplier: MultiplierParts {
+            error: error?,
+            scale_error: scale_error?,
+            feedthrough: feedthrough?,
+            bandwidth: bandwidth?,
+        },
+        summer_bandwidth: summer_bandwidth?,
+        root: LoopParts { error: root_error?, bandwidth: root_bandwidth? },
+        divider: LoopParts { error: divider_error?, bandwidth: divider_bandwidth? },
+        saturation: saturation?,
     })
 }
 

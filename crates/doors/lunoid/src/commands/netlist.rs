@@ -1,14 +1,13 @@
-//! `lunoid netlist`: the chain of one sweep as a circuit for ngspice.
+//! `lunoid netlist`: the chain of one sweep as a circuit for ngspice, an array or its light.
 
 use std::path::PathBuf;
 
 use ::lockstep::Engines;
-use ::netlist::{Agreement, Circuit, INSTANTS, OUTPUTS, compare, run, text};
+use ::netlist::{Agreement, Circuit, INSTANTS, LightCircuit, Netlist, compare, of_array, of_light, run};
 use ::text::table;
 use between::Between;
 use clap::{Args, ValueEnum};
 use front_door::Opened;
-use interpreter::parts::Array;
 use rayon::ThreadPool;
 use scenario::Pose;
 use scope::Looking;
@@ -25,8 +24,9 @@ const AFTER: &str = "Examples:
   lunoid netlist scenarios/nominal-drive.toml --machine pra-nominal --frame 10 --sweep 200 --block coarse --out far.cir --check
 
 The circuit runs as it stands: ngspice -b -r chain.raw chain.cir. --check runs it, and compares the ramps, two function generators and
-the three sums with the machine's, at eight instants of every sample, by the waveform norm (1e-3 of the value and 1e-4 of full scale). The exit code is 1
-if a signal is farther off.";
+the three sums with the machine's, at eight instants of every sample, by the waveform norm (1e-3 of the value and 1e-4 of full scale).
+With --block light it compares the wires of the stage that makes light of slopes, which is given the machine's slopes. The exit code is
+1 if a signal is farther off.";
 
 /// Write the terrain generator's chain of one sweep as a circuit that ngspice runs.
 #[derive(Debug, Args)]
@@ -37,7 +37,7 @@ pub struct NetlistCommand {
     /// Sweep of the frame, from 0 at the left.
     #[arg(long, value_name = "S", value_parser = values::at_least(0_u32))]
     sweep: u32,
-    /// Terrain generator whose chain is written.
+    /// Terrain generator whose chain is written, or the light behind both.
     #[arg(long, value_enum, default_value_t = Block::Fine)]
     block: Block,
     /// File of the circuit.
@@ -58,6 +58,8 @@ enum Block {
     Fine,
     /// Terrain generator of far ground, of a scenario with two levels.
     Coarse,
+    /// Stage that makes light of the slopes.
+    Light,
 }
 
 impl NetlistCommand {
@@ -75,21 +77,21 @@ impl NetlistCommand {
         }
         let pool = self.chosen.threads.pool()?;
         let (engines, pose) = self.engines(&opened, &pool)?;
-        let array = self.array((&engines, &pose), &pool)?;
         let title = format!(
             "{}, {}, frame {}, sweep {}",
             opened.scenario.title, opened.inputs.model, self.chosen.frame, self.sweep
         );
-        let circuit = Circuit { title: &title, array: &array, broken_lines: engines.broken_lines() };
-        files::write_atomic(&self.out, |out| out.write_all(text(&circuit).as_bytes()))?;
+        let netlist = pool.install(|| self.netlist((&engines, &pose), &title))?;
+        files::write_atomic(&self.out, |out| out.write_all(netlist.text.as_bytes()))?;
         if !self.check {
             print(&format!("{}: run it with ngspice -b -r chain.raw {0}\n", self.out.display()))?;
             return Ok(Verdict::Yes);
         }
-        let curves = run(&self.out, &self.out.with_extension("raw")).map_err(Failure::input)?;
-        let machine = self.machine((&engines, &pose), &pool, &opened)?;
-        let found = compare(&array, &curves, |node| self.signal(node, &machine));
-        self.tell(&title, &found)?;
+        let curves = run(&netlist, &self.out, &self.out.with_extension("raw")).map_err(Failure::input)?;
+        let machine = self.machine((&engines, &pose), &pool, &opened, &netlist)?;
+        let of = |name: &str| machine.iter().find(|wave| wave.signal.name == name);
+        let found = compare(&netlist, &curves, |name| of(name).map_or(&[], |wave| &wave.values));
+        self.tell(&title, &netlist, &found)?;
         Ok(if found.iter().all(Agreement::holds) { Verdict::Yes } else { Verdict::No })
     }
 
@@ -100,18 +102,41 @@ impl NetlistCommand {
         Ok((Engines::new(stage), poses.rows()[0].pose))
     }
 
-    fn array(&self, (engines, pose): (&Engines, &Pose), pool: &ThreadPool) -> Result<Array, Failure> {
-        let level = usize::from(self.block == Block::Coarse);
-        let found = pool.install(|| engines.array((self.chosen.frame, pose), self.sweep, level));
-        found.map_err(Failure::input)?.ok_or_else(|| {
-            Failure::usage(match self.block {
-                Block::Fine => {
-                    "--machine: this model has an ideal terrain generator, which has no circuit; expected one with real parts, as pra-nominal has"
-                }
-                Block::Coarse => {
-                    "--block coarse: expected a scenario with two levels, and a model whose terrain generator has real parts"
-                }
-            })
+    fn netlist(&self, (engines, pose): (&Engines, &Pose), title: &str) -> Result<Netlist, Failure> {
+        let at = (self.chosen.frame, pose);
+        let (level, name) = match self.block {
+            Block::Fine => (0, ""),
+            Block::Coarse => (1, "coarse."),
+            Block::Light => {
+                let lit = engines.light(at, self.sweep).map_err(Failure::input)?;
+                let lit = lit.ok_or_else(|| self.no_circuit())?;
+                let (stage, slopes) = (&lit.stage, &lit.slopes);
+                return Ok(of_light(&LightCircuit {
+                    title,
+                    stage,
+                    slopes,
+                    to_sun: lit.to_sun,
+                    step: lit.step,
+                }));
+            }
+        };
+        let array = engines.array(at, self.sweep, level).map_err(Failure::input)?;
+        let array = array.ok_or_else(|| self.no_circuit())?;
+        let circuit = Circuit { title, array: &array, broken_lines: engines.broken_lines(), level: name };
+        Ok(of_array(&circuit))
+    }
+
+    fn no_circuit(&self) -> Failure {
+        Failure::usage(match self.block {
+            Block::Fine => {
+                "--machine: this model has an ideal terrain generator, which has no circuit; expected one with real parts, as pra-nominal has"
+            }
+            Block::Coarse => {
+                "--block coarse: expected a scenario with two levels, and a model whose terrain generator has real parts"
+            }
+            Block::Light => {
+                "--block light: this model makes light by the law, which has no circuit; expected one with a figure of its parts, as reflectivity.divider_bandwidth_mhz"
+            }
         })
     }
 
@@ -121,37 +146,28 @@ impl NetlistCommand {
         (engines, pose): (&Engines, &Pose),
         pool: &ThreadPool,
         opened: &Opened,
+        netlist: &Netlist,
     ) -> Result<Vec<Waveform>, Failure> {
         let clocks = opened.settings.timebase;
         let divided = clocks.divided(INSTANTS).map_err(Failure::input)?;
         let between = Between::new(engines, pool, (self.chosen.frame, pose), [clocks, divided]);
-        let signals = OUTPUTS.iter().map(|(_, signal)| self.name(signal)).collect();
+        let signals = netlist.signals().map(str::to_owned).collect();
         Ok(between.at(signals, self.sweep..self.sweep + 1)?)
     }
 
-    /// Name of a signal on the chosen level.
-    fn name(&self, signal: &str) -> String {
-        signal.replace("{}", if self.block == Block::Coarse { "coarse." } else { "" })
-    }
-
-    fn signal<'a>(&self, node: usize, machine: &'a [Waveform]) -> &'a [f64] {
-        let name = self.name(OUTPUTS[node].1);
-        machine.iter().find(|wave| wave.signal.name == name).map_or(&[], |wave| &wave.values)
-    }
-
-    fn tell(&self, title: &str, found: &[Agreement]) -> Result<(), Failure> {
-        let name = |node: usize| self.name(OUTPUTS[node].1);
+    fn tell(&self, title: &str, netlist: &Netlist, found: &[Agreement]) -> Result<(), Failure> {
+        let names: Vec<&str> = netlist.signals().collect();
         if self.json {
             let signals: Vec<_> = found.iter().map(|agreement| {
                 let Agreement { node, norm, worst, samples, skipped } = *agreement;
-                json!({ "signal": name(node), "norm": norm, "worst": worst, "instants": samples, "skipped": skipped })
+                json!({ "signal": names[node], "norm": norm, "worst": worst, "instants": samples, "skipped": skipped })
             }).collect();
             return print_json(&json!({ "schema": "lunoid.netlist/2", "what": title, "signals": signals }));
         }
         let head = ["signal", "norm", "worst (FS)", "instants", "beside edges"].map(str::to_owned).to_vec();
         let rows = found.iter().map(|agreement| {
             vec![
-                name(agreement.node),
+                names[agreement.node].to_owned(),
                 format!("{:.3}", agreement.norm),
                 format!("{:.1e}", agreement.worst),
                 agreement.samples.to_string(),

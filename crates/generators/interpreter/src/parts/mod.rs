@@ -17,7 +17,7 @@
 //!
 //! **Terrain generator**: [`drawn`] (what a seed gives), [`figures`] (of every part), [`series`], [`ramp`], [`functions`], [`words`]
 //! (what D/As take, and when), [`amplifier`], [`tree`], [`chain`] (all of them, step by step), [`array`](mod@array) (what a sweep drives
-//! them by), [`reflectivity`] (the stage behind them).
+//! them by), [`light_stage`] and [`reflectivity`] (light of its slopes, and its delay).
 //!
 //! **Behind it**, all from the figures of a [`kit`]: [`sub_generator`] and [`crater_chains`] (feature generator), [`texture`],
 //! [`comparator`], [`gates`] (with the fades that they command), [`video_switch`], [`broken`] (a signal that jumps between samples),
@@ -38,6 +38,7 @@ pub mod functions;
 pub mod gates;
 pub mod kit;
 pub mod latch;
+pub mod light_stage;
 pub mod mixer;
 pub mod peak_detector;
 pub mod ramp;
@@ -54,4 +55,5 @@ pub mod words;
 pub use array::{Array, Sweep};
 pub use drawn::Drawn;
 pub use figures::Figures;
+pub use light_stage::LightStage;
 pub use reflectivity::ReflectivityStage;

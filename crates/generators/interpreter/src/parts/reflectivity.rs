@@ -1,4 +1,4 @@
-//! The reflectivity stage: its light comes later than the height (hardware 3.4).
+//! What is left of the light's delay against the height (hardware 3.4).
 
 use super::series::LagMap;
 use crate::given::straight;

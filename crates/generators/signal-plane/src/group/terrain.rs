@@ -4,9 +4,12 @@ use control_plane::Coarse;
 use landscape::{GroupLight, SweepLight};
 use parts::LagStep;
 use signal::{LANES, Lanes, Real};
-use terrain_generator::{ArrayState, ModifiedTerrainGenerator, PartsArray, PartsTerrain};
+use terrain_generator::{
+    ArrayState, LitGroup, ModifiedTerrainGenerator, PartsArray, PartsLight, PartsTerrain,
+};
 
 use super::Group;
+use crate::output_amplifiers::Ends;
 use crate::real_parts::Terrain;
 use crate::workspace::Workspace;
 
@@ -19,17 +22,44 @@ impl<S: Real> Group<'_, S> {
         work: &mut Workspace<S>,
     ) {
         self.trace_terrain(first, sweeps, work);
-        let fine = self.terrain(self.stage.landscape.level());
         if let Some(amplifiers) = &self.parts.amplifiers {
             amplifiers.drive_terrain(&self.directions(sweeps), &self.ends(work), &mut work.profile);
         }
-        fine.reflect(&GroupLight::new(light), 0..self.table.ranges().len(), &mut work.profile);
+        match self.parts.light() {
+            None => {
+                let fine = self.terrain(self.stage.landscape.level());
+                fine.reflect(&GroupLight::new(light), 0..self.table.ranges().len(), &mut work.profile);
+            }
+            Some(stage) => self.light_by(stage, sweeps, light, work),
+        }
         if let Some(Terrain { reflectivity: Some(lag), .. }) = &self.parts.terrain {
             delay(lag, &mut work.profile.reflectivity);
         }
         if let Some(amplifiers) = &self.parts.amplifiers {
             amplifiers.drive_terrain_light(&mut work.profile);
         }
+    }
+
+    /// Light of the slopes in `work`, by a stage of parts.
+    pub fn light_by(
+        &self,
+        stage: &PartsLight,
+        sweeps: &[u32; LANES],
+        light: &[SweepLight; LANES],
+        work: &mut Workspace<S>,
+    ) {
+        let (directions, ends) = (self.directions(sweeps), self.ends(work));
+        stage.run(&self.lit_group(light, &directions, &ends), &mut work.profile);
+    }
+
+    /// What a stage of parts is set to for a group.
+    pub fn lit_group<'l>(
+        &'l self,
+        light: &'l [SweepLight; LANES],
+        directions: &'l [[f64; 2]; LANES],
+        ends: &'l Ends,
+    ) -> LitGroup<'l> {
+        LitGroup { sun: self.plan.sun.direction(), light, directions, ends, ranges: self.table.ranges() }
     }
 
     /// Height and slopes of the terrain.

@@ -23,7 +23,7 @@ impl<S: Real> Group<'_, S> {
         // An amplifier remembers what nobody sees.
         let all = 0..self.table.ranges().len();
         let all = std::slice::from_ref(&all);
-        self.light_surface(&light, all, work);
+        self.light_surface(sweeps, all, work);
         amplifiers.drive_terrain_light(&mut work.profile);
         if self.blocks.features {
             self.find_passings(first, sweeps, work);

@@ -16,7 +16,7 @@ use std::array;
 use std::ops::Range;
 
 use feature_generator::{FeatureGenerator, Surface};
-use landscape::{GroupLight, SweepLight};
+use landscape::GroupLight;
 use signal::{LANES, Real, Stretches};
 use sweep_memory::{Beam, Steps};
 
@@ -83,7 +83,7 @@ impl<S: Real> Group<'_, S> {
     /// Light, texture and shadow of the samples that anybody sees.
     fn light_what_is_seen(&self, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
         let runs = std::mem::take(&mut work.sight.runs);
-        self.light_surface(&self.light(sweeps), &runs, work);
+        self.light_surface(sweeps, &runs, work);
         self.mix_preview(sweeps, &runs, work);
         work.sight.runs = runs;
     }
@@ -104,8 +104,13 @@ impl<S: Real> Group<'_, S> {
         work.passings.find(features, &work.craters, eye, &self.directions(sweeps), span);
     }
 
-    fn light_surface(&self, light: &[SweepLight; LANES], runs: &[Range<usize>], work: &mut Workspace<S>) {
-        let (terrain, light) = (self.terrain(self.stage.landscape.level()), GroupLight::new(light));
+    /// Light of the samples in `runs`; a stage of parts lights all, because its parts remember what nobody sees.
+    fn light_surface(&self, sweeps: &[u32; LANES], runs: &[Range<usize>], work: &mut Workspace<S>) {
+        let light = self.light(sweeps);
+        if let Some(stage) = self.parts.light() {
+            return self.light_by(stage, sweeps, &light, work);
+        }
+        let (terrain, light) = (self.terrain(self.stage.landscape.level()), GroupLight::new(&light));
         for run in runs {
             terrain.reflect(&light, run.clone(), &mut work.profile);
         }

@@ -8,7 +8,8 @@ use mixing_unit::SwitchGates;
 use signal::{Lanes, Probe, Real};
 use sweep_program::SweepProgram;
 use terrain_generator::{
-    ArrayState, COARSE, FINE, InnerSignals, InnerWire, PartsArray, TerrainGenerator, held_words,
+    ArrayState, COARSE, FINE, InnerSignals, InnerWire, LIGHT, PartsArray, TerrainGenerator, held_words,
+    light_wires,
 };
 
 use super::{Recorded, sampled};
@@ -46,6 +47,10 @@ impl<S: Real> Recorded<'_, S> {
         if signals().iter().any(|signal| GATES.contains(&signal.name) && probe.wants(signal)) {
             all.extend(GATES.into_iter().zip(self.gates(lane).map(sampled)));
         }
+        if LIGHT.iter().any(|signal| probe.wants(signal)) {
+            let wires = self.light(lane, sweep).into_iter().map(sampled);
+            all.extend(LIGHT.iter().map(|signal| signal.name).zip(wires));
+        }
         all
     }
 
@@ -63,6 +68,20 @@ impl<S: Real> Recorded<'_, S> {
         });
         let SwitchGates { present, gates: [vs1, vs2], fades: [fade1, fade2] } = found;
         [present, vs2.clone(), vs1, vs2, fade1, fade2]
+    }
+
+    /// Wires of the stage that makes light of slopes, in the order of [`LIGHT`].
+    fn light(&self, lane: usize, sweep: u32) -> [Vec<f64>; LIGHT.len()] {
+        let Self { group, work, .. } = self;
+        let sweeps = group.sweeps(sweep - lane as u32);
+        let directions = group.directions(&sweeps);
+        match group.parts.light() {
+            None => light_wires(group.plan.sun.direction(), directions[lane], &work.profile, lane),
+            Some(stage) => {
+                let (light, ends) = (group.light(&sweeps), group.ends(work));
+                stage.wires(&group.lit_group(&light, &directions, &ends), &work.profile, lane)
+            }
+        }
     }
 
     /// The levels that the machine has.

@@ -47,7 +47,9 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Elevation, SurveyError
     let keys = Keys::of(path, &geo.directory, &geo.numbers, &mut decider)?;
     let mut notes = decider.finish()?;
     if tiff.image_ifd().directory().contains(Tag::SubIfd) {
-        notes.push("the file has pictures below the first (SubIFDs), which are not read: they may mask it".into());
+        notes.push(
+            "the file has pictures below the first (SubIFDs), which are not read: they may mask it".into(),
+        );
     }
 
     let layout = Layout::of(&mut tiff, limits(bytes)).map_err(at("header"))?;
