@@ -24,25 +24,36 @@ const HEADER: usize = 8;
 const ENTRY: usize = 12;
 
 /// The values of strip or tile `index`, all that it stores: also what lies beyond the picture.
-pub fn read(tiff: &mut Tiff, index: u32, mut limits: Limits) -> TiffResult<DecodingResult> {
-    let mut chunk = Chunk::of(tiff, index)?;
+/// It begins at byte `place[0]` of the file and takes `place[1]` bytes.
+pub fn read(
+    tiff: &mut Tiff,
+    index: u32,
+    place: [u64; 2],
+    how: Stored,
+    mut limits: Limits,
+) -> TiffResult<DecodingResult> {
+    let stored = match tiff.get_chunk_type() {
+        // The last strip ends where the picture does.
+        ChunkType::Strip => tiff.chunk_data_dimensions(index).into(),
+        ChunkType::Tile => tiff.chunk_dimensions().into(),
+    };
+    let mut chunk = Chunk { stored, how };
     if chunk.bytes() > limits.decoding_buffer_size as u64 {
         return Err(TiffError::LimitsExceeded);
     }
-    let mut bytes = packed(tiff, index, &limits)?;
-    if chunk.compression == ZSTD {
+    let mut bytes = packed(tiff, place, &limits)?;
+    if chunk.how.compression == ZSTD {
         bytes = unpacked(&bytes, chunk.bytes())?;
-        chunk.compression = PLAIN;
+        chunk.how.compression = PLAIN;
     }
     limits.intermediate_buffer_size = bytes.len();
     let alone = chunk.alone(tiff.byte_order(), &bytes);
     Decoder::new(Cursor::new(alone))?.with_limits(limits).read_chunk(0)
 }
 
-/// How a strip or tile is stored.
-struct Chunk {
-    /// Columns and lines that it stores.
-    stored: [u32; 2],
+/// How all strips or tiles of a picture are stored.
+#[derive(Debug, Clone, Copy)]
+pub struct Stored {
     /// Samples of a pixel.
     samples: u32,
     bits: u32,
@@ -51,8 +62,9 @@ struct Chunk {
     compression: u32,
 }
 
-impl Chunk {
-    fn of(tiff: &mut Tiff, index: u32) -> TiffResult<Self> {
+impl Stored {
+    /// From the tags of the picture that the decoder stands at.
+    pub fn of(tiff: &mut Tiff) -> TiffResult<Self> {
         let mut first = |tag, usual| -> TiffResult<u32> {
             let values = tiff.find_tag_unsigned_vec::<u32>(tag)?;
             Ok(values.and_then(|values| values.first().copied()).unwrap_or(usual))
@@ -61,18 +73,22 @@ impl Chunk {
         let samples = if is_planar { 1 } else { first(Tag::SamplesPerPixel, 1)? };
         let (bits, format) = (first(Tag::BitsPerSample, 1)?, first(Tag::SampleFormat, 1)?);
         let (predictor, compression) = (first(Tag::Predictor, 1)?, first(Tag::Compression, PLAIN)?);
-        let stored = match tiff.get_chunk_type() {
-            // The last strip ends where the picture does.
-            ChunkType::Strip => tiff.chunk_data_dimensions(index).into(),
-            ChunkType::Tile => tiff.chunk_dimensions().into(),
-        };
-        Ok(Self { stored, samples, bits, format, predictor, compression })
+        Ok(Self { samples, bits, format, predictor, compression })
     }
+}
 
+/// One strip or tile.
+struct Chunk {
+    /// Columns and lines that it stores.
+    stored: [u32; 2],
+    how: Stored,
+}
+
+impl Chunk {
     /// Bytes of the samples; each line begins with a byte of its own.
     fn bytes(&self) -> u64 {
         let [columns, lines] = self.stored.map(u64::from);
-        let pixel = u64::from(self.samples).saturating_mul(self.bits.into());
+        let pixel = u64::from(self.how.samples).saturating_mul(self.how.bits.into());
         columns.saturating_mul(pixel).div_ceil(8).saturating_mul(lines)
     }
 
@@ -81,16 +97,16 @@ impl Chunk {
         let tags = [
             (Tag::ImageWidth, self.stored[0]),
             (Tag::ImageLength, self.stored[1]),
-            (Tag::BitsPerSample, self.bits),
-            (Tag::Compression, self.compression),
+            (Tag::BitsPerSample, self.how.bits),
+            (Tag::Compression, self.how.compression),
             (Tag::PhotometricInterpretation, 1),
-            (Tag::SamplesPerPixel, self.samples),
-            (Tag::Predictor, self.predictor),
+            (Tag::SamplesPerPixel, self.how.samples),
+            (Tag::Predictor, self.how.predictor),
             (Tag::TileWidth, self.stored[0]),
             (Tag::TileLength, self.stored[1]),
             (Tag::TileOffsets, (HEADER + 2 + TAGS * ENTRY + 4) as u32),
             (Tag::TileByteCounts, samples.len() as u32),
-            (Tag::SampleFormat, self.format),
+            (Tag::SampleFormat, self.how.format),
         ];
         directory(order, tags).into_iter().chain(samples.iter().copied()).collect()
     }
@@ -119,17 +135,8 @@ fn directory(order: ByteOrder, tags: [(Tag, u32); TAGS]) -> Vec<u8> {
     bytes
 }
 
-/// The bytes of strip or tile `index` as they stand in the file.
-fn packed(tiff: &mut Tiff, index: u32, limits: &Limits) -> TiffResult<Vec<u8>> {
-    let tags = match tiff.get_chunk_type() {
-        ChunkType::Strip => [Tag::StripOffsets, Tag::StripByteCounts],
-        ChunkType::Tile => [Tag::TileOffsets, Tag::TileByteCounts],
-    };
-    let mut number = |tag| -> TiffResult<u64> {
-        let numbers = tiff.find_tag_unsigned_vec::<u64>(tag)?.unwrap_or_default();
-        numbers.get(index as usize).copied().ok_or_else(|| broken("a strip or tile without a place"))
-    };
-    let [offset, count] = [number(tags[0])?, number(tags[1])?];
+/// The bytes of a strip or tile as they stand in the file.
+fn packed(tiff: &mut Tiff, [offset, count]: [u64; 2], limits: &Limits) -> TiffResult<Vec<u8>> {
     if count > limits.intermediate_buffer_size as u64 {
         return Err(TiffError::LimitsExceeded);
     }

@@ -1,5 +1,6 @@
 //! Items of GDAL's metadata in a TIFF (tag 42112, XML), and what becomes of each.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use crate::error::SurveyError;
@@ -125,6 +126,13 @@ impl Items {
             self.0.iter().find(fits)
         };
         of(Some(band)).or_else(|| of(None)).map(|item| item.text.as_str())
+    }
+
+    /// Bands for which an item has a text. Capitals do not matter.
+    pub fn bands_with(&self, name: &str, text: &str) -> BTreeSet<usize> {
+        let fits =
+            |item: &&Item| item.name.eq_ignore_ascii_case(name) && item.text.eq_ignore_ascii_case(text);
+        self.0.iter().filter(fits).filter_map(|item| item.band).collect()
     }
 
     /// Items that mark voids, for one band or for all.

@@ -6,8 +6,9 @@ use tiff::decoder::{ChunkType, DecodingResult, Limits};
 use tiff::tags::Tag;
 use tiff::{TiffError, TiffResult};
 
+use super::block::{self, Stored};
 use super::file::{MOST_EXPANSION, Tiff};
-use super::{block, tags};
+use super::tags;
 use crate::error::SurveyError;
 use crate::read::refusal::field;
 
@@ -28,8 +29,9 @@ pub struct Layout {
     bits: u32,
     format: u32,
     is_packed: bool,
-    /// Whether each strip or tile has a place and bytes; a sparse file leaves some out.
-    present: Vec<bool>,
+    /// First byte of each strip or tile, and its bytes; a sparse file leaves some out.
+    places: Vec<[u64; 2]>,
+    how: Stored,
     limits: Limits,
 }
 
@@ -51,8 +53,7 @@ impl Layout {
             ChunkType::Tile => [Tag::TileOffsets, Tag::TileByteCounts],
         };
         let mut all = |tag| Ok::<_, TiffError>(tiff.find_tag_unsigned_vec::<u64>(tag)?.unwrap_or_default());
-        let present =
-            all(offsets)?.iter().zip(all(counts)?).map(|(at, bytes)| *at != 0 && bytes != 0).collect();
+        let places = all(offsets)?.into_iter().zip(all(counts)?).map(|(at, bytes)| [at, bytes]).collect();
         let mut first = |tag| Ok::<_, TiffError>(all(tag)?.first().map_or(1, |number| *number as u32));
         Ok(Self {
             lines: lines as usize,
@@ -64,7 +65,8 @@ impl Layout {
             bits: first(Tag::BitsPerSample)?,
             format: first(Tag::SampleFormat)?,
             is_packed: first(Tag::Compression)? != 1,
-            present,
+            places,
+            how: Stored::of(tiff)?,
             limits,
         })
     }
@@ -93,7 +95,7 @@ impl Layout {
     pub fn check_size(&self, path: &Path, found: u64) -> Result<(), SurveyError> {
         let pixels = (self.lines as u64).saturating_mul(self.columns as u64);
         let bytes = pixels.saturating_mul(self.bands as u64).saturating_mul(self.bits.into()) / 8;
-        let is_whole = !self.is_packed && self.present.iter().all(|present| *present);
+        let is_whole = !self.is_packed && self.places.iter().all(is_held);
         let packed = (bytes / MOST_EXPANSION).max(pixels / MOST_PIXELS);
         let expected = if is_whole { bytes.max(packed) } else { packed };
         if found < expected {
@@ -116,17 +118,18 @@ impl Layout {
         let mut out = Band { samples: vec![f64::NAN; self.lines * self.columns], left_out: 0 };
         for chunk in 0..self.chunks() {
             let stored = if self.planar { chunk + band * self.chunks() } else { chunk };
-            if self.present.get(stored) == Some(&false) {
+            let place = self.places.get(stored).filter(|place| is_held(place));
+            let Some(place) = place else {
                 out.left_out += 1;
                 continue;
-            }
+            };
             let failed = |source| SurveyError::Tiff {
                 path: path.to_path_buf(),
                 place: format!("strip or tile {stored}"),
                 source,
             };
             let index = u32::try_from(stored).map_err(|_| failed(TiffError::IntSizeError))?;
-            let values = block::read(tiff, index, self.limits.clone()).map_err(failed)?;
+            let values = block::read(tiff, index, *place, self.how, self.limits.clone()).map_err(failed)?;
             self.put(chunk, &numbers(values), band, &mut out.samples);
         }
         Ok(out)
@@ -163,6 +166,11 @@ impl Layout {
         let shift = 8 - bits - index * bits % 8;
         Some(f64::from(byte >> shift & ((1 << bits) - 1)))
     }
+}
+
+/// Whether a file holds a strip or tile of this place and size.
+fn is_held([at, bytes]: &[u64; 2]) -> bool {
+    *at != 0 && *bytes != 0
 }
 
 /// Decoded numbers, each exact; integers beyond 2^53 are rounded, which no height is.

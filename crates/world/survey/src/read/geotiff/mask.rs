@@ -107,9 +107,8 @@ fn beside(
 pub fn alpha_bands(extra: &[u16], items: &Items, bands: usize) -> Vec<(usize, bool)> {
     let first = bands.saturating_sub(extra.len());
     let of_tag = |band: usize| band.checked_sub(first).and_then(|k| extra.get(k)).copied();
-    let of_item =
-        |band| items.get("COLORINTERP", band).is_some_and(|text| text.eq_ignore_ascii_case("alpha"));
-    let is_alpha = |band: &usize| matches!(of_tag(*band), Some(1 | 2)) || of_item(*band);
+    let named = items.bands_with("COLORINTERP", "alpha");
+    let is_alpha = |band: &usize| matches!(of_tag(*band), Some(1 | 2)) || named.contains(band);
     (0..bands).filter(is_alpha).map(|band| (band, of_tag(band) == Some(1))).collect()
 }
 

@@ -12,6 +12,7 @@ mod mask;
 mod place;
 pub mod tags;
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use landscape::LUNOID_RADIUS;
@@ -95,6 +96,9 @@ fn placed(
     }
 }
 
+/// Most bands that a message lists.
+const MOST_LISTED: usize = 100;
+
 /// Which bands may hold heights, and which masks them.
 struct Bands {
     heights: Vec<usize>,
@@ -114,7 +118,8 @@ impl Bands {
         let failed = |source| SurveyError::Tiff { path: path.into(), place: tags::place(338), source };
         let extra = tiff.find_tag_unsigned_vec::<u16>(Tag::ExtraSamples).map_err(failed)?.unwrap_or_default();
         let alpha = mask::alpha_bands(&extra, items, layout.bands);
-        let heights = (0..layout.bands).filter(|band| alpha.iter().all(|(alpha, _)| alpha != band)).collect();
+        let hidden: BTreeSet<usize> = alpha.iter().map(|(band, _)| *band).collect();
+        let heights = (0..layout.bands).filter(|band| !hidden.contains(band)).collect();
         Ok(Self { heights, alpha, count: layout.bands })
     }
 
@@ -122,7 +127,7 @@ impl Bands {
     fn chosen(&self, path: &Path, options: &ReadOptions, items: &Items) -> Result<Band, SurveyError> {
         let list = || {
             let name = |band| visible(items.get("DESCRIPTION", band).unwrap_or("no description"));
-            (0..self.count)
+            (0..self.count.min(MOST_LISTED))
                 .map(|band| format!("{} ({})", band + 1, name(band)))
                 .collect::<Vec<_>>()
                 .join(", ")
