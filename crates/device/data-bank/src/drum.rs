@@ -60,7 +60,7 @@ impl DrumUnit {
 /// A request that waits: place that decides (0 for all under FIFO), rank in the demands, record.
 type Waiting = (u64, u32, Key);
 
-/// Before all records.
+/// A key that comes before those of all records.
 const FIRST: Key = Key { store: 0, record: 0 };
 
 /// What happens next to a drum, and when; of one tick, what stands first comes first.

@@ -46,7 +46,7 @@ struct Order {
 }
 
 impl Store {
-    /// An empty store.
+    /// An empty store of the design `design`.
     pub(crate) fn new(design: &StoreDesign) -> Self {
         let words = design.record_words.max(landscape::WORDS as u32);
         let edit = (f64::from(words) * design.edit).ceil() as u64;

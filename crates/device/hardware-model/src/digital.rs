@@ -292,11 +292,11 @@ pub struct KindBanks {
     pub coarse: BankPlace,
     /// Master ticks that the I/O processor of each level of terrain takes to edit one word.
     pub terrain_edit: f64,
-    /// Parameters of features.
+    /// The bank of the craters' parameters.
     pub features: KindBank,
-    /// Boundaries of shadow.
+    /// The bank of the boundaries of shadow.
     pub shadows: KindBank,
-    /// Polyhedra: vertices and reflectivities of faces.
+    /// The bank of polyhedra: vertices and reflectivities of faces.
     pub polyhedra: KindBank,
 }
 

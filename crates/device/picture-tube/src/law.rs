@@ -10,7 +10,7 @@ pub(crate) struct TubeLaw {
     cut_off: f32,
     gamma: f32,
     white: f32,
-    /// Contrast alone.
+    /// Contrast alone, with nothing taken off for the cut-off.
     drive: f32,
 }
 

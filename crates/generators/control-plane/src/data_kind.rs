@@ -7,9 +7,9 @@ pub enum DataKind {
     Fine,
     /// Corners of the coarse level of terrain.
     Coarse,
-    /// Features: the craters.
+    /// Features: the craters of the problem area.
     Features,
-    /// Boundaries of shadow.
+    /// Boundaries of shadow on the ground.
     Shadows,
     /// Polyhedra: rocks and man-made objects.
     Polyhedra,

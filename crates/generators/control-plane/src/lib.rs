@@ -22,10 +22,10 @@
 //! | 1 | `raster` | what the sweeps write: the screen, or more of it |
 //! | 1 | `refusal` | why a frame cannot be drawn |
 //! | 1 | `guests` | what a scene may have, and no block draws |
-//! | 1 | `digital_event` | one event of the digital side |
 //! | 1 | `preview` | what keeps a machine from drawing a preview |
 //! | 1 | `late_crossing` | one fold that found words missing |
 //! | 1 | `waveforms` | digital wires of a sweep, from its programs |
+//! | 2 | `digital_event` | one event of the digital side |
 //! | 2 | `absent` | what the storage buffers lack in a frame beside corners |
 //! | 2 | `ticks` | ticks of frames and sweeps |
 //! | 2 | `elaboration` | the list of blocks: which are there, which have parts, what a record says of the others |

@@ -60,7 +60,7 @@ impl SquareGrid {
         Self { origin: level.origin(), side: f64::from(regions) * level.region_size(), counts, regions }
     }
 
-    /// Number of squares.
+    /// Number of squares, to the north times to the east.
     pub fn count(&self) -> u32 {
         self.counts[0].saturating_mul(self.counts[1])
     }
@@ -89,7 +89,8 @@ impl SquareGrid {
     pub fn nearest_first(&self, pieces: &mut [Piece], foot: [f64; 2]) {
         let distance = |square: u32| {
             let [north, east] = self.centre_of(square % self.count());
-            (north - foot[0]).powi(2) + (east - foot[1]).powi(2)
+            let [north, east] = [north - foot[0], east - foot[1]];
+            north * north + east * east
         };
         pieces.sort_by(|a, b| distance(a.item).total_cmp(&distance(b.item)).then(a.item.cmp(&b.item)));
     }

@@ -201,7 +201,10 @@ fn a_listing_of_nothing_says_why() {
         (&["--to", "0"], "--to 0: the events are at ticks"),
         (&["--level", "coarse"], "--level coarse: the scenario has one level of terrain; expected fine"),
         (&["--unit", "drum"], "--unit drum: the machine has no drums"),
-        (&["--unit", "drum.fine.77", "-m", "pra-nominal"], "--unit drum.fine.77: each level has drums 0..4"),
+        (
+            &["--unit", "drum.fine.77", "-m", "pra-nominal"],
+            "--unit drum.fine.77: each kind of data has drums 0..4",
+        ),
         (&["--unit", "drum.coarse", "-m", "pra-nominal"], "--unit drum.coarse: the scenario has one level"),
     ] {
         let (out, err) = trace(2, more);

@@ -110,7 +110,8 @@ fn kind_loads(rehearsal: &Rehearsal, levels: &[LevelFigures]) -> Vec<KindLoad> {
     });
     let of_squares = |name, bank: &KindBank| {
         let side = f64::from(bank.record_regions) * levels.first()?.region_size;
-        let squares = 0.5 * (settings.range.end / side).powi(2) * radians(10.0);
+        let reach = settings.range.end / side;
+        let squares = 0.5 * reach * reach * radians(10.0);
         let word = drum.word.max(settings.data_banks.channels.word);
         let ticks = 0.5 * drum.rotation as f64 + f64::from(bank.record_words) * word;
         let fetch = ticks / settings.timebase.master.hertz();

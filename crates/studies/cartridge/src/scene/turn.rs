@@ -23,7 +23,7 @@ pub struct TurnScene {
     pub range_m: f64,
     /// Width of the sector.
     pub width_deg: f64,
-    /// Turn a second.
+    /// Angle by which the sector turns in a second.
     pub turn_deg_s: f64,
     /// How long it turns; less than once around.
     pub seconds: f64,
