@@ -99,6 +99,7 @@ fn each_wire_changes_what_lies_behind_it() {
         "tg.slope.u" | "tg.slope.v" => {
             // Both slopes are turned into the sweep's axes and back.
             name.starts_with("tg.slope")
+                || name.starts_with("tg.light.")
                 || name.ends_with("reflectivity")
                 || name.starts_with("sm.")
                 || matches!(name, "mu.vs1")
