@@ -178,28 +178,32 @@ impl Supply<'_> {
             Some(load_timing(self.stage, self.table, place, SEGMENT_WORDS, rate))
         };
         let foot = [self.plan.eye[0], self.plan.eye[1]];
-        self.with_outlines(shadows, under_sun, seen, time, |directions, cast| match self.absent_shadows {
-            None => controller.gates_by(foot, directions, reach, &cast.all(), timing, gates),
-            Some(absent) => {
-                gates.clear();
-                for sweeps in self.spells(absent) {
-                    let start = start_of(self.stage, self.plan.frame, sweeps.start);
-                    let there = |anchor: [f64; 2]| !absent.lacks(anchor, start);
-                    let stored: Vec<Outlines> =
-                        cast.stored.par_iter().map(|outlines| outlines.only(there)).collect();
-                    let all: Vec<&Outlines> = stored.iter().chain(cast.own).collect();
-                    let directions = &directions[sweeps.start as usize..sweeps.end as usize];
-                    let timing = |sweep: u32| timing(sweeps.start + sweep);
-                    let mut some = Vec::new();
-                    controller.gates_by(foot, directions, reach, &all, timing, &mut some);
-                    gates.append(&mut some);
-                }
+        self.with_outlines(shadows, under_sun, seen, time, |directions, cast| {
+            let Some(absent) = self.absent_shadows else {
+                return controller.gates_by(foot, directions, reach, &cast.all(), timing, gates);
+            };
+            gates.clear();
+            for sweeps in self.spells(absent) {
+                let there = self.there(cast, absent, sweeps.start);
+                let all: Vec<&Outlines> = there.iter().chain(cast.own).collect();
+                let directions = &directions[sweeps.start as usize..sweeps.end as usize];
+                let mut some = Vec::new();
+                let timing = |sweep: u32| timing(sweeps.start + sweep);
+                controller.gates_by(foot, directions, reach, &all, timing, &mut some);
+                gates.append(&mut some);
             }
         });
         // Beyond the reach no shadow is drawn.
         if reach < end {
             gates.iter_mut().for_each(|gate| gate.end_at(reach));
         }
+    }
+
+    /// Stored outlines that the storage buffer has as sweep `sweep` begins.
+    fn there(&self, cast: &Cast<'_>, absent: &Absent, sweep: u32) -> Vec<Outlines> {
+        let start = start_of(self.stage, self.plan.frame, sweep);
+        let keeps = |anchor: [f64; 2]| !absent.lacks(anchor, start);
+        cast.stored.par_iter().map(|outlines| outlines.only(keeps)).collect()
     }
 
     /// Runs of sweeps in which the storage buffer lacks the same: what comes during a sweep is there from the next one on.

@@ -15,7 +15,7 @@ use solids::Body;
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
 
-use crate::blocks::{Blocks, Shadows};
+use crate::blocks::Blocks;
 use crate::data_kind::DataKind;
 use crate::frame_plan::FramePlan;
 use crate::raster::WrittenRaster;
@@ -210,13 +210,6 @@ impl Asking<'_> {
     /// shadow comes from the processor, for every frame anew.
     fn shadows(&self, layout: &Layout, view: &View<'_>) -> Vec<Piece> {
         let Some(shadows) = &self.blocks.shadows else { return Vec::new() };
-        let outlines = self.outlines(shadows, view);
-        let stored = outlines.iter().flat_map(stored_outlines);
-        let chains = Chains::new(&layout.grid, layout.bank.record_words, stored);
-        chains.met_by(&view.sector(shadows.reach), layout.bank.record_words)
-    }
-
-    fn outlines(&self, shadows: &Shadows, view: &View<'_>) -> Vec<Outlines> {
         let (foot, sun, time) = (view.foot(), view.plan.sun, view.pose.time);
         let (place, scale) = shadows.controller.reading(foot);
         let edges = view.plan.edges_beside(view.margin);
@@ -224,12 +217,13 @@ impl Asking<'_> {
         let standing = self.stage.scenery.standing();
         let under_sun = self.footings.under(sun, standing.len(), &shadows.bank);
         let bodies = InSight::of(self.stage, self.blocks, &view.plan, time).bodies.into_iter();
-        let cast = bodies.filter_map(|number| {
-            under_sun.shadow(number, &standing[number as usize].body, |_| true).cloned()
-        });
+        let cast =
+            bodies.filter_map(|number| under_sun.shadow(number, &standing[number as usize].body, |_| true));
         let patches: Vec<_> = self.stage.scenery.patches(time).iter().map(|patch| patch.corners).collect();
-        let of_ground = tiles.iter().map(|tile| tile.outlines.clone());
-        of_ground.chain(cast).chain([Outlines::of(&patches)]).collect()
+        let patches = Outlines::of(&patches);
+        let outlines = tiles.iter().map(|tile| &tile.outlines).chain(cast).chain([&patches]);
+        let chains = Chains::new(&layout.grid, layout.bank.record_words, outlines.flat_map(stored_outlines));
+        chains.met_by(&view.sector(shadows.reach), layout.bank.record_words)
     }
 
     /// Records with bodies that the frame draws, or would draw if the view turned by the margin.

@@ -13,7 +13,11 @@ pub fn unit_rows(rehearsal: &Rehearsal, record: &TimingRecord, levels: &[LevelFi
     let totals = Totals::of(record);
     let cpu = &rehearsal.stage.settings.cpu;
     let vertices = (cpu.vertex * totals.vertices.asked) as f64 / totals.ticks as f64;
-    let (turning, kinds) = (turning(rehearsal) / 10.0, kind_loads(rehearsal, levels));
+    let mut kinds = kind_loads(rehearsal, levels);
+    // A kind that the scenario does not have has no unit.
+    kinds
+        .retain(|kind| totals.units.keys().any(|unit| unit.starts_with("drum.") && unit.contains(kind.name)));
+    let turning = turning(rehearsal) / 10.0;
     let formulas = UnitFormulas { levels, turning, vertices, kinds };
     let rows = totals.units.iter().map(|(name, unit)| {
         let (formula, law) = formulas.of(name);
