@@ -30,6 +30,10 @@ const VERTEX_WORDS: usize = 3;
 /// Words of a face: its reflectivity.
 const FACE_WORDS: usize = 1;
 
+/// Time between two directories of the shadow bank (s of the mission): which square has how many records under the sun of that moment.
+/// Chosen: a sun that moves draws new boundaries for every frame, but moves them into another square in hours.
+const SHADOW_DIRECTORY: f64 = 1.0;
+
 /// The squares of a kind, and what lies in them for the whole mission.
 #[derive(Debug)]
 pub(crate) struct Layout {
@@ -206,11 +210,12 @@ impl Asking<'_> {
         corners.into_iter().map(Piece::one).collect()
     }
 
-    /// Squares with boundaries of shadow that the frame can meet: those of the ground, of bodies and of tracks. The vehicle's own
-    /// shadow comes from the processor, for every frame anew.
+    /// Squares with boundaries of shadow that the frame can meet, by the last directory: those of the ground, of bodies and of tracks.
+    /// The vehicle's own shadow comes from the processor, for every frame anew.
     fn shadows(&self, layout: &Layout, view: &View<'_>) -> Vec<Piece> {
         let Some(shadows) = &self.blocks.shadows else { return Vec::new() };
-        let (foot, sun, time) = (view.foot(), view.plan.sun, view.pose.time);
+        let (foot, time) = (view.foot(), view.pose.time);
+        let sun = self.stage.scenery.sun(SHADOW_DIRECTORY * (time / SHADOW_DIRECTORY).floor());
         let (place, scale) = shadows.controller.reading(foot);
         let edges = view.plan.edges_beside(view.margin);
         let tiles = shadows.bank.around(&sun, place, shadows.reach / scale, edges);

@@ -139,6 +139,13 @@ words! {
     BodyRecord = "body-record",
 }
 
+impl EventWord {
+    /// Whether the place of the event is a square of regions, named by its south-west one, and no corner.
+    pub fn is_of_square(self) -> bool {
+        matches!(self, Self::FeatureRecord | Self::ShadowRecord | Self::BodyRecord)
+    }
+}
+
 /// One event. What does not belong to it is `None`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DigitalEvent {

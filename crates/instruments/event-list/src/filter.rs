@@ -57,6 +57,12 @@ pub struct Filter {
 /// In words what is expected, if there is no such unit.
 pub fn unit(text: &str) -> Result<String, String> {
     let text = text.trim();
+    let block = text.split('.').next().unwrap_or_default();
+    if matches!(block, "editor" | "channel") {
+        return Err(format!(
+            "no event of {text} is listed, only its use (lunoid timing); its records are those of drum"
+        ));
+    }
     let is_drum = text.rsplit_once('.').is_some_and(|(drums, number)| {
         drums.starts_with("drum.") && UNITS.contains(&drums) && number.parse::<u32>().is_ok()
     });

@@ -167,7 +167,8 @@ fn details(event: &DigitalEvent) -> String {
     words.extend(event.crater.map(|crater| format!("crater {crater}")));
     words.extend(event.part.map(|part| part.to_string()));
     words.extend(event.range.map(|range| format!("at {range:.2} m")));
-    words.extend(event.corner.map(|[m, n]| format!("corner {m} {n}")));
+    let place = if event.event.is_of_square() { "square at region" } else { "corner" };
+    words.extend(event.corner.map(|[m, n]| format!("{place} {m} {n}")));
     words.extend(Some(event.words).filter(|words| *words > 0).map(|count| format!("words {count}")));
     // All nine words of a set need no mask; what is loaded into other parts comes whole.
     words.extend(

@@ -22,10 +22,10 @@ enum Column {
 }
 
 impl CsvFile {
-    /// Writes the heading: frame, sweep, index, time, and every wire with its unit.
+    /// Writes the heading: frame, sweep or line, index, time, and every wire with its unit.
     pub fn new(header: &Header, output: Box<dyn Output>) -> io::Result<Self> {
         let mut out = BufWriter::new(output);
-        write!(out, "frame,sweep,index,time [s]")?;
+        write!(out, "frame,{},index,time [s]", header.row_name())?;
         for wire in &header.wires {
             write!(out, ",{} [{}]", wire.signal.name, wire.signal.unit)?;
         }

@@ -44,6 +44,12 @@ impl Header {
         self.timebase.active_samples as usize
     }
 
+    /// What one sweep of the file is called: a line, if it is one of the read beam.
+    pub(crate) fn row_name(&self) -> &'static str {
+        let of_lines = self.wires.iter().all(|wire| wire.signal.axis == Axis::Line);
+        if of_lines { "line" } else { "sweep" }
+    }
+
     /// How many sweeps there are.
     pub(crate) fn count(&self) -> u32 {
         self.sweeps.end - self.sweeps.start

@@ -43,7 +43,7 @@ impl Encoder for JsonFile {
         let signals: Map<String, Value> = members.collect();
         self.out.write_all(self.separator.as_bytes())?;
         self.separator = ",\n";
-        let sweep = json!({ "sweep": traces.sweep, "start_s": start, "signals": signals });
+        let sweep = json!({ (self.header.row_name()): traces.sweep, "start_s": start, "signals": signals });
         serde_json::to_writer(&mut self.out, &sweep).map_err(io::Error::from)
     }
 

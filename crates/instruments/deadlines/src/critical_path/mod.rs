@@ -5,7 +5,7 @@ mod transfer;
 use machine::MachineStage;
 use scenario::Pose;
 use serde::Serialize;
-use timing::{Deadline, FrameTiming, Missed};
+use timing::{Deadline, FrameTiming, Missed, UnitUse};
 
 use self::transfer::worst_transfer;
 use crate::{DeadlineError, Rehearsal};
@@ -66,6 +66,9 @@ pub fn chains(rehearsal: &Rehearsal, pose: &Pose, frame: &FrameTiming) -> Result
         Deadline::FRAME_TASKS => frame_tasks(stage, frame),
         Deadline::CORNER => corner(frame),
         Deadline::FEATURE | Deadline::SEGMENT => load(*deadline, frame),
+        Deadline::FEATURE_RECORD => record(*deadline, "features", frame),
+        Deadline::SHADOW_RECORD => record(*deadline, "shadows", frame),
+        Deadline::BODY_RECORD => record(*deadline, "polyhedra", frame),
         _ => None,
     };
     Ok(frame.deadlines.keys().filter_map(of).collect())
@@ -119,14 +122,43 @@ fn corner(frame: &FrameTiming) -> Option<Chain> {
     let slack = frame.deadlines.get(&Deadline::CORNER)?.least?;
     let worst = latest(Deadline::CORNER, frame)?;
     let [m, n] = worst.region?;
-    let drums = frame.units.iter().filter(|unit| unit.unit.starts_with("drum."));
-    let links = drums.map(|unit| {
-        let what = format!("at work in this frame, longest queue {}", unit.longest_queue);
-        link(&unit.unit, what, unit.busy as i64)
-    });
     let what = format!("corner {m} {n} and others, first asked for in sweep {}", worst.sweep);
+    let links = ["fine", "coarse"].iter().flat_map(|kind| drums_of(kind, frame)).collect();
     let slack = worst.came.map(|_| slack);
-    Some(Chain { deadline: Deadline::CORNER, what, links: links.collect(), slack })
+    Some(Chain { deadline: Deadline::CORNER, what, links, slack })
+}
+
+/// A record of another kind than terrain waits for the drum and for the I/O processor of its kind.
+fn record(deadline: Deadline, kind: &str, frame: &FrameTiming) -> Option<Chain> {
+    let slack = frame.deadlines.get(&deadline)?.least?;
+    let worst = latest(deadline, frame)?;
+    let [m, n] = worst.region?;
+    let name = format!("editor.{kind}");
+    let editor = frame.units.iter().filter(|unit| unit.unit == name);
+    let editor = editor.map(|unit| link(&unit.unit, "edits in this frame", unit.busy as i64));
+    let what = format!("{kind} of the square at region {m} {n}, first wanted in sweep {}", worst.sweep);
+    let links = drums_of(kind, frame).into_iter().chain(editor).collect();
+    Some(Chain { deadline, what, links, slack: worst.came.map(|_| slack) })
+}
+
+/// What the drums do in a frame that hold a kind of data: its own share of drums that several kinds lie on.
+fn drums_of(kind: &str, frame: &FrameTiming) -> Vec<Link> {
+    let of_kind = |unit: &&UnitUse| match unit.unit.split('.').collect::<Vec<_>>()[..] {
+        ["drum", drums, _] => drums == kind && !is_shared(&unit.unit, frame),
+        ["drum", _, _, share] => share == kind,
+        _ => false,
+    };
+    let at_work = |unit: &UnitUse| {
+        let what = format!("at work for {kind} in this frame, longest queue {}", unit.longest_queue);
+        link(&unit.unit, what, unit.busy as i64)
+    };
+    frame.units.iter().filter(of_kind).map(at_work).collect()
+}
+
+/// Whether the use of a drum stands once more, share by share of its kinds.
+fn is_shared(drum: &str, frame: &FrameTiming) -> bool {
+    let shares = |name: &str| name.strip_prefix(drum).is_some_and(|share| share.starts_with('.'));
+    frame.units.iter().any(|unit| shares(&unit.unit))
 }
 
 /// Words of a crater or of a shadow boundary wait for their line, and for the part that they go to. There is no chain where

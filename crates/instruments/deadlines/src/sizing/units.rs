@@ -1,6 +1,9 @@
 //! Use of units: measured, and by formula.
 
+use std::collections::BTreeMap;
+
 use hardware_model::{BankPlace, KindBank};
+use machine::BankDemand;
 use quantities::{degrees, radians};
 use timing::{FrameTiming, TimingRecord, Totals};
 
@@ -101,9 +104,10 @@ struct KindLoad {
     load: f64,
 }
 
-const DRUM_LAW: &str = "R^2 omega/(2 d^2) (latency + record), one record for d x d";
+const DRUM_LAW: &str = "R^2 omega/(2 d^2) k (latency + record), k records for d x d";
 
-/// The kinds of data on drums. Of those beside terrain each square of regions counts as one record.
+/// The kinds of data on drums. A square of those beside terrain has as many records as the squares in sight have in the mean as the
+/// mission begins.
 fn kind_loads(rehearsal: &Rehearsal, levels: &[LevelFigures]) -> Vec<KindLoad> {
     let settings = &rehearsal.stage.settings;
     let (banks, Some(drum)) = (&settings.kind_banks, settings.data_banks.drum) else { return Vec::new() };
@@ -112,19 +116,29 @@ fn kind_loads(rehearsal: &Rehearsal, levels: &[LevelFigures]) -> Vec<KindLoad> {
         let place = if level.name == "coarse" { banks.coarse } else { BankPlace::Apart };
         Some(KindLoad { name: level.name, on: on(level.name, place), load: level.budget.drum?.load })
     });
+    let demands = rehearsal.pool.install(|| rehearsal.control.demands(0));
+    let asked: BTreeMap<&str, u64> = demands.iter().flatten().map(first_asked).collect();
     let of_squares = |name, bank: &KindBank| {
         let side = f64::from(bank.record_regions) * levels.first()?.region_size;
         let reach = settings.range.end / side;
-        let squares = 0.5 * reach * reach * radians(10.0);
+        let squares = |angle: f64| 0.5 * reach * reach * angle;
+        let in_sight = squares(2.0 * settings.raster.field.tan_half_width.atan());
+        let records = asked.get(name).map_or(0.0, |&records| records as f64 / in_sight);
         let word = drum.word.max(settings.data_banks.channels.word);
         let ticks = 0.5 * drum.rotation as f64 + f64::from(bank.record_words) * word;
         let fetch = ticks / settings.timebase.master.hertz();
-        let load = squares * fetch / f64::from(drum.count);
+        let load = squares(radians(10.0)) * records * fetch / f64::from(drum.count);
         (bank.place != BankPlace::Local).then(|| KindLoad { name, on: on(name, bank.place), load })
     };
     let others =
         [("features", &banks.features), ("shadows", &banks.shadows), ("polyhedra", &banks.polyhedra)];
     terrain.chain(others.into_iter().filter_map(|(name, bank)| of_squares(name, bank))).collect()
+}
+
+/// Kind of a demand, and the records that its first frame asks for.
+fn first_asked(demand: &BankDemand) -> (&'static str, u64) {
+    let pieces = demand.asked.first().into_iter().flatten();
+    (demand.kind.name(), pieces.map(|piece| u64::from(piece.records)).sum())
 }
 
 /// Turning rate of the view, mean over the mission (degrees/s).
