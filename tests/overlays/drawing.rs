@@ -59,9 +59,10 @@ const DRAWING: &[(&str, &[&str])] = &[
     ("tg.light.root", &["tg.light.squares"]),
     ("tg.light.cosine", &["tg.light.facing", "tg.light.root"]),
     ("tg.reflectivity", &["tg.light.cosine"]),
-    ("fg.present", &["fg.or"]),
+    ("fg.height", &["fg.height.*"]),
+    ("fg.present", &["fg.or", "fg.comparator.*"]),
     ("fg.reflectivity", &["fg.slope.u", "fg.slope.v", "fg.or", "tg.slope.u", "tg.slope.v"]),
-    ("sc.gate", &["sc.or"]),
+    ("sc.gate", &["sc.or", "sc.comparator.*"]),
     ("mu.height", &["tg.height", "fg.height"]),
     ("mu.vs1", &["fg.present"]),
     ("mu.vs2", &["sc.gate"]),
@@ -105,6 +106,7 @@ fn families_of_names() {
         ("sweep.x", "sweep.x"),
         ("tg.slope.u", "tg.slope.u"),
         ("tg.red.hold", "tg.*.hold"),
+        ("fg.height.17", "fg.height.*"),
         ("tg.light.product.u", "tg.light.product.u"),
     ] {
         assert_eq!(family(name), expected, "{name}");

@@ -88,8 +88,8 @@ pub static OVERLAYS: &[Overlay] = &[
     own("feature-bandwidth", "[feature_generator]\nchain_bandwidth_mhz = 0.5\n", FEATURE_SUMS),
     own("few-sub-generators", "[feature_generator]\nsub_generators = 1\n", FEATURES),
     own("slow-crater-loads", "[feature_generator]\nload_words_us = 0.5\n", FEATURES),
-    own("shadow-lines", "[shadow_controller]\nline_error_pct = 5\n", &["sc.or"]),
-    own("few-line-generators", "[shadow_controller]\nline_generators = 1\n", &["sc.or"]),
+    own("shadow-lines", "[shadow_controller]\nline_error_pct = 5\n", SHADOW_LINES),
+    own("few-line-generators", "[shadow_controller]\nline_generators = 1\n", SHADOW_LINES),
     own(
         "shadow-tube",
         "[shadow_controller]\nvariant = 'scan-converter'\nregistration_offset_pct = [1, 1]\n",
@@ -97,7 +97,11 @@ pub static OVERLAYS: &[Overlay] = &[
     ),
     own("texture-bits", "[texture_generator]\ndac_bits = 3\n", &["txg.texture"]),
     own("texture-filter", "[texture_generator]\nfilter_mhz = 0.5\n", &["txg.texture"]),
-    own("comparator-offset", "[comparator]\noffset_mv = 500\n", &["fg.or", "sc.or", "dpp.blank"]),
+    own(
+        "comparator-offset",
+        "[comparator]\noffset_mv = 500\n",
+        &["fg.comparator.*", "sc.comparator.*", "fg.or", "sc.or", "dpp.blank"],
+    ),
     own("comparator-overdrive", "[comparator]\noverdrive_mv_ns = 5000\ndelay_ns = 10\n", GATES),
     own("gates-keyed", "[mixing_unit]\ngate = 'self-keyed'\nthreshold = 0.1\n", &["mu.vs1"]),
     own("switch-time", "[video_switch]\ntime_ns = 300\n", FADES),
@@ -137,9 +141,10 @@ const SUMS: &[&str] = &["tg.*sum.*"];
 const LIGHT_SLOPES: &[&str] = &["tg.light.product.n", "tg.light.product.e", "tg.light.square.*"];
 const LIGHT_MULTIPLIERS: &[&str] = &["tg.light.product.*", "tg.light.square.*"];
 const LIGHT_SUMS: &[&str] = &["tg.light.facing", "tg.light.squares"];
-const FEATURE_SUMS: &[&str] = &["fg.height", "fg.slope.*"];
-const FEATURES: &[&str] = &["fg.height", "fg.slope.*", "fg.or"];
-const GATES: &[&str] = &["fg.present", "sc.gate"];
+const FEATURE_SUMS: &[&str] = &["fg.height.*", "fg.height", "fg.slope.*"];
+const FEATURES: &[&str] = &["fg.height.*", "fg.comparator.*", "fg.height", "fg.slope.*", "fg.or"];
+const SHADOW_LINES: &[&str] = &["sc.or", "sc.comparator.*"];
+const GATES: &[&str] = &["fg.comparator.*", "sc.comparator.*", "fg.present", "sc.gate"];
 const FADES: &[&str] = &["mu.vs1.fade", "mu.vs2.fade"];
 const WIRES: &[&str] = &[
     "tg.height",

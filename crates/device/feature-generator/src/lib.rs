@@ -45,6 +45,7 @@ mod schedule;
 mod side_by_side;
 mod steps;
 mod sub_generator;
+mod units;
 
 pub use generator::FeatureGenerator;
 pub use loads::{CRATER_WORDS, FeatureMiss};
@@ -52,3 +53,4 @@ pub use of_parts::{ChainScratch, MOST, PartsFeatures};
 pub use passing::Passings;
 pub use profile::{FeatureProfile, Kink, SIGNALS, Surface};
 pub use schedule::{FeatureLoad, FeatureProgram, Schedule};
+pub use units::{SubGeneratorPlace, UNIT_SIGNALS, place_of};

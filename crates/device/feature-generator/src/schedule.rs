@@ -5,6 +5,7 @@ use hardware_model::{FeatureParts, Organisation};
 use quantities::SweepTime;
 use sweep_program::{LoadTiming, NoTiming};
 
+use crate::SubGeneratorPlace;
 use crate::chord::{foot, half_chord};
 use crate::loads::{FeatureArrival, FeatureMiss, bring};
 
@@ -62,6 +63,17 @@ pub struct FeatureProgram {
     requests: Vec<Request>,
     /// Range at which each sub-generator is free again, by crater type.
     busy: [Vec<f64>; 3],
+}
+
+impl FeatureProgram {
+    /// What of the program one sub-generator draws.
+    pub fn share_of(&self, place: SubGeneratorPlace, features: &Features) -> Self {
+        let is_own = |load: &&FeatureLoad| {
+            load.sub_generator == place.number && features.crater(load.crater).type_number() == place.kind
+        };
+        let loads = self.loads.iter().filter(is_own).copied().collect();
+        Self { loads, end_range: self.end_range, ..Self::default() }
+    }
 }
 
 /// A crater that asks for a sub-generator.

@@ -47,7 +47,9 @@ pub use controller::{Gate, ShadowController};
 pub use line_generators::{SEGMENT_WORDS, SegmentLoad, SegmentMiss};
 pub use of_parts::{MOST, PartsLines};
 
-use signal::{Signal, Unit};
+use std::sync::LazyLock;
+
+use signal::{Kind, Signal, Unit};
 
 /// Signals of the block.
 pub const SIGNALS: &[Signal] = &[
@@ -64,3 +66,22 @@ pub const SIGNALS: &[Signal] = &[
         "fig. 25",
     ),
 ];
+
+/// Line generators that have a wire of their own. Real controllers have at most as many (hardware section 3.7: 4 to 16).
+const TOLD: usize = 32;
+
+/// Wires of the comparators behind the line generators, number by number: each answers where the sweep passes the line that is in it.
+pub static COMPARATORS: LazyLock<Vec<Signal>> = LazyLock::new(|| {
+    // Names live as long as the program: the table is made once.
+    let wire = |n: usize| {
+        let meaning = "the sweep has passed the line in this line generator, behind its comparator: the gate of shadow changes";
+        Signal::digital(format!("sc.comparator.{n}").leak(), Unit::Number, Kind::Event, meaning, "fig. 25")
+    };
+    (0..TOLD).map(wire).collect()
+});
+
+/// The line generator whose comparator has this name; none of another wire.
+pub fn comparator_of(name: &str) -> Option<usize> {
+    let number = name.strip_prefix("sc.comparator.")?.parse().ok()?;
+    (number < TOLD).then_some(number)
+}

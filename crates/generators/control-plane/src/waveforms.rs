@@ -77,7 +77,8 @@ pub struct Changes {
 }
 
 impl Changes {
-    pub(crate) fn push(&mut self, time: f64, value: f64) {
+    /// One more change, behind all others.
+    pub fn push(&mut self, time: f64, value: f64) {
         self.times.push(time);
         self.values.push(value);
     }

@@ -18,7 +18,7 @@ use crate::parts::kit::Kit;
 use crate::parts::sub_generator::SubGeneratorFigures;
 use crate::parts::texture::{Grain, grained};
 use crate::parts::{LightStage, ReflectivityStage, light_stage};
-use crate::sweep::Walker;
+use crate::sweep::{Walker, met};
 
 /// A chain at the edge of rest by this part of what counts as rest has a margin of 1e-9.
 const REST: f64 = 1e-3;
@@ -83,7 +83,8 @@ impl Walker<'_> {
         let seen: Vec<GroundSample> = ground.iter().step_by(stride).copied().collect();
         let samples = Samples { ground: &seen, light: &lights, ranges: &ranges };
         let wires = Wires { stride, count: ground.len() };
-        let features = self.features(&samples, craters);
+        let features = self.features(&samples, &craters.drawn);
+        self.put_sub_generators(wires, &samples, &craters.drawn);
         let grain = self.grain(&samples);
         self.put_features(wires, &features);
         self.put_grain(wires, &grain);
@@ -134,21 +135,32 @@ impl Walker<'_> {
         self.wires.pass("tg.reflectivity", stage.pass(raw, between))
     }
 
-    /// Features at the samples, and what the video is made of between them.
-    fn features(&self, samples: &Samples<'_>, craters: &Loads) -> Features {
+    /// Whether the rims of craters between samples are needed.
+    fn needs_chains(&self) -> bool {
         let analog = &self.scene.settings.analog;
+        !(analog.features_are_ideal() && analog.switching_is_ideal())
+    }
+
+    /// Height, slopes and presence of some craters at the samples.
+    pub(crate) fn relief(&self, samples: &Samples<'_>, craters: &[DrawnCrater]) -> Features {
         let mut features = Features::default();
-        let is_needed = !(analog.features_are_ideal() && analog.switching_is_ideal());
-        if is_needed {
+        if self.needs_chains() {
             features.surface = self.chains(samples, craters);
         }
-        if analog.features_are_ideal() {
+        if self.scene.settings.analog.features_are_ideal() {
             // Ideal sub-generators are seen to have late words at the next sample.
             features.surface.bends.retain(|bend| !bend.is_late);
-            self.follow_the_law(samples, &mut features);
+            self.follow_the_law(samples, craters, &mut features);
         } else {
             self.follow_the_chains(&mut features);
         }
+        features
+    }
+
+    /// Features at the samples, and what the video is made of between them.
+    fn features(&self, samples: &Samples<'_>, craters: &[DrawnCrater]) -> Features {
+        let is_needed = self.needs_chains();
+        let mut features = self.relief(samples, craters);
         let video = |sample: usize| {
             if !features.lit[sample] && is_needed {
                 samples.light[sample]
@@ -161,7 +173,7 @@ impl Walker<'_> {
     }
 
     /// The sub-generators with the craters that are in them, in the order of the list.
-    fn chains(&self, samples: &Samples<'_>, craters: &Loads) -> Surface {
+    fn chains(&self, samples: &Samples<'_>, craters: &[DrawnCrater]) -> Surface {
         let (scene, kit) = (self.scene, Kit::of(self.scene, self.given));
         let comparator = kit.analog.comparator;
         let limit = scene.settings.feature_generator.sub_generators;
@@ -171,18 +183,19 @@ impl Walker<'_> {
             let figures = SubGeneratorFigures::of(&kit, crater.type_number(), drawn.sub_generator, limit);
             Loaded { crater, figures, from: drawn.from }
         };
-        let loads: Vec<Loaded> = craters.drawn.iter().map(load).collect();
+        let loads: Vec<Loaded> = craters.iter().map(load).collect();
         let ranges = &samples.ranges[..samples.ground.len()];
         let line = Line { foot: [scene.eye[0], scene.eye[1]], direction: self.direction, ranges };
         surface(&line, &loads, comparator.offset > 0.0 || comparator.overdrive > 0.0)
     }
 
     /// Features of ideal parts.
-    fn follow_the_law(&self, samples: &Samples<'_>, features: &mut Features) {
+    fn follow_the_law(&self, samples: &Samples<'_>, craters: &[DrawnCrater], features: &mut Features) {
+        let craters = met(self.scene, craters);
         let foot = [self.scene.eye[0], self.scene.eye[1]];
         for range in &samples.ranges[..samples.ground.len()] {
             let from_foot = self.direction.map(|cosine| range * cosine);
-            let relief = relief(&self.craters, foot, from_foot, *range);
+            let relief = relief(&craters, foot, from_foot, *range);
             features.height.push(relief.height);
             features.slopes.push(relief.slopes);
             features.present.push(relief.present);

@@ -47,6 +47,9 @@ fn inside_blocks(signal: &str, settings: &Settings, unknown: Unknown) -> Option<
         "sweep.range" => None,
         _ if signal.starts_with("sweep.") || signal.starts_with("tg.") => terrain_parts(settings),
         "sc.or" => Some("given: the gate is taken as the machine has it"),
+        _ if signal.starts_with("sc.comparator.") => {
+            Some("given: edges of shadow are taken as the machine has them")
+        }
         "sc.gate" | "mu.vs2" | "mu.vs2.fade" | "txg.texture" => None,
         "sm.write" => Some("strokes of the beam between samples"),
         "pg.present" | "pg.reflectivity" => Some("polyhedra"),

@@ -8,7 +8,7 @@ use crate::fan::direction;
 use crate::given::Given;
 use crate::levels::{GroundSample, Terrain, terrain};
 use crate::light::Light;
-use crate::loads::{Loads, Passing, craters};
+use crate::loads::{DrawnCrater, Loads, Passing, craters};
 use crate::output_amplifiers::OutputAmplifiers;
 use crate::parts::Array;
 use crate::scene::SceneData;
@@ -71,7 +71,7 @@ pub fn interpret(scene: &SceneData<'_>, sweep: u32, given: &Given<'_>) -> Record
         direction,
         wires,
         light: Light::of(scene, direction),
-        craters: met(scene, &craters),
+        craters: met(scene, &craters.drawn),
         record: Record::default(),
     };
     walker.array(&terrain);
@@ -103,9 +103,9 @@ fn drive(wires: &OutputAmplifiers<'_>, ground: &mut [GroundSample]) {
 }
 
 /// Craters that the sweep draws, in the order of the list.
-fn met(scene: &SceneData<'_>, craters: &Loads) -> Vec<Met> {
+pub(crate) fn met(scene: &SceneData<'_>, craters: &[DrawnCrater]) -> Vec<Met> {
     let all = scene.landscape.features();
-    craters.drawn.iter().map(|drawn| Met { crater: all.crater(drawn.crater), from: drawn.from }).collect()
+    craters.iter().map(|drawn| Met { crater: all.crater(drawn.crater), from: drawn.from }).collect()
 }
 
 /// A sweep on its way from block to block.

@@ -22,8 +22,6 @@ struct LitBend {
     share: f64,
     /// Instant of the edge (steps).
     at: f64,
-    /// Whether there is a footprint just before and just behind it.
-    present: [bool; 2],
     /// Light of the surface just before and just behind it.
     video: [f64; 2],
     /// What input S of VS1 has just before and just behind it.
@@ -49,7 +47,7 @@ impl Walker<'_> {
         let near = self.near(features, &vs1, vs2.as_ref());
         let has_features = !self.scene.landscape.features().is_empty();
         let vs1 = has_features.then_some(vs1);
-        let present = has_features.then(|| self.presence(samples, features, &bends, &unit));
+        let present = has_features.then(|| self.presence(samples, features, &unit));
         self.put_gates(wires, &unit, [present, vs1.clone(), vs2.clone()], &near);
         let of_grain = grain.margins.iter().copied().chain(std::iter::repeat(f64::INFINITY));
         let of_gates = near[0].iter().zip(&near[1]).map(|(vs1, vs2)| vs1.min(*vs2));
@@ -88,29 +86,20 @@ impl Walker<'_> {
                 let is_lit = bend.present[side] || features.lit[sample - 1 + side];
                 if is_lit { video[side] } else { light }
             });
-            LitBend { sample, share, at: sample as f64 - 1.0 + share, present: bend.present, video, sides }
+            LitBend { sample, share, at: sample as f64 - 1.0 + share, video, sides }
         };
         features.surface.bends.iter().map(lit).collect()
     }
 
     /// The presence line behind its comparator.
-    fn presence(
-        &self,
-        samples: &Samples<'_>,
-        features: &Features,
-        bends: &[LitBend],
-        unit: &MixerFigures,
-    ) -> Gate {
+    pub(crate) fn presence(&self, samples: &Samples<'_>, features: &Features, unit: &MixerFigures) -> Gate {
         let comparator = self.scene.settings.analog.comparator;
         if comparator.offset > 0.0 || comparator.overdrive > 0.0 {
             return Gate::of_edges(false, &features.surface.edges, samples.ranges, &unit.comparators[0]);
         }
-        followed(
-            &behind(samples, &features.present),
-            bends,
-            |bend| bend.present[1],
-            unit.comparators[0].on_ramp(f64::INFINITY),
-        )
+        let rims = features.surface.bends.iter();
+        let rims = rims.map(|bend| Rim { sample: bend.sample, share: bend.share, opens: bend.present[1] });
+        followed(&behind(samples, &features.present), rims, unit.comparators[0].on_ramp(f64::INFINITY))
     }
 
     /// The gate of VS1 behind its comparator.
@@ -123,17 +112,15 @@ impl Walker<'_> {
     ) -> Gate {
         let mixing = self.scene.settings.mixing_unit;
         if mixing.gate == GateKind::Presence {
-            return self.presence(samples, features, bends, unit);
+            return self.presence(samples, features, unit);
         }
         let opens = |video: f64| video.max(0.0) > mixing.threshold;
         let open: Vec<bool> =
             features.lit.iter().zip(&features.video).map(|(lit, video)| *lit && opens(*video)).collect();
-        followed(
-            &behind(samples, &open),
-            bends,
-            |bend| opens(bend.video[1]),
-            unit.comparators[0].on_ramp(f64::INFINITY),
-        )
+        let rims = bends.iter();
+        let rims =
+            rims.map(|bend| Rim { sample: bend.sample, share: bend.share, opens: opens(bend.video[1]) });
+        followed(&behind(samples, &open), rims, unit.comparators[0].on_ramp(f64::INFINITY))
     }
 
     /// How near the samples are to other decisions of the unit: by VS1, and by VS2.
@@ -187,9 +174,20 @@ impl Walker<'_> {
     }
 }
 
+/// A rim between two samples, for a gate.
+struct Rim {
+    /// Number of the sample at which its step ends.
+    sample: usize,
+    /// Part of the step.
+    share: f64,
+    /// Whether the gate is open behind it.
+    opens: bool,
+}
+
 /// A gate that follows a line at the samples and at the rims between them, `late` steps later: where it changes without a rim, half
 /// way from the last sample or rim.
-fn followed(open: &[bool], bends: &[LitBend], opens: impl Fn(&LitBend) -> bool, late: f64) -> Gate {
+fn followed(open: &[bool], rims: impl Iterator<Item = Rim>, late: f64) -> Gate {
+    let mut rims = rims.peekable();
     let begins_open = open.first().copied().unwrap_or(false);
     let (mut now, mut changes) = (begins_open, Vec::new());
     let mut change = |to: bool, at: f64| {
@@ -201,9 +199,9 @@ fn followed(open: &[bool], bends: &[LitBend], opens: impl Fn(&LitBend) -> bool, 
     for (sample, open) in open.iter().enumerate().skip(1) {
         let begin = sample as f64 - 1.0;
         let mut share = 0.0;
-        for bend in bends.iter().filter(|bend| bend.sample == sample) {
-            share = bend.share;
-            change(opens(bend), begin + share);
+        while let Some(rim) = rims.next_if(|rim| rim.sample == sample) {
+            share = rim.share;
+            change(rim.opens, begin + share);
         }
         change(*open, begin + 0.5 * (share + 1.0));
     }

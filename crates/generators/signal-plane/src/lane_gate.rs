@@ -26,9 +26,14 @@ impl<S: Real> LaneGate<S> {
         self.toggles.clear();
     }
 
+    /// The gate as the mixing unit takes it.
+    pub fn list(&self) -> ToggleList<'_, S> {
+        ToggleList { open_at_start: self.open_at_start, toggles: &self.toggles }
+    }
+
     /// The gates of a group as the mixing unit takes them.
     pub fn lists(gates: &[Self; LANES]) -> [ToggleList<'_, S>; LANES] {
-        gates.each_ref().map(|gate| ToggleList { open_at_start: gate.open_at_start, toggles: &gate.toggles })
+        gates.each_ref().map(Self::list)
     }
 }
 

@@ -2,8 +2,10 @@
 
 use control_plane::{Blocks, MachineStage, WrittenRaster, drum_count, drum_of};
 use display_projection_processor::DERIVATIVE;
-use hardware_model::Settings;
+use feature_generator::{SubGeneratorPlace, place_of};
+use hardware_model::{Settings, ShadowParts};
 use scenario::Occlusion;
+use shadow_controller::comparator_of;
 use signal::{Kind, Signal, Unit, Wire};
 use terrain_generator::{COARSE, FINE, InnerSignals, LIGHT, Scale, light_full_scales};
 
@@ -47,6 +49,10 @@ pub fn wires(stage: &MachineStage, blocks: &Blocks, raster: &WrittenRaster) -> V
 
 fn is_there(signal: &Signal, blocks: &Blocks, settings: &Settings, drums: usize) -> bool {
     match (signal.prefix(), signal.name) {
+        ("fg", name) if place_of(name).is_some_and(|place| !has_sub_generator(place, settings)) => false,
+        ("sc", name) if comparator_of(name).is_some_and(|number| !has_line_generator(number, settings)) => {
+            false
+        }
         ("fg", _) | (_, "mu.vs1" | "mu.vs1.fade") => blocks.features,
         ("sc", _) | (_, "mu.vs2" | "mu.vs2.fade") => blocks.shadows.is_some(),
         ("txg", _) => blocks.texture,
@@ -56,6 +62,19 @@ fn is_there(signal: &Signal, blocks: &Blocks, settings: &Settings, drums: usize)
         (_, "dpp.derivative") => settings.laws.occlusion == Occlusion::Derivative,
         (_, name) if name.contains(".coarse.") => blocks.coarse.is_some(),
         _ => true,
+    }
+}
+
+fn has_sub_generator(place: SubGeneratorPlace, settings: &Settings) -> bool {
+    settings.feature_generator.sub_generators.is_none_or(|count| place.number < count)
+}
+
+fn has_line_generator(number: usize, settings: &Settings) -> bool {
+    match settings.shadow_controller {
+        ShadowParts::Digital { line_generators } => {
+            line_generators.is_none_or(|count| number < count as usize)
+        }
+        ShadowParts::ScanConverter { .. } => false,
     }
 }
 

@@ -7,7 +7,7 @@ use signal::Real;
 use crate::of_parts::edges::GateEdges;
 use crate::of_parts::mixer::PartsMixer;
 use crate::switch::VideoSwitch;
-use crate::{FeatureInput, Inputs};
+use crate::{FeatureInput, Inputs, ToggleList};
 
 /// Gates of one sweep, one value a sample; 0 throughout where a generator is not there.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -29,9 +29,7 @@ impl<S: Real> PartsMixer<S> {
             SwitchGates { present: nothing(), gates: [nothing(), nothing()], fades: [nothing(), nothing()] };
         let mut edges = GateEdges::default();
         if let Some(features) = &inputs.features {
-            let lines = VideoSwitch::new(&MixingParts { gate: Gate::Presence, threshold: 0.0 });
-            self.follow_presence(&lines, features, lane, &mut edges);
-            gates.present = edges.at_samples(samples);
+            gates.present = self.presence(features, lane);
             self.follow_presence(&self.unit.vs1, features, lane, &mut edges);
             gates.gates[0] = edges.at_samples(samples);
             gates.fades[0] = faded(&edges, self.vs1.transition, samples);
@@ -42,6 +40,21 @@ impl<S: Real> PartsMixer<S> {
             gates.fades[1] = faded(&edges, self.vs2.transition, samples);
         }
         gates
+    }
+
+    /// The presence line of a lane behind its comparator, at the samples: 0 or 1.
+    pub fn presence(&self, features: &FeatureInput<'_, S>, lane: usize) -> Vec<f64> {
+        let lines = VideoSwitch::new(&MixingParts { gate: Gate::Presence, threshold: 0.0 });
+        let mut edges = GateEdges::default();
+        self.follow_presence(&lines, features, lane, &mut edges);
+        edges.at_samples(features.present.len())
+    }
+
+    /// When the comparator of a gate of shadow answers at each of its changes (samples, ascending).
+    pub fn shadow_answers(&self, gate: &ToggleList<'_, S>) -> Vec<f64> {
+        let mut edges = GateEdges::default();
+        edges.follow(gate, self.shadow_comparator());
+        edges.edges
     }
 
     /// The gate of `switch`, VS1 or one like it, behind the comparator of the presence line.

@@ -53,13 +53,17 @@ impl PartsLines {
     /// Where the gate changes, ascending, into `edges`.
     pub fn displace(&self, gate: &Gate, edges: &mut Vec<GateEdge>) {
         edges.clear();
-        edges.extend(gate.edges().zip(gate.swings()).zip(self.errors.iter().cycle()).map(
-            |((edge, swing), error)| {
-                let range = edge.range + error * swing + self.behind * swing.abs();
-                GateEdge { range, ..edge }
-            },
-        ));
+        edges.extend(self.answers(gate).map(|(_, edge)| edge));
         edges.sort_by(|a, b| a.range.total_cmp(&b.range));
+    }
+
+    /// Every change of the gate with the number of the line generator that finds it, in the order of the true crossings.
+    pub fn answers(&self, gate: &Gate) -> impl Iterator<Item = (usize, GateEdge)> {
+        let in_turn = self.errors.iter().enumerate().cycle();
+        gate.edges().zip(gate.swings()).zip(in_turn).map(|((edge, swing), (number, error))| {
+            let range = edge.range + error * swing + self.behind * swing.abs();
+            (number, GateEdge { range, ..edge })
+        })
     }
 }
 

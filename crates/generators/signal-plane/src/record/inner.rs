@@ -51,6 +51,7 @@ impl<S: Real> Recorded<'_, S> {
             let wires = self.light(lane, sweep).into_iter().map(sampled);
             all.extend(LIGHT.iter().map(|signal| signal.name).zip(wires));
         }
+        all.extend(self.sub_generators(probe, lane, sweep));
         all
     }
 

@@ -1,6 +1,7 @@
 //! Waveforms of a group that has just run.
 
 mod inner;
+mod units;
 
 use control_plane::waveforms::{Changes, changes, feature_centres};
 use control_plane::{RANGE, drum_changes, drum_of};
@@ -47,7 +48,7 @@ impl<S: Real> Recorded<'_, S> {
                 Axis::Ground => sampled(self.along_the_ground(signal.name, lane, &mut together)),
                 Axis::Display => sampled(self.down_the_display(signal.name, lane, sweep)),
                 Axis::Changes if drum_of(signal.name).is_some() => self.drum(signal.name, sweep),
-                Axis::Changes => self.digital(signal.name, lane, &mut together),
+                Axis::Changes => self.digital(signal.name, (lane, sweep), &mut together),
                 // The read beam scans lines when the sweeps are done.
                 Axis::Line => Changes::default(),
             };
@@ -56,11 +57,12 @@ impl<S: Real> Recorded<'_, S> {
         signals().iter().filter(|signal| probe.wants(signal)).map(of).collect()
     }
 
-    fn digital(&self, name: &str, lane: usize, together: &mut Together) -> Changes {
+    fn digital(&self, name: &str, (lane, sweep): (usize, u32), together: &mut Together) -> Changes {
         let Self { group, work, .. } = self;
         match name {
             "fg.centre" if group.blocks.features => feature_centres(&work.features[lane], group.table),
             "fg.centre" => Changes::default(),
+            _ if name.starts_with("sc.") => self.line_generator(name, lane, sweep),
             "yoke.angle" => Changes { times: vec![0.0], values: vec![group.plan.yoke] },
             _ if name.contains(".word") => together.remove(name).unwrap_or_default(),
             _ if !name.contains(".coarse.") => changes(name, &work.programs[lane]),
