@@ -1,5 +1,6 @@
 //! One key of a table: its type, its bounds, and what happens when it is missing.
 
+use crate::asked::{Shape, ShapeKind, note};
 use crate::place::{Place, Placed};
 use crate::problem::{Problem, Problems};
 use crate::reader::{Reader, nearest};
@@ -28,7 +29,7 @@ pub struct Field<'a, T> {
     at: Placed<Option<&'a Node>>,
     problems: &'a Problems,
     expected: String,
-    is_bounded: bool,
+    shape: Shape,
     help: Option<String>,
     convert: Convert<'a, T>,
 }
@@ -37,10 +38,10 @@ impl<'a, T: 'a> Field<'a, T> {
     pub(crate) fn new(
         at: Placed<Option<&'a Node>>,
         problems: &'a Problems,
-        expected: String,
+        (expected, kind): (String, ShapeKind),
         convert: Convert<'a, T>,
     ) -> Self {
-        Self { at, problems, expected, is_bounded: false, help: None, convert }
+        Self { at, problems, expected, shape: Shape::of(kind), help: None, convert }
     }
 
     /// The value; a missing key is a problem.
@@ -51,18 +52,25 @@ impl<'a, T: 'a> Field<'a, T> {
             let problem = Problem::at(&self.at.place, title).key(&self.at.key).expected(expected);
             self.problems.push(Problem { help: self.help.clone(), ..problem });
         }
-        self.optional()
+        self.read(true)
     }
 
     /// The value; nothing where the key is missing.
     pub fn optional(self) -> Option<T> {
+        self.read(false)
+    }
+
+    fn read(self, is_required: bool) -> Option<T> {
+        note(&self.at.key, is_required, || self.shape.clone());
         let node = self.at.value?;
         (self.convert)(node).map_err(|fault| self.refuse(fault)).ok()
     }
 
     /// The value, or `default` where the key is missing; nothing where it is wrong.
     pub fn default(self, default: T) -> Option<T> {
-        if self.at.value.is_none() { Some(default) } else { self.optional() }
+        let is_missing = self.at.value.is_none();
+        let found = self.optional();
+        if is_missing { Some(default) } else { found }
     }
 
     /// What to do when the key is missing or wrong.
@@ -71,9 +79,17 @@ impl<'a, T: 'a> Field<'a, T> {
         self
     }
 
+    /// The one number that is right, which its reader checks itself.
+    pub(crate) fn only_noted(mut self, number: u64) -> Self {
+        let bound = Some((number as f64, true));
+        (self.shape.low, self.shape.high) = (bound, bound);
+        self
+    }
+
     /// Names the unit in messages.
     pub fn unit(mut self, unit: &str) -> Self {
         self.expected = format!("{} {unit}", self.expected);
+        self.shape.unit = Some(unit.to_owned());
         self
     }
 
@@ -95,6 +111,7 @@ impl<'a, T: 'a> Field<'a, T> {
     /// A rule of the caller's own; `rule` says in words what is allowed, as "a power of two".
     pub fn must(mut self, rule: &str, holds: impl Fn(&T) -> bool + 'a) -> Self {
         self.expected = format!("{}, {rule}", self.expected);
+        self.shape.rules.push(rule.to_owned());
         self.with_conversion(|convert| {
             Box::new(move |node| {
                 let value = convert(node)?;
@@ -106,6 +123,7 @@ impl<'a, T: 'a> Field<'a, T> {
     /// Lets the word stand in place of the value, as `"ideal"`; it reads as `None`.
     pub fn or_word(mut self, word: &'a str) -> Field<'a, Option<T>> {
         self.expected = format!("{}, or the word {word:?}", self.expected);
+        self.shape.or_words.push(word.to_owned());
         self.with_conversion(|convert| {
             Box::new(move |node| match &node.value {
                 Value::String(text) if text == word => Ok(None),
@@ -115,8 +133,8 @@ impl<'a, T: 'a> Field<'a, T> {
     }
 
     fn with_conversion<U>(self, wrap: impl FnOnce(Convert<'a, T>) -> Convert<'a, U>) -> Field<'a, U> {
-        let Self { at, problems, expected, is_bounded, help, convert } = self;
-        Field { at, problems, expected, is_bounded, help, convert: wrap(convert) }
+        let Self { at, problems, expected, shape, help, convert } = self;
+        Field { at, problems, expected, shape, help, convert: wrap(convert) }
     }
 
     fn refuse(&self, fault: Fault) {
@@ -133,6 +151,8 @@ pub trait Bounded {
     type Number: PartialOrd + Copy + std::fmt::Display;
     /// All numbers, in the order of the file.
     fn numbers(&self) -> Vec<Self::Number>;
+    /// A bound as a number of the file.
+    fn bound(number: Self::Number) -> f64;
 }
 
 impl<'a, T: Bounded + 'a> Field<'a, T>
@@ -141,33 +161,45 @@ where
 {
     /// From `low` to `high`, both allowed.
     pub fn between(self, low: T::Number, high: T::Number) -> Self {
-        self.bounded(format!("from {low} to {high}"), move |number| low <= number && number <= high)
+        let bounded =
+            self.bounded(format!("from {low} to {high}"), move |number| low <= number && number <= high);
+        bounded.with_low(low, true).with_high(high, true)
     }
 
     /// Requires every number to be `low` or more.
     pub fn at_least(self, low: T::Number) -> Self {
-        self.bounded(format!("of at least {low}"), move |number| number >= low)
+        self.bounded(format!("of at least {low}"), move |number| number >= low).with_low(low, true)
     }
 
     /// Requires every number to be `high` or less.
     pub fn at_most(self, high: T::Number) -> Self {
-        self.bounded(format!("of at most {high}"), move |number| number <= high)
+        self.bounded(format!("of at most {high}"), move |number| number <= high).with_high(high, true)
     }
 
     /// Requires every number to be more than `low`.
     pub fn above(self, low: T::Number) -> Self {
-        self.bounded(format!("above {low}"), move |number| number > low)
+        self.bounded(format!("above {low}"), move |number| number > low).with_low(low, false)
     }
 
     /// Requires every number to be less than `high`.
     pub fn below(self, high: T::Number) -> Self {
-        self.bounded(format!("below {high}"), move |number| number < high)
+        self.bounded(format!("below {high}"), move |number| number < high).with_high(high, false)
+    }
+
+    fn with_low(mut self, low: T::Number, is_allowed: bool) -> Self {
+        self.shape.low = Some((T::bound(low), is_allowed));
+        self
+    }
+
+    fn with_high(mut self, high: T::Number, is_allowed: bool) -> Self {
+        self.shape.high = Some((T::bound(high), is_allowed));
+        self
     }
 
     fn bounded(mut self, bounds: String, holds: impl Fn(T::Number) -> bool + 'a) -> Self {
-        let and = if self.is_bounded { " and" } else { "" };
+        let is_bounded = self.shape.low.is_some() || self.shape.high.is_some();
+        let and = if is_bounded { " and" } else { "" };
         self.expected = format!("{}{and} {bounds}", self.expected);
-        self.is_bounded = true;
         self.with_conversion(|convert| {
             Box::new(move |node| {
                 let value = convert(node)?;
@@ -195,6 +227,19 @@ macro_rules! bounded_numbers {
             fn numbers(&self) -> Vec<$number> {
                 vec![*self]
             }
+            fn bound(number: $number) -> f64 {
+                number as f64
+            }
+        }
+
+        impl Bounded for Vec<$number> {
+            type Number = $number;
+            fn numbers(&self) -> Vec<$number> {
+                self.clone()
+            }
+            fn bound(number: $number) -> f64 {
+                number as f64
+            }
         }
     )* };
 }
@@ -206,12 +251,8 @@ impl<const N: usize> Bounded for [f64; N] {
     fn numbers(&self) -> Vec<f64> {
         self.to_vec()
     }
-}
-
-impl<T: PartialOrd + Copy + std::fmt::Display> Bounded for Vec<T> {
-    type Number = T;
-    fn numbers(&self) -> Vec<T> {
-        self.clone()
+    fn bound(number: f64) -> f64 {
+        number
     }
 }
 
@@ -219,32 +260,32 @@ impl<T: PartialOrd + Copy + std::fmt::Display> Bounded for Vec<T> {
 impl<'a> Reader<'a> {
     /// A finite number; a whole number will do.
     pub fn f64(&self, key: &str) -> Field<'a, f64> {
-        self.field(key, "a number", finite_number)
+        self.field(key, ("a number", ShapeKind::Number), finite_number)
     }
 
     /// A whole number of 0 or more.
     pub fn u64(&self, key: &str) -> Field<'a, u64> {
-        self.field(key, "a whole number", whole_number)
+        self.field(key, ("a whole number", ShapeKind::Count), whole_number)
     }
 
     /// A whole number of 0 or more that fits 32 bits.
     pub fn u32(&self, key: &str) -> Field<'a, u32> {
-        self.field(key, "a whole number", whole_number)
+        self.field(key, ("a whole number", ShapeKind::Count), whole_number)
     }
 
     /// A whole number of 0 or more: a count.
     pub fn usize(&self, key: &str) -> Field<'a, usize> {
-        self.field(key, "a whole number", whole_number)
+        self.field(key, ("a whole number", ShapeKind::Count), whole_number)
     }
 
     /// A whole number, negative ones too.
     pub fn i64(&self, key: &str) -> Field<'a, i64> {
-        self.field(key, "a whole number", whole_number)
+        self.field(key, ("a whole number", ShapeKind::Whole), whole_number)
     }
 
     /// Reads a key whose value is `true` or `false`.
     pub fn bool(&self, key: &str) -> Field<'a, bool> {
-        self.field(key, "true or false", |node| match node.value {
+        self.field(key, ("true or false", ShapeKind::Boolean), |node| match node.value {
             Value::Boolean(flag) => Ok(flag),
             _ => Err(Fault::of(node)),
         })
@@ -252,7 +293,7 @@ impl<'a> Reader<'a> {
 
     /// A text in quotes: one line that is not empty, without control characters.
     pub fn string(&self, key: &str) -> Field<'a, String> {
-        self.field(key, "one line of text in quotes", |node| match &node.value {
+        self.field(key, ("one line of text in quotes", ShapeKind::Text), |node| match &node.value {
             // Lists and terminals show it as it is.
             Value::String(text) if !text.is_empty() && !text.contains(char::is_control) => Ok(text.clone()),
             _ => Err(Fault::of(node)),
@@ -261,7 +302,7 @@ impl<'a> Reader<'a> {
 
     /// Exactly `N` finite numbers.
     pub fn f64_array<const N: usize>(&self, key: &str) -> Field<'a, [f64; N]> {
-        self.field(key, format!("an array of {N} numbers"), |node| {
+        self.field(key, (format!("an array of {N} numbers"), array(ShapeKind::Number, Some(N))), |node| {
             <[f64; N]>::try_from(elements(node, finite_number)?)
                 .map_err(|wrong| Fault { found: format!("{} of them", wrong.len()), ..Fault::of(node) })
         })
@@ -269,27 +310,35 @@ impl<'a> Reader<'a> {
 
     /// Any number of finite numbers.
     pub fn f64_list(&self, key: &str) -> Field<'a, Vec<f64>> {
-        self.field(key, "an array of numbers", |node| elements(node, finite_number))
+        self.field(key, ("an array of numbers", array(ShapeKind::Number, None)), |node| {
+            elements(node, finite_number)
+        })
     }
 
     /// Any number of pairs of finite numbers: `[[1, 2], [3, 4]]`.
     pub fn f64_pairs(&self, key: &str) -> Field<'a, Vec<[f64; 2]>> {
-        self.field(key, "an array of pairs of numbers", |node| {
-            elements(node, |element| {
-                let pair = elements(element, finite_number)?;
-                <[f64; 2]>::try_from(pair).map_err(|_| Fault::of(element))
-            })
-        })
+        self.field(
+            key,
+            ("an array of pairs of numbers", array(array(ShapeKind::Number, Some(2)), None)),
+            |node| {
+                elements(node, |element| {
+                    let pair = elements(element, finite_number)?;
+                    <[f64; 2]>::try_from(pair).map_err(|_| Fault::of(element))
+                })
+            },
+        )
     }
 
     /// Any number of whole numbers of 0 or more.
     pub fn u64_list(&self, key: &str) -> Field<'a, Vec<u64>> {
-        self.field(key, "an array of whole numbers", |node| elements(node, whole_number))
+        self.field(key, ("an array of whole numbers", array(ShapeKind::Count, None)), |node| {
+            elements(node, whole_number)
+        })
     }
 
     /// Any number of texts.
     pub fn string_list(&self, key: &str) -> Field<'a, Vec<String>> {
-        self.field(key, "an array of texts", |node| {
+        self.field(key, ("an array of texts", array(ShapeKind::Text, None)), |node| {
             elements(node, |element| match &element.value {
                 Value::String(text) => Ok(text.clone()),
                 _ => Err(Fault::of(element)),
@@ -301,7 +350,8 @@ impl<'a> Reader<'a> {
     pub fn one_of<T: Clone + 'a>(&self, key: &str, words: &[(&'a str, T)]) -> Field<'a, T> {
         let words = words.to_vec();
         let quoted: Vec<String> = words.iter().map(|(word, _)| format!("{word:?}")).collect();
-        self.field(key, format!("one of {}", quoted.join(", ")), move |node| {
+        let kind = ShapeKind::Words(words.iter().map(|(word, _)| (*word).to_owned()).collect());
+        self.field(key, (format!("one of {}", quoted.join(", ")), kind), move |node| {
             let Value::String(found) = &node.value else { return Err(Fault::of(node)) };
             let meaning = words.iter().find(|(word, _)| word == found).map(|(_, meaning)| meaning.clone());
             let known: Vec<&str> = words.iter().map(|(word, _)| *word).collect();
@@ -309,6 +359,10 @@ impl<'a> Reader<'a> {
             meaning.ok_or_else(|| Fault { help, ..Fault::of(node) })
         })
     }
+}
+
+fn array(of: ShapeKind, count: Option<usize>) -> ShapeKind {
+    ShapeKind::Array(Box::new(of), count)
 }
 
 fn finite_number(node: &Node) -> Result<f64, Fault> {

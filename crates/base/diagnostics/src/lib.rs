@@ -75,6 +75,7 @@
 //!
 //! [`JunitSuite`] writes what was checked for continuous integration.
 
+pub mod asked;
 mod csv_rows;
 mod field;
 mod junit;

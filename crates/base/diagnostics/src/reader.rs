@@ -1,5 +1,6 @@
 //! Reading one table, strictly.
 
+use crate::asked::{Shape, ShapeKind, note};
 use crate::field::Field;
 use crate::place::{Place, Placed};
 use crate::problem::{Problem, Problems};
@@ -55,6 +56,7 @@ impl<'a> Reader<'a> {
 
     /// Names of all keys that stand in the table, sorted: for tables whose keys are names the user chose.
     pub fn keys(&self) -> Vec<&'a str> {
+        note(&self.path, false, || Shape::of(ShapeKind::OpenTable));
         self.table.map_or(Vec::new(), |table| table.entries.keys().map(String::as_str).collect())
     }
 
@@ -78,16 +80,16 @@ impl<'a> Reader<'a> {
     pub(crate) fn field<T: 'a>(
         &self,
         key: &str,
-        expected: impl Into<String>,
+        (expected, kind): (impl Into<String>, ShapeKind),
         convert: impl Fn(&Node) -> Result<T, crate::field::Fault> + 'a,
     ) -> Field<'a, T> {
         let at = Placed { value: self.node(key), place: self.place(key), key: self.path(key) };
-        Field::new(at, self.problems, expected.into(), Box::new(convert))
+        Field::new(at, self.problems, (expected.into(), kind), Box::new(convert))
     }
 
     /// The table under `key`, which must be there.
     pub fn table(&self, key: &str) -> Option<Reader<'a>> {
-        let found = self.optional_table(key);
+        let found = self.table_there(key, true);
         if !self.has(key) {
             let title = format!("missing table `{}`", self.path(key));
             self.report(self.problem(key, title).expected(format!("a table [{}]", self.path(key))));
@@ -97,6 +99,11 @@ impl<'a> Reader<'a> {
 
     /// The table under `key`, or nothing where it is missing.
     pub fn optional_table(&self, key: &str) -> Option<Reader<'a>> {
+        self.table_there(key, false)
+    }
+
+    fn table_there(&self, key: &str, is_required: bool) -> Option<Reader<'a>> {
+        note(&self.path(key), is_required, || Shape::of(ShapeKind::Table));
         let node = self.node(key)?;
         self.reader_of(node, self.path(key))
     }
@@ -109,6 +116,7 @@ impl<'a> Reader<'a> {
 
     /// The tables of an array: `[[loader.delay]]`, or `delay = [{...}, {...}]`. Missing means none.
     pub fn tables(&self, key: &str) -> Vec<Reader<'a>> {
+        note(&self.path(key), false, || Shape::of(ShapeKind::Tables));
         let Some(node) = self.node(key) else { return Vec::new() };
         let path = self.path(key);
         let Value::Array(elements) = &node.value else {
@@ -121,6 +129,10 @@ impl<'a> Reader<'a> {
 
     /// A part: the word (such as `"ideal"`) or a table. Nothing where the key is missing or is neither.
     pub fn table_or_word(&self, key: &str, word: &str) -> Option<PartTable<'a>> {
+        note(&self.path(key), false, || Shape {
+            or_words: vec![word.to_owned()],
+            ..Shape::of(ShapeKind::Table)
+        });
         let node = self.node(key)?;
         match &node.value {
             Value::Table(_) => self.reader_of(node, self.path(key)).map(PartTable::Table),
@@ -149,7 +161,8 @@ impl<'a> Reader<'a> {
     /// Checks `format = N`; false when the file is of another format, whose keys it is no use to judge.
     pub fn format_version(&self, expected: u64) -> bool {
         let help_missing = format!("write `format = {expected}` above all tables");
-        let Some(found) = self.u64("format").help(help_missing).required() else { return false };
+        let field = self.u64("format").help(help_missing).only_noted(expected);
+        let Some(found) = field.required() else { return false };
         let (what, help) = match found.cmp(&expected) {
             std::cmp::Ordering::Equal => return true,
             std::cmp::Ordering::Greater => ("newer than", "a newer version of the program reads this file"),
@@ -163,6 +176,7 @@ impl<'a> Reader<'a> {
 
     /// Leaves the keys of this table unjudged: for a table of a kind that is not known.
     pub fn ignore_rest(&self) {
+        note(&self.path, false, || Shape::of(ShapeKind::OpenTable));
         if let Some(table) = self.table {
             table.unjudged.set(true);
         }

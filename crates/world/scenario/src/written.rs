@@ -58,9 +58,18 @@ impl Scenario {
     /// # Errors
     /// Every fault of the text and of the path file that it may name.
     pub fn parse(name: &str, text: &str) -> Result<Self, ProblemList> {
+        Self::parse_beside(name, text, &[])
+    }
+
+    /// The same of a text that may have tables of `others` as well, which somebody else reads.
+    ///
+    /// # Errors
+    /// Every fault of the text and of the path file that it may name.
+    pub fn parse_beside(name: &str, text: &str, others: &[&str]) -> Result<Self, ProblemList> {
         let problems = Problems::new();
+        let folder = folder_of(FilePath::new(name));
         let scenario = TomlFile::parse(name, text, &problems)
-            .and_then(|file| scenario(&file.root(&problems), folder_of(FilePath::new(name)), &[], &problems));
+            .and_then(|file| scenario(&file.root(&problems), folder, others, &problems));
         problems.resolve(scenario)
     }
 }
