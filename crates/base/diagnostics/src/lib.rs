@@ -95,5 +95,5 @@ pub use layers::{Layers, Origin};
 pub use long_list::LongList;
 pub use place::{Place, Placed, Source};
 pub use problem::{Problem, ProblemList, ProblemRecord, Problems};
-pub use reader::{PartTable, Reader};
+pub use reader::{PartTable, Reader, similar_file};
 pub use toml_file::TomlFile;

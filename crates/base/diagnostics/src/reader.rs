@@ -1,5 +1,8 @@
 //! Reading one table, strictly.
 
+use std::fs;
+use std::path::{Path, PathBuf};
+
 use crate::asked::{Shape, ShapeKind, note};
 use crate::field::Field;
 use crate::place::{Place, Placed};
@@ -243,4 +246,15 @@ pub(crate) fn nearest<'k>(word: &str, known: &[&'k str]) -> Option<&'k str> {
     let scored = known.iter().map(|known| (strsim::jaro(word, known), *known));
     let alike = scored.filter(|(likeness, _)| *likeness > ALIKE);
     alike.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, known)| known)
+}
+
+/// The file beside a path that nobody finds whose name is most like it, if one is alike at all.
+pub fn similar_file(path: &Path) -> Option<PathBuf> {
+    let folder = path.parent()?;
+    let listed = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    let entries = fs::read_dir(listed).ok()?.filter_map(Result::ok);
+    let mut names: Vec<String> = entries.filter_map(|entry| entry.file_name().into_string().ok()).collect();
+    names.sort();
+    let known: Vec<&str> = names.iter().map(String::as_str).collect();
+    nearest(path.file_name()?.to_str()?, &known).map(|name| folder.join(name))
 }

@@ -3,8 +3,8 @@
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::commands::{
-    augment, bank, cartridge, check, compare, explain, info, list, lockstep, model, netlist, page, probe,
-    replay, sizing, state, study, survey, timing, trace, trigger,
+    augment, bank, cartridge, check, compare, completions, explain, info, list, lockstep, man, model,
+    netlist, page, probe, replay, schema, sizing, state, study, survey, timing, trace, trigger,
 };
 use crate::output::Colour;
 
@@ -110,4 +110,10 @@ pub enum Command {
     Study(study::StudyCommand),
     /// Run test cartridges: scenes whose answer is known in closed form.
     Cartridge(cartridge::CartridgeCommand),
+    /// Print the JSON Schema of a kind of file, for editors.
+    Schema(schema::Schema),
+    /// Print the completions of the command line for a shell.
+    Completions(completions::Completions),
+    /// Write the manual: a page for each command, or print its first page.
+    Man(man::ManCommand),
 }

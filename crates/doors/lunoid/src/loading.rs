@@ -62,7 +62,8 @@ pub fn of_timed(argument: Arg) -> Arg {
 /// Which scenario, drawn by what.
 #[derive(Debug, Default, Clone, Args)]
 pub struct StageArgs {
-    /// Scenario file to read.
+    /// Scenario to read: a file, or the name of one in `scenarios/`.
+    #[arg(value_parser = values::scenario)]
     pub scenario: PathBuf,
     #[arg(short, long, value_name = "MODEL", help = machine_help())]
     pub machine: Option<String>,

@@ -1,7 +1,9 @@
 //! Values of the command line.
 
+use std::convert::Infallible;
 use std::fmt::Display;
 use std::ops::RangeInclusive;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 /// A parser of whole numbers from the first to the last of `allowed`.
@@ -24,6 +26,13 @@ where
         let found = text.parse().ok().filter(|number| *number >= least);
         found.ok_or_else(|| format!("expected a whole number of {least} or more"))
     }
+}
+
+/// A scenario: a path, or the name of a file in `scenarios/` of the current folder, without its ending.
+pub fn scenario(text: &str) -> Result<PathBuf, Infallible> {
+    let (path, folder) = (PathBuf::from(text), Path::new("scenarios"));
+    let is_name = !text.contains(['/', '\\', '.']) && !path.exists() && folder.is_dir();
+    Ok(if is_name { folder.join(format!("{text}.toml")) } else { path })
 }
 
 /// Reads a setting `key=value`.

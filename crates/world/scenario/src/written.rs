@@ -15,7 +15,8 @@ mod scenery;
 
 use std::path::Path as FilePath;
 
-use diagnostics::{Problem, ProblemList, Problems, Reader, TomlFile};
+use diagnostics::{Problem, ProblemList, Problems, Reader, TomlFile, similar_file};
+use files::FileError;
 use landscape::Photometry;
 use landscape::relief::Relief;
 use limits::Limit;
@@ -45,7 +46,7 @@ impl Scenario {
     pub fn read_beside(path: impl AsRef<FilePath>, others: &[&str]) -> Result<Self, ProblemList> {
         let name = path.as_ref().display().to_string();
         let bytes = files::read_all(path.as_ref(), Limit::TextBytes)
-            .map_err(|error| Problem::of_file(&name, error.to_string()))?;
+            .map_err(|error| not_read(path.as_ref(), &name, &error))?;
         let problems = Problems::new();
         let scenario = TomlFile::parse_bytes(&name, &bytes, &problems)
             .and_then(|file| scenario(&file.root(&problems), folder_of(path.as_ref()), others, &problems));
@@ -71,6 +72,14 @@ impl Scenario {
         let scenario = TomlFile::parse(name, text, &problems)
             .and_then(|file| scenario(&file.root(&problems), folder, others, &problems));
         problems.resolve(scenario)
+    }
+}
+
+fn not_read(path: &FilePath, name: &str, error: &FileError) -> Problem {
+    let problem = Problem::of_file(name, error.to_string());
+    match similar_file(path) {
+        Some(similar) if !path.exists() => problem.help(format!("did you mean {}?", similar.display())),
+        _ => problem,
     }
 }
 

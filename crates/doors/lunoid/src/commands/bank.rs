@@ -105,7 +105,8 @@ struct Show {
 #[derive(Debug, Args)]
 #[command(after_help = "Example:\n  lunoid bank generate scenarios/first-light.toml -o first-light.bank")]
 struct Generate {
-    /// Scenario file to read.
+    /// Scenario to read: a file, or the name of one in `scenarios/`.
+    #[arg(value_parser = values::scenario)]
     scenario: PathBuf,
     /// Bank file to write.
     #[arg(short, long, value_name = "BANK")]

@@ -7,16 +7,19 @@ pub mod cartridge;
 mod changed;
 pub mod check;
 pub mod compare;
+pub mod completions;
 pub mod explain;
 pub mod info;
 pub mod list;
 pub mod lockstep;
+pub mod man;
 pub mod model;
 pub mod netlist;
 mod of_run;
 pub mod page;
 pub mod probe;
 pub mod replay;
+pub mod schema;
 mod scope;
 pub mod sizing;
 pub mod state;
@@ -58,5 +61,8 @@ pub fn run(cli: &Cli) -> Result<Verdict, Failure> {
         Command::Lockstep(lockstep) => lockstep.run(),
         Command::Netlist(netlist) => netlist.run(),
         Command::State(state) => state.run(),
+        Command::Schema(schema) => schema.run(),
+        Command::Completions(completions) => completions.run(),
+        Command::Man(man) => man.run(),
     }
 }

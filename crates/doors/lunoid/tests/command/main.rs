@@ -9,6 +9,7 @@ mod checks;
 mod colour;
 mod columns;
 mod explain;
+mod first_minutes;
 mod help;
 mod lockstep;
 mod lunsim;

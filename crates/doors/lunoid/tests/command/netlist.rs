@@ -74,6 +74,15 @@ fn the_light_runs_in_ngspice_and_agrees() {
     }
 }
 
+/// A stage of light without parts.
+const IDEAL_LIGHT: &[&str] = &[
+    "--set=reflectivity.multiplier_bandwidth_mhz=unlimited",
+    "--set=reflectivity.summer_bandwidth_mhz=unlimited",
+    "--set=reflectivity.root_bandwidth_mhz=unlimited",
+    "--set=reflectivity.divider_bandwidth_mhz=unlimited",
+    "--set=reflectivity.saturation_v=unlimited",
+];
+
 #[test]
 fn what_has_no_circuit_is_refused() {
     let scene = Scene::new();
@@ -81,7 +90,10 @@ fn what_has_no_circuit_is_refused() {
         (&["-m", "ideal"][..], "this model has an ideal terrain generator"),
         (&["-m", "pra-parts", "--block", "coarse"], "expected a scenario with two levels"),
         (&["-m", "pra-parts", "--block", "mixing-unit"], "possible values: fine, coarse, light"),
-        (&["-m", "pra-parts", "--block", "light"], "this model makes light by the law"),
+        (
+            &[&["-m", "pra-parts", "--block", "light"][..], IDEAL_LIGHT].concat()[..],
+            "this model makes light by the law",
+        ),
         (&["-m", "exact"], "only the hybrid machine has such a circuit"),
         (&["-m", "pra-parts", "--json"], "--check"),
     ] {

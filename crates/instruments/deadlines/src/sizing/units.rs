@@ -122,7 +122,7 @@ fn kind_loads(rehearsal: &Rehearsal, levels: &[LevelFigures]) -> Vec<KindLoad> {
         let side = f64::from(bank.record_regions) * levels.first()?.region_size;
         let reach = settings.range.end / side;
         let squares = |angle: f64| 0.5 * reach * reach * angle;
-        let in_sight = squares(2.0 * settings.raster.field.tan_half_width.atan());
+        let in_sight = squares(2.0 * libm::atan(settings.raster.field.tan_half_width));
         let records = asked.get(name).map_or(0.0, |&records| records as f64 / in_sight);
         let word = drum.word.max(settings.data_banks.channels.word);
         let ticks = 0.5 * drum.rotation as f64 + f64::from(bank.record_words) * word;

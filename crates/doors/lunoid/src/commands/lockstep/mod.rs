@@ -35,8 +35,8 @@ with signal, sweep, sample, tick and both values; of a random scene the smallest
 #[derive(Debug, Args)]
 #[command(after_help = AFTER, mut_args(of_models))]
 pub struct LockstepCommand {
-    /// Scenario file to draw.
-    #[arg(required_unless_present = "random")]
+    /// Scenario to draw: a file, or the name of one in `scenarios/`.
+    #[arg(required_unless_present = "random", value_parser = values::scenario)]
     scenario: Option<PathBuf>,
     /// Hardware model by name or path; the scenario's own if left out.
     #[arg(short, long, value_name = "MODEL")]

@@ -48,7 +48,8 @@ Several machines draw into sub-folders of one folder, exact among them, and one 
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]
 pub struct Replay {
-    /// Scenario file to draw.
+    /// Scenario to draw: a file, or the name of one in `scenarios/`.
+    #[arg(value_parser = values::scenario)]
     scenario: PathBuf,
     #[arg(short, long, value_name = "MODEL", help = several_help())]
     machine: Vec<String>,

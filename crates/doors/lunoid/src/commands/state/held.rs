@@ -7,12 +7,12 @@ use deadlines::Rehearsal;
 use front_door::Opened;
 use state::{Bench, Mission, State};
 
-use crate::Failure;
 use crate::commands::replay::program;
 use crate::commands::words::words;
 use crate::loading::{StageArgs, StageOptions, Threads};
 use crate::output::Place as Output;
 use crate::rehearsing::rehearse;
+use crate::{Failure, values};
 
 /// Words of a command line that choose a stage.
 #[derive(Debug, Parser)]
@@ -27,6 +27,7 @@ pub struct HeldArgs {
     /// File of the state.
     pub file: PathBuf,
     /// Scenario of the state; if left out, the scenario and the options with which the state was saved.
+    #[arg(value_parser = values::scenario)]
     scenario: Option<PathBuf>,
     /// Hardware model by name or path, as it was given when the state was saved.
     #[arg(short, long, value_name = "MODEL")]

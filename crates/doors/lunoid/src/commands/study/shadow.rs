@@ -42,6 +42,7 @@ an error differs from the formula by more than 1e-9 rad. docs/blocks/vehicle-sha
 #[command(after_help = AFTER)]
 pub struct ShadowStudy {
     /// Scenario file: its ground, its path, its sun.
+    #[arg(value_parser = values::scenario)]
     scenario: PathBuf,
     #[command(flatten)]
     threads: Threads,

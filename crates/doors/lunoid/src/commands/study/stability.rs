@@ -35,6 +35,7 @@ const MODELS: [&str; 2] = ["ideal", "pra-nominal"];
 #[command(after_help = AFTER)]
 pub struct StabilityStudy {
     /// Scenario file; a small scene of its own if left out.
+    #[arg(value_parser = values::scenario)]
     scenario: Option<PathBuf>,
     #[command(flatten)]
     threads: Threads,

@@ -1,0 +1,66 @@
+//! `lunoid man`: the manual, a page a command.
+
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use clap_mangen::Man;
+
+use crate::cli::command;
+use crate::output::print;
+use crate::{Failure, Verdict};
+
+const AFTER: &str = "Example:
+  lunoid man --out runs/man
+  man runs/man/lunoid-replay.1
+
+The pages say what --help says. They are lunoid.1 and, for each command, one such as lunoid-replay.1.";
+
+/// Write the manual: a page for each command, or print its first page.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER)]
+pub struct ManCommand {
+    /// Folder to write the pages into; without it the first page is printed.
+    #[arg(short, long, value_name = "FOLDER")]
+    out: Option<PathBuf>,
+}
+
+impl ManCommand {
+    /// Writes all pages, or prints the first.
+    pub fn run(&self) -> Result<Verdict, Failure> {
+        let whole = command();
+        let Some(folder) = &self.out else {
+            print(&String::from_utf8_lossy(&page(&whole, "lunoid")?))?;
+            return Ok(Verdict::Yes);
+        };
+        fs::create_dir_all(folder).map_err(|error| {
+            Failure::output(format!("--out {}: {error}; name a folder that can be written", folder.display()))
+        })?;
+        let mut written = 0;
+        write_pages(folder, &whole, "lunoid", &mut written)?;
+        print(&format!("{}: {written} pages\n", folder.display()))?;
+        Ok(Verdict::Yes)
+    }
+}
+
+/// Writes the page of a command, and those of the commands below it.
+fn write_pages(folder: &Path, of: &clap::Command, name: &str, written: &mut u32) -> Result<(), Failure> {
+    let text = page(of, name)?;
+    files::write_atomic(folder.join(format!("{name}.1")), |out| out.write_all(&text))?;
+    *written += 1;
+    let below = of.get_subcommands().filter(|below| !below.is_hide_set() && below.get_name() != "help");
+    below
+        .into_iter()
+        .try_for_each(|below| write_pages(folder, below, &format!("{name}-{}", below.get_name()), written))
+}
+
+/// The page of a command, called `name` in its head.
+fn page(of: &clap::Command, name: &str) -> Result<Vec<u8>, Failure> {
+    // Names of commands live as long as the program: there are a few dozen of them.
+    let shown = of.clone().name(&*name.to_owned().leak()).disable_help_subcommand(true);
+    let mut text = Vec::new();
+    let rendered: io::Result<()> = Man::new(shown).render(&mut text);
+    rendered.map_err(|error| Failure::output(format!("{name}.1: {error}")))?;
+    Ok(text)
+}
