@@ -58,12 +58,8 @@ pub(crate) fn bytes_of(
 
 /// A file that may be read, and what the system knows of it.
 pub(crate) fn open(path: &Path, most: Most) -> Result<(File, Metadata), FileError> {
-    let failed = |source| FileError::new(path, Action::Read, source);
-    let file = File::open(path).map_err(failed)?;
-    let metadata = file.metadata().map_err(failed)?;
-    if metadata.is_dir() {
-        return Err(FileError::IsFolder { path: path.to_owned(), action: Action::Read });
-    }
+    let file = crate::open::open(path)?;
+    let metadata = file.metadata().map_err(|source| FileError::new(path, Action::Read, source))?;
     most.allows(path, metadata.len())?;
     Ok((file, metadata))
 }
