@@ -35,12 +35,7 @@ fn report<'a>(problem: &'a Problem, at: Option<Cursor<'a>>) -> Group<'a> {
 }
 
 /// The line in which the place begins, as far as it is shown, and the place in it.
-fn placed<'a>(
-    title: Title<'a>,
-    place: &'a Place,
-    at: Cursor<'_>,
-    expected: Option<String>,
-) -> Group<'a> {
+fn placed<'a>(title: Title<'a>, place: &'a Place, at: Cursor<'_>, expected: Option<String>) -> Group<'a> {
     let (line, span) = excerpt(place, at);
     let text = &place.source.text;
     let parts = [line.start..span.start, span.clone(), span.end..line.end].map(|part| visible(&text[part]));

@@ -266,7 +266,11 @@ fn many_faults_in_one_line_are_shown_in_little_text() {
     assert_eq!(list.records(), list.iter().map(Problem::record).collect::<Vec<_>>());
     let shown = list.render(false);
     assert!(shown.len() < 2000 * count, "{} bytes", shown.len());
-    assert!(shown.contains(&format!("--> t.toml:1:{}\n", 8 + 3 * (count - 1))), "{}", &shown[shown.len() - 2000..]);
+    assert!(
+        shown.contains(&format!("--> t.toml:1:{}\n", 8 + 3 * (count - 1))),
+        "{}",
+        &shown[shown.len() - 2000..]
+    );
 }
 
 #[test]

@@ -44,7 +44,7 @@ fn write_stream(
     write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
 ) -> Result<(), FileError> {
     let failed = |source| FileError::new(path, Action::Write, source);
-    let mut buffer = BufWriter::new(open_stream(path).map_err(failed)?);
+    let mut buffer = BufWriter::new(open_stream(path)?);
     write(&mut buffer).and_then(|()| buffer.flush()).map_err(failed)
 }
 

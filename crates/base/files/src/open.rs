@@ -1,7 +1,6 @@
 //! The one place where files are opened, so that nothing is opened that is no file.
 
 use std::fs::{self, File, OpenOptions};
-use std::io;
 use std::path::Path;
 
 use crate::error::{Action, FileError};
@@ -74,9 +73,13 @@ fn opened_own(path: &Path, options: &mut OpenOptions) -> Result<File, FileError>
     Err(FileError::NoFile { path: path.to_owned(), action: Action::Open, kind })
 }
 
-/// Opens what a user names to be written directly: an open file of this process, or a character device.
-pub(crate) fn open_stream(path: &Path) -> io::Result<File> {
-    OpenOptions::new().write(true).open(path)
+/// Opens what a user names to be written directly: a [`Kind::Stream`].
+///
+/// # Errors
+/// Failures of the system.
+pub fn open_stream(path: &Path) -> Result<File, FileError> {
+    let opened = OpenOptions::new().write(true).open(path);
+    opened.map_err(|source| FileError::new(path, Action::Write, source))
 }
 
 /// What may be written at `path`, told before any work. Anything but a file, a stream or a new name is refused.

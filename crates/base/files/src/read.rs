@@ -1,6 +1,6 @@
 //! Reading a whole file, up to a limit.
 
-use std::fs::{File, Metadata};
+use std::fs::{self, File, Metadata};
 use std::io::Read;
 use std::path::Path;
 
@@ -38,6 +38,14 @@ pub fn read_all(path: impl AsRef<Path>, most: impl Into<Most>) -> Result<Vec<u8>
     let (path, most) = (path.as_ref(), most.into());
     let (file, metadata) = open(path, most)?;
     bytes_of(file, &metadata, path, most)
+}
+
+/// Whether the file at `path` is there with exactly these bytes. A link is not.
+pub fn holds(path: impl AsRef<Path>, bytes: &[u8]) -> bool {
+    let path = path.as_ref();
+    let has_length =
+        fs::symlink_metadata(path).is_ok_and(|found| found.is_file() && found.len() == bytes.len() as u64);
+    has_length && read_all(path, bytes.len() as u64).is_ok_and(|found| found == bytes)
 }
 
 /// All bytes of an open file.

@@ -55,10 +55,15 @@ mod tests {
     fn nothing_that_steers_a_terminal_is_left() {
         for code in (0..=0x2070).filter_map(char::from_u32) {
             let text = format!("a{code}b");
-            let steers = code < ' ' || ('\u{7f}'..='\u{9f}').contains(&code) || "\u{202e}\u{2066}\u{2028}".contains(code);
+            let steers = code < ' '
+                || ('\u{7f}'..='\u{9f}').contains(&code)
+                || "\u{202e}\u{2066}\u{2028}".contains(code);
             assert_eq!(visible_line(&text).contains(code), !visible_line(&text).contains("\\u{"), "{code:?}");
             assert!(!(steers && visible_line(&text).contains(code)), "{code:?}");
-            assert_eq!(visible(&text).contains(code), visible_line(&text).contains(code) || "\n\t".contains(code));
+            assert_eq!(
+                visible(&text).contains(code),
+                visible_line(&text).contains(code) || "\n\t".contains(code)
+            );
         }
         for plain in ["", "plain", "déjà vu, 月, 🌕, \u{301}", "rows\n\tand tabs"] {
             assert_eq!(visible(plain), plain);

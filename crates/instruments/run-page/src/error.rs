@@ -38,14 +38,6 @@ pub enum PageError {
     /// A plot cannot be written.
     #[error(transparent)]
     File(#[from] FileError),
-    /// The folder of the plots cannot be made.
-    #[error("{}: cannot make the folder: {error}", .folder.display())]
-    Folder {
-        /// Folder that cannot be made.
-        folder: PathBuf,
-        /// What the system says.
-        error: io::Error,
-    },
 }
 
 /// Why sweeps that are asked for cannot be recorded.

@@ -131,12 +131,14 @@ pub fn read_model(
     set: &[(String, String)],
 ) -> Result<LoadedModel, OpenError> {
     let source = ModelSource::find_as(asked, name, folder)?;
-    HardwareModel::load(&source, overlays, set).or_else(|faults| {
+    let loaded = HardwareModel::load(&source, overlays, set).or_else(|faults| {
         if let ModelSource::File(path) = &source {
             Kind::Model.expect(path)?;
         }
-        Err(faults.into())
-    })
+        Err(OpenError::from(faults))
+    })?;
+    expect_drawable(&loaded.values)?;
+    Ok(loaded)
 }
 
 /// Tables of a model, by the one that has all of them.
