@@ -22,7 +22,9 @@ fn room() -> Room {
     let room = Room::new();
     room.done(&["replay", "tiny.toml", "-q", "--out", "s"]);
     fs::create_dir(room.join("far")).unwrap();
-    for name in ["victim.txt", "frame-000000.png", "frame-000099.png", ".mine.1-2.tmp", ".frame-000000.png.1-2.tmp"] {
+    for name in
+        ["victim.txt", "frame-000000.png", "frame-000099.png", ".mine.1-2.tmp", ".frame-000000.png.1-2.tmp"]
+    {
         room.write(&format!("far/{name}"), "precious");
     }
     room
@@ -35,7 +37,11 @@ fn outside(room: &Room) -> Content {
 
 fn clear(room: &Room) {
     let r = room.join("r");
-    if r.is_symlink() { fs::remove_file(r).unwrap() } else { let _ = fs::remove_dir_all(r); }
+    if r.is_symlink() {
+        fs::remove_file(r).unwrap()
+    } else {
+        let _ = fs::remove_dir_all(r);
+    }
 }
 
 fn copy(from: &Path, to: &Path) {
@@ -56,9 +62,20 @@ fn pipe(path: &Path) {
 fn nothing_of_a_run_is_written_through_links_or_pipes() {
     let room = room();
     let names = [
-        ".lunoid.lock", "poses.csv", "camera.json", "index.html", "page.json", "contact-sheet.png", "run.json",
-        "performance.json", "frames.journal", "animation.png", "frames/frame-000000.png", "frames/frame-000003.png",
-        "truth/truth.json", "scopes/frame-000000-sweep-0005.svg",
+        ".lunoid.lock",
+        "poses.csv",
+        "camera.json",
+        "index.html",
+        "page.json",
+        "contact-sheet.png",
+        "run.json",
+        "performance.json",
+        "frames.journal",
+        "animation.png",
+        "frames/frame-000000.png",
+        "frames/frame-000003.png",
+        "truth/truth.json",
+        "scopes/frame-000000-sweep-0005.svg",
     ];
     let replays: [&[&str]; 3] = [&[], &["--fresh"], &["--apng", "--truth", "pose", "--probe", "0:5"]];
     for (number, name) in names.iter().enumerate() {
@@ -95,7 +112,11 @@ fn folders_that_are_links_lose_nothing() {
     symlink("far", room.join("r")).unwrap();
     for out in ["r", "r/", "r/."] {
         room.refused(OUTPUT, &["replay", "tiny.toml", "-q", "--out", out], &["r", "this is a link"]);
-        room.refused(OUTPUT, &[&AUGMENT[..], &["--vehicle", "rover", "--out", out]].concat(), &["this is a link"]);
+        room.refused(
+            OUTPUT,
+            &[&AUGMENT[..], &["--vehicle", "rover", "--out", out]].concat(),
+            &["this is a link"],
+        );
     }
     let several = ["replay", "tiny.toml", "-q", "-m", "ideal", "-m", "exact", "--out", "r"];
     room.refused(OUTPUT, &several, &["a link of this name"]);
@@ -140,15 +161,23 @@ fn outputs_are_never_links_or_pipes() {
         &["probe", "tiny.toml", "--frame", "0", "--sweep", "5", "--format", "csv", "--out"],
     ];
     for writer in writers {
-        for (name, word) in
-            [("link", "link"), ("dangling", "link"), ("folder-link", "link"), ("null", "link"), ("pipe", "pipe")]
-        {
+        for (name, word) in [
+            ("link", "link"),
+            ("dangling", "link"),
+            ("folder-link", "link"),
+            ("null", "link"),
+            ("pipe", "pipe"),
+        ] {
             room.refused(OUTPUT, &[writer, &[name]].concat(), &[name, &format!("this is a {word}")]);
         }
     }
     // What stands beside an output is one too.
     symlink("far/victim.txt", room.join("b.bank.toml")).unwrap();
-    room.refused(OUTPUT, &["bank", "generate", "tiny.toml", "-o", "b.bank"], &["b.bank.toml", "this is a link"]);
+    room.refused(
+        OUTPUT,
+        &["bank", "generate", "tiny.toml", "-o", "b.bank"],
+        &["b.bank.toml", "this is a link"],
+    );
 }
 
 /// A pipe that nobody writes keeps nobody waiting.
@@ -237,7 +266,8 @@ fn records_that_were_tampered_with_are_refused_within_limits() {
         clear(&room);
         copy(&room.join("s"), &room.join("r"));
         let record: Value = serde_json::from_slice(&room.read("r/run.json")).unwrap();
-        let heading = serde_json::json!({ "schema": "lunoid.journal/1", "fingerprint": record["fingerprint"] });
+        let heading =
+            serde_json::json!({ "schema": "lunoid.journal/1", "fingerprint": record["fingerprint"] });
         let frames = record["frames"].as_array().unwrap().iter().map(Value::to_string);
         let lines: Vec<String> = [heading.to_string()].into_iter().chain(frames).collect();
         fs::remove_file(room.join("r/run.json")).unwrap();
@@ -258,7 +288,11 @@ fn a_mission_that_was_cut_and_one_that_changed_are_told() {
     room.refused(OUTPUT, &replay, &["sweeps (40 there, 20 now)"]);
     room.vary("tiny.toml", "seed = 3", "seed = 4");
     room.refused(OUTPUT, &replay, &["ground.content_blake3 (other content)"]);
-    room.refused(OUTPUT, &[&replay[..], &["--machine", "exact"]].concat(), &["generator (", "\"exact\" now)"]);
+    room.refused(
+        OUTPUT,
+        &[&replay[..], &["--machine", "exact"]].concat(),
+        &["generator (", "\"exact\" now)"],
+    );
 }
 
 fn start(room: &Room, arguments: &[&str]) -> Child {
@@ -278,7 +312,11 @@ fn an_augmentation_has_its_folder_for_itself() {
     let room = room();
     let augment = |vehicle, out| [&AUGMENT[..], &["--vehicle", vehicle, "--out", out]].concat();
     room.done(&augment("rover", "a"));
-    room.refused(OUTPUT, &augment("lander", "a"), &["another augmentation", "vehicle.shape (\"rover\" there, \"lander\" now)"]);
+    room.refused(
+        OUTPUT,
+        &augment("lander", "a"),
+        &["another augmentation", "vehicle.shape (\"rover\" there, \"lander\" now)"],
+    );
     // Interrupted before its record: the pictures themselves tell.
     fs::remove_file(room.join("a/augment.json")).unwrap();
     room.refused(OUTPUT, &augment("lander", "a"), &["another augmentation", "--fresh"]);
@@ -340,8 +378,12 @@ fn every_signal_that_ends_a_run_ends_it_well() {
         assert!(Command::new("kill").args([signal, &run.id().to_string()]).status().unwrap().success());
         assert_eq!(run.wait().unwrap().code(), Some(130), "{signal}");
         let left = content(&room.join(&out));
-        let hidden: Vec<_> = left.keys().filter(|path| path.file_name().unwrap().to_string_lossy().starts_with('.')).collect();
-        assert!(hidden.is_empty() && left.keys().any(|path| path.ends_with("frames.journal")), "{signal}: {hidden:?}");
+        let hidden: Vec<_> =
+            left.keys().filter(|path| path.file_name().unwrap().to_string_lossy().starts_with('.')).collect();
+        assert!(
+            hidden.is_empty() && left.keys().any(|path| path.ends_with("frames.journal")),
+            "{signal}: {hidden:?}"
+        );
         room.done(&["replay", "long.toml", "-q", "--samples", "1500", "--out", &out]);
         assert_eq!(room.read(&format!("{out}/run.json")), whole, "{signal}");
     }
@@ -354,7 +396,12 @@ fn a_run_under_nohup_goes_on() {
     let room = Room::new();
     room.vary("long.toml", "frames = 4", "frames = 40");
     let mut shell = Command::new("sh");
-    shell.current_dir(room.path()).args(["-c", "trap '' HUP; exec \"$@\"", "sh", env!("CARGO_BIN_EXE_lunoid")]);
+    shell.current_dir(room.path()).args([
+        "-c",
+        "trap '' HUP; exec \"$@\"",
+        "sh",
+        env!("CARGO_BIN_EXE_lunoid"),
+    ]);
     shell.args(["replay", "long.toml", "-q", "--samples", "1500", "--out", "r"]);
     let mut run = shell.spawn().unwrap();
     wait_for(|| room.join("r/frames/frame-000001.png").exists());
@@ -371,7 +418,8 @@ fn leftovers_of_a_killed_command_go() {
         room.write(name, "left");
     }
     room.done(&["bank", "generate", "tiny.toml", "-o", "a.bank"]);
-    let is_there = [".a.bank.123-0.tmp", ".b.bank.123-0.tmp", ".a.bank.tmp"].map(|name| room.join(name).exists());
+    let is_there =
+        [".a.bank.123-0.tmp", ".b.bank.123-0.tmp", ".a.bank.tmp"].map(|name| room.join(name).exists());
     assert_eq!(is_there, [false, true, true]);
     fs::create_dir(room.join("r")).unwrap();
     room.done(&REPLAY);
@@ -387,7 +435,8 @@ fn leftovers_of_a_killed_command_go() {
 fn little_room_is_one_error_or_none() {
     let room = Room::new();
     room.done(&["replay", "tiny.toml", "-q", "--out", "whole"]);
-    for (number, limit) in ["-s 256", "-s 1024", "-n 8", "-n 12", "-n 24", "-f 0", "-f 4"].iter().enumerate() {
+    for (number, limit) in ["-s 256", "-s 1024", "-n 8", "-n 12", "-n 24", "-f 0", "-f 4"].iter().enumerate()
+    {
         let out = format!("r{number}");
         let mut shell = Command::new("sh");
         let script = format!("trap '' XFSZ; ulimit {limit}; exec \"$@\"");
@@ -395,7 +444,10 @@ fn little_room_is_one_error_or_none() {
         shell.args(["replay", "tiny.toml", "-q", "--jobs", "2", "--out", &out]);
         let ended = said(shell);
         assert!(!ended.err.contains("panicked"), "{limit}: {ended:?}");
-        assert!(ended.code == Some(0) || matches!(ended.code, Some(INPUT | OUTPUT)) && ended.errors() == 1, "{limit}: {ended:?}");
+        assert!(
+            ended.code == Some(0) || matches!(ended.code, Some(INPUT | OUTPUT)) && ended.errors() == 1,
+            "{limit}: {ended:?}"
+        );
         room.done(&["replay", "tiny.toml", "-q", "--out", &out]);
         assert_eq!(room.read(&format!("{out}/run.json")), room.read("whole/run.json"), "{limit}");
     }

@@ -14,7 +14,9 @@ fn times_that_are_too_near_are_refused_with_the_least_distance() {
     for step in ["1e-300", "5e-324", "1e-12", "5e-7"] {
         keyframes(
             &room,
-            &format!("{{ t_s = 0, x_m = 100, y_m = 200 }}, {{ t_s = {step}, x_m = 120, y_m = 200 }}, {{ t_s = 1, x_m = 130, y_m = 200 }}"),
+            &format!(
+                "{{ t_s = 0, x_m = 100, y_m = 200 }}, {{ t_s = {step}, x_m = 120, y_m = 200 }}, {{ t_s = 1, x_m = 130, y_m = 200 }}"
+            ),
         );
         let words = ["s.toml", "expected at least 0.000001 s between two times"];
         room.refused(INPUT, &["check", "s.toml"], &words);
@@ -29,7 +31,10 @@ fn times_that_are_too_near_are_refused_with_the_least_distance() {
 #[test]
 fn speeds_beyond_light_are_refused_with_the_bound() {
     let room = Room::new();
-    keyframes(&room, "{ t_s = 0, x_m = 100, y_m = 200 }, { t_s = 2e-6, x_m = 300, y_m = 200 }, { t_s = 0.2, x_m = 100, y_m = 200 }");
+    keyframes(
+        &room,
+        "{ t_s = 0, x_m = 100, y_m = 200 }, { t_s = 2e-6, x_m = 300, y_m = 200 }, { t_s = 0.2, x_m = 100, y_m = 200 }",
+    );
     let said = room.run(&["replay", "s.toml", "-q", "--out", "r"]);
     assert!(said.code == Some(0) || said.err.contains("299792458"), "{said:?}");
     if said.code == Some(0) {
@@ -44,8 +49,12 @@ fn speeds_beyond_light_are_refused_with_the_bound() {
 fn bandwidths_that_never_end_are_refused_with_the_least() {
     let room = Room::new();
     let keys = [
-        "amplifier.gain_bandwidth_mhz", "function_generator.bandwidth_mhz", "multiplier.bandwidth_mhz",
-        "multiplying_dac.bandwidth_mhz", "video.bandwidth_mhz", "texture_generator.filter_mhz",
+        "amplifier.gain_bandwidth_mhz",
+        "function_generator.bandwidth_mhz",
+        "multiplier.bandwidth_mhz",
+        "multiplying_dac.bandwidth_mhz",
+        "video.bandwidth_mhz",
+        "texture_generator.filter_mhz",
     ];
     for key in keys {
         for value in ["1e-9", "1e-300", "0.00009"] {
@@ -54,9 +63,24 @@ fn bandwidths_that_never_end_are_refused_with_the_least() {
             room.refused(INPUT, &replay, &[key, "at least 0.0001 MHz"]);
         }
     }
-    room.write("slow.toml", "format = 1\nname = \"slow\"\nbase = \"pra-nominal\"\n[amplifier]\ngain_bandwidth_mhz = 1e-9\n");
+    room.write(
+        "slow.toml",
+        "format = 1\nname = \"slow\"\nbase = \"pra-nominal\"\n[amplifier]\ngain_bandwidth_mhz = 1e-9\n",
+    );
     room.refused(INPUT, &["check", "slow.toml"], &["slow.toml:5", "at least 0.0001 MHz"]);
-    let least = ["replay", "tiny.toml", "-q", "-m", "pra-nominal", "--frames", "0", "--out", "r", "--set", "amplifier.gain_bandwidth_mhz=0.0001"];
+    let least = [
+        "replay",
+        "tiny.toml",
+        "-q",
+        "-m",
+        "pra-nominal",
+        "--frames",
+        "0",
+        "--out",
+        "r",
+        "--set",
+        "amplifier.gain_bandwidth_mhz=0.0001",
+    ];
     room.done(&least);
 }
 
@@ -106,8 +130,24 @@ fn faults_beyond_their_limit_are_counted() {
 #[test]
 fn signals_beyond_their_limit_are_refused() {
     let room = Room::new();
-    let probe = ["probe", "tiny.toml", "--frame", "0", "--sweep", "5", "--signals", "tg.height,mu.height", "-o", "w.csv", "--raise"];
-    room.refused(USAGE, &[&probe[..], &["signals=1"]].concat(), &["2 signals, expected at most 1", "--raise signals=N allows more"]);
+    let probe = [
+        "probe",
+        "tiny.toml",
+        "--frame",
+        "0",
+        "--sweep",
+        "5",
+        "--signals",
+        "tg.height,mu.height",
+        "-o",
+        "w.csv",
+        "--raise",
+    ];
+    room.refused(
+        USAGE,
+        &[&probe[..], &["signals=1"]].concat(),
+        &["2 signals, expected at most 1", "--raise signals=N allows more"],
+    );
     room.run(&[&probe[..], &["signals=2"]].concat());
     assert!(room.join("w.csv").exists());
     let _ = OUTPUT;

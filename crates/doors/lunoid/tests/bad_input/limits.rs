@@ -133,7 +133,8 @@ fn bodies(room: &Room) -> u64 {
 
 fn events(room: &Room) -> u64 {
     let object = "[[object]]\nid = \"a\"\nmodel = \"flag\"\nx_m = 200\ny_m = 200\n";
-    let event = |t: u32| format!("[[event]]\nt_s = {t}\naction = \"move\"\nobject = \"a\"\nx_m = 210\ny_m = 200\n");
+    let event =
+        |t: u32| format!("[[event]]\nt_s = {t}\naction = \"move\"\nobject = \"a\"\nx_m = 210\ny_m = 200\n");
     add(room, &(object.to_owned() + &(1..6).map(event).collect::<String>()));
     5
 }
