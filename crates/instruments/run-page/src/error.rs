@@ -1,8 +1,6 @@
 //! Why a page cannot be made.
 
-use std::io;
 use std::ops::Range;
-use std::path::PathBuf;
 
 use files::FileError;
 use generator::{FrameError, PrepareError};

@@ -10,6 +10,7 @@ use limits::Limit;
 use scenario::Scenario;
 
 use crate::OpenError;
+use crate::expect_drawable;
 
 /// What a TOML file is meant to be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

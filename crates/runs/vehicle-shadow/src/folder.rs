@@ -159,7 +159,7 @@ fn is_ours(name: &str) -> bool {
 fn expect_other_folder(pictures: &Path, out: &Path) -> Result<(), AugmentError> {
     let real = |path: &Path| -> Option<PathBuf> { fs::canonicalize(path).ok() };
     match real(out) {
-        Some(found) if real(pictures) == Some(found) => {
+        Some(ref found) if real(pictures).as_ref() == Some(found) => {
             Err(AugmentError::SameFolder { path: out.to_owned() })
         }
         _ => Ok(()),

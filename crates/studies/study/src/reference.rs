@@ -1,7 +1,6 @@
 //! Pictures of `exact`, kept by what they depend on.
 
 use std::collections::HashMap;
-use std::fs;
 use std::path::PathBuf;
 use std::sync::Arc;
 
