@@ -199,9 +199,11 @@ impl RunRecord {
     fn expect_frames_in_a_row(&self) -> Result<(), String> {
         let [start, end] = self.range;
         let expected = || format!("expected frames {start}..{end}, each once and ascending");
-        let odd = self.frames.iter().zip(start..).find(|(frame, number)| frame.frame != *number);
+        let number = |at: usize| start.checked_add(at as u64);
+        let odd = self.frames.iter().enumerate().find(|(at, frame)| Some(frame.frame) != number(*at));
         match odd {
-            Some((frame, number)) => {
+            Some((at, frame)) => {
+                let number = number(at).unwrap_or(u64::MAX);
                 Err(format!("it lists frame {} in place of frame {number}; {}", frame.frame, expected()))
             }
             None if start.checked_add(self.frames.len() as u64) != Some(end) => {

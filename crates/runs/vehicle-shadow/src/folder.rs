@@ -53,13 +53,13 @@ impl ShadowFolder {
         let made: BTreeSet<String> = names.collect();
         let folder = Folder::claim(out, &[], is_ours)?;
         let claimed = Self { folder, made };
-        claimed.folder.remove_leftovers(is_ours)?;
         let earlier = claimed.earlier()?;
         match &earlier {
             None => claimed.expect_room(fresh)?,
             Some(earlier) if !fresh => claimed.expect_same(earlier, from)?,
             Some(_) => claimed.remove_pictures(|_| false)?,
         }
+        claimed.folder.remove_leftovers(|name| name == RECORD || claimed.made.contains(name))?;
         if fresh && claimed.path().join(RECORD).is_file() {
             claimed.folder.remove(RECORD)?;
         }
@@ -102,12 +102,19 @@ impl ShadowFolder {
 
     /// A folder in which no earlier command has made anything holds nothing that would be replaced, and unless `fresh` nothing.
     fn expect_room(&self, fresh: bool) -> Result<(), AugmentError> {
-        let (path, names) = (self.path().to_owned(), self.folder.names("")?);
+        let (path, mut names) = (self.path().to_owned(), self.folder.names("")?);
+        names.retain(|name| !self.is_leftover(name));
         match (names.iter().find(|name| self.made.contains(*name)), names.first()) {
             (Some(found), _) => Err(AugmentError::WouldReplace { path, found: found.clone() }),
             (None, Some(found)) if !fresh => Err(AugmentError::Foreign { path, found: found.clone() }),
             _ => Ok(()),
         }
+    }
+
+    /// Whether a killed command left this file: a new picture that was not whole yet.
+    fn is_leftover(&self, name: &str) -> bool {
+        let target = name.strip_prefix('.').filter(|_| name.ends_with(".tmp"));
+        target.is_some_and(|target| self.made.iter().any(|made| target.starts_with(made.as_str())))
     }
 
     fn expect_same(&self, earlier: &Earlier, from: &MadeFrom) -> Result<(), AugmentError> {
