@@ -166,10 +166,10 @@ impl Augment {
             ground,
             method: self.method(),
         };
+        let mut recording = self.probing.recording(&augmentation, &sequence, self.provenance())?;
         let from =
             MadeFrom { inputs: augmentation.inputs.clone(), keys: self.decides(&augmentation, &sequence) };
         let folder = ShadowFolder::claim(&self.out, &sequence, &from, self.fresh)?;
-        let mut recording = self.probing.recording(&augmentation, &sequence, self.provenance())?;
         let mut nothing = Look::off();
         let look = recording.as_mut().map_or(&mut nothing, |recording| &mut recording.look);
         let cancel = interrupt::listen();
