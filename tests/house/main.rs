@@ -5,6 +5,7 @@ mod citations;
 mod comments;
 mod dependencies;
 mod floors;
+mod gate;
 mod imports;
 mod laws;
 mod licences;

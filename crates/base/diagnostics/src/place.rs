@@ -16,15 +16,51 @@ impl Source {
     /// Line and column of a byte offset, both from 1, the column in characters.
     /// An offset behind the end is taken as the end.
     pub fn line_and_column(&self, offset: usize) -> (usize, usize) {
-        let before = &self.text[..self.floor_boundary(offset)];
-        let line_start = before.rfind('\n').map_or(0, |newline| newline + 1);
-        (before.matches('\n').count() + 1, before[line_start..].chars().count() + 1)
+        let found = Cursor::new(self).to(offset);
+        (found.line, found.column)
     }
 
     /// The nearest offset at or below `offset` that lies in the text and between two characters.
     pub(crate) fn floor_boundary(&self, offset: usize) -> usize {
         let offset = offset.min(self.text.len());
         (0..=offset).rev().find(|&at| self.text.is_char_boundary(at)).unwrap_or(0)
+    }
+}
+
+/// Goes through a source from place to place. Places in ascending order cost one walk, however many there are.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cursor<'s> {
+    pub source: &'s Source,
+    /// Byte offset.
+    pub at: usize,
+    /// Byte offset at which the line begins.
+    pub line_start: usize,
+    /// Line and column from 1, the column in characters.
+    pub line: usize,
+    pub column: usize,
+}
+
+impl<'s> Cursor<'s> {
+    /// At the start of `source`.
+    pub fn new(source: &'s Source) -> Self {
+        Self { source, at: 0, line_start: 0, line: 1, column: 1 }
+    }
+
+    /// At `offset` of the same source.
+    pub fn to(self, offset: usize) -> Self {
+        let at = self.source.floor_boundary(offset);
+        let from = if at < self.at { Self::new(self.source) } else { self };
+        let passed = &from.source.text[from.at..at];
+        match passed.rfind('\n') {
+            None => Self { at, column: from.column + passed.chars().count(), ..from },
+            Some(newline) => Self {
+                source: from.source,
+                at,
+                line_start: from.at + newline + 1,
+                line: from.line + passed.matches('\n').count(),
+                column: passed[newline + 1..].chars().count() + 1,
+            },
+        }
     }
 }
 

@@ -2,8 +2,11 @@
 
 use std::cell::RefCell;
 use std::fmt;
+use std::sync::Arc;
 
-use crate::place::{Place, Placed};
+use limits::Limit;
+
+use crate::place::{Cursor, Place, Placed};
 use crate::render::render;
 
 /// One fault of one file: where, what was found, what was expected, what to do.
@@ -69,7 +72,10 @@ impl Problem {
 
     /// The same as plain fields, for JSON.
     pub fn record(&self) -> ProblemRecord {
-        let position = self.place.as_ref().map(|place| place.source.line_and_column(place.span.start));
+        self.record_at(self.place.as_ref().map(|place| place.source.line_and_column(place.span.start)))
+    }
+
+    fn record_at(&self, position: Option<(usize, usize)>) -> ProblemRecord {
         ProblemRecord {
             file: self.file.clone(),
             line: position.map(|(line, _)| line),
@@ -105,9 +111,13 @@ pub struct ProblemRecord {
 }
 
 /// Collects problems. Readers share it by `&`, so tables can be read side by side.
+///
+/// It keeps as many as [`Limit::Faults`] allows and counts the others, so that a file with a fault in every line takes no more memory
+/// than its text.
 #[derive(Debug, Default)]
 pub struct Problems {
     list: RefCell<Vec<Problem>>,
+    more: RefCell<usize>,
 }
 
 impl Problems {
@@ -118,7 +128,12 @@ impl Problems {
 
     /// Adds a problem to the list.
     pub fn push(&self, problem: Problem) {
-        self.list.borrow_mut().push(problem);
+        let mut list = self.list.borrow_mut();
+        if Limit::Faults.allows(list.len() as u64 + 1) {
+            list.push(problem);
+        } else {
+            *self.more.borrow_mut() += 1;
+        }
     }
 
     /// True while nothing is wrong.
@@ -128,7 +143,7 @@ impl Problems {
 
     /// How many there are.
     pub fn len(&self) -> usize {
-        self.list.borrow().len()
+        self.list.borrow().len() + *self.more.borrow()
     }
 
     /// The list as an error when it is not empty: file by file in the order they were met, each from top
@@ -144,6 +159,12 @@ impl Problems {
             let start = problem.place.as_ref().map(|place| place.span.start);
             (file, start.is_none(), start)
         });
+        let more = self.more.into_inner();
+        if more > 0 {
+            let file = list.last().map_or_else(String::new, |last| last.file.clone());
+            let title = format!("{more} more faults are not listed");
+            list.push(Problem::of_file(file, title).help(Limit::Faults.to_string()));
+        }
         Err(ProblemList { list })
     }
 
@@ -174,11 +195,38 @@ impl ProblemList {
         self.list.iter()
     }
 
+    /// All problems as plain fields, for JSON; one walk through each file.
+    pub fn records(&self) -> Vec<ProblemRecord> {
+        let positions = positions(&self.list);
+        let record = |(problem, at): (&Problem, Option<Cursor<'_>>)| {
+            problem.record_at(at.map(|at| (at.line, at.column)))
+        };
+        self.list.iter().zip(positions).map(record).collect()
+    }
+
     /// How many there are; never 0.
     #[expect(clippy::len_without_is_empty, reason = "an empty list is never an error")]
     pub fn len(&self) -> usize {
         self.list.len()
     }
+}
+
+/// Where each problem begins, where it has a place; linear in the files if each file's problems ascend.
+pub(crate) fn positions(list: &[Problem]) -> Vec<Option<Cursor<'_>>> {
+    let mut at: Option<(&Place, Cursor<'_>)> = None;
+    let mut found = Vec::with_capacity(list.len());
+    for problem in list {
+        let Some(place) = &problem.place else {
+            found.push(None);
+            continue;
+        };
+        let before = at.filter(|(before, _)| Arc::ptr_eq(&before.source, &place.source));
+        let cursor = before.map_or_else(|| Cursor::new(&place.source), |(_, cursor)| cursor);
+        let cursor = cursor.to(place.span.start);
+        at = Some((place, cursor));
+        found.push(Some(cursor));
+    }
+    found
 }
 
 impl From<Problem> for ProblemList {

@@ -2,48 +2,62 @@
 
 use std::ops::Range;
 
-use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet};
+use annotate_snippets::{AnnotationKind, Group, Level, Origin, Renderer, Snippet, Title};
+use text::{visible, visible_line};
 
-use crate::place::{Place, Source};
-use crate::problem::Problem;
+use crate::place::{Cursor, Place};
+use crate::problem::{Problem, positions};
+
+/// Bytes of a line that are shown before and behind the begin of a fault. A file may be one line.
+const AROUND: usize = 400;
 
 /// All problems, one empty line between two.
 pub(crate) fn render(problems: &[Problem], colour: bool) -> String {
     let renderer = if colour { Renderer::styled() } else { Renderer::plain() };
-    problems.iter().map(|problem| renderer.render(&[report(problem)]) + "\n").collect::<Vec<_>>().join("\n")
+    let reports = problems.iter().zip(positions(problems)).map(|(problem, at)| report(problem, at));
+    reports.map(|report| renderer.render(&[report]) + "\n").collect::<Vec<_>>().join("\n")
 }
 
-fn report(problem: &Problem) -> Group<'_> {
-    let title = Level::ERROR.primary_title(&*problem.title);
-    let group = match &problem.place {
-        Some(place) => title.element(snippet(place, problem.expected.as_deref())),
-        None => {
-            let group = title.element(Origin::path(&*problem.file));
-            let expected = problem.expected.iter().map(|expected| format!("expected {expected}"));
-            expected.fold(group, |group, text| group.element(Level::NOTE.message(text)))
+fn report<'a>(problem: &'a Problem, at: Option<Cursor<'a>>) -> Group<'a> {
+    let title = Level::ERROR.primary_title(visible(&problem.title));
+    let expected = problem.expected.as_deref().map(|expected| format!("expected {}", visible(expected)));
+    let group = match (&problem.place, at) {
+        (Some(place), Some(at)) => placed(title, place, at, expected),
+        _ => {
+            let group = title.element(Origin::path(visible_line(&problem.file)));
+            expected.into_iter().fold(group, |group, text| group.element(Level::NOTE.message(text)))
         }
     };
     match &problem.help {
-        Some(help) => group.element(Level::HELP.message(&**help)),
+        Some(help) => group.element(Level::HELP.message(visible(help))),
         None => group,
     }
 }
 
-fn snippet<'a>(place: &'a Place, expected: Option<&str>) -> Snippet<'a, annotate_snippets::Annotation<'a>> {
-    let (line, span) = first_line(&place.source, &place.span);
-    let label = expected.map(|expected| format!("expected {expected}"));
-    Snippet::source(&place.source.text[line.clone()])
-        .path(&*place.source.name)
-        .line_start(place.source.line_and_column(line.start).0)
-        .annotation(AnnotationKind::Primary.span(span).label(label))
+/// The line in which the place begins, as far as it is shown, and the place in it.
+fn placed<'a>(title: Title<'a>, place: &'a Place, at: Cursor<'_>, expected: Option<String>) -> Group<'a> {
+    let (line, span) = excerpt(place, at);
+    let text = &place.source.text;
+    let parts = [line.start..span.start, span.clone(), span.end..line.end].map(|part| visible(&text[part]));
+    let start = parts[0].len();
+    let annotation = AnnotationKind::Primary.span(start..start + parts[1].len()).label(expected);
+    let shown = parts.concat();
+    let name = visible_line(&place.source.name);
+    let is_whole = line.start == at.line_start && shown == text[line];
+    let snippet = Snippet::source(shown).line_start(at.line).annotation(annotation);
+    if is_whole {
+        return title.element(snippet.path(name));
+    }
+    // The renderer would count columns in what is shown.
+    title.element(Origin::path(name).line(at.line).char_column(at.column)).element(snippet)
 }
 
-/// The line in which the span begins, and the span cut to that line and counted from its start.
-/// The renderer is given that line only: its cost then does not grow with the file.
-fn first_line(source: &Source, span: &Range<usize>) -> (Range<usize>, Range<usize>) {
-    let begin = source.floor_boundary(span.start);
-    let start = source.text[..begin].rfind('\n').map_or(0, |newline| newline + 1);
-    let end = source.text[begin..].find('\n').map_or(source.text.len(), |newline| begin + newline);
-    let stop = source.floor_boundary(span.end).clamp(begin, end);
-    (start..end, begin - start..stop - start)
+/// Bytes of the text that are shown, and those of them that are to blame.
+fn excerpt(place: &Place, at: Cursor<'_>) -> (Range<usize>, Range<usize>) {
+    let source = &place.source;
+    let start = source.floor_boundary(at.at.saturating_sub(AROUND)).max(at.line_start);
+    let most = source.floor_boundary(at.at + AROUND);
+    let end = source.text[at.at..most].find('\n').map_or(most, |newline| at.at + newline);
+    let stop = source.floor_boundary(place.span.end).clamp(at.at, end);
+    (start..end, at.at..stop)
 }

@@ -1,6 +1,6 @@
 //! Every fault of a file is listed, each at its place.
 
-use diagnostics::{PartTable, Problem, ProblemRecord, Problems, Reader, TomlFile};
+use diagnostics::{PartTable, Place, Problem, ProblemRecord, Problems, Reader, TomlFile};
 use proptest::prelude::{any, proptest};
 
 /// Titles of all problems that reading `text` gives, in order.
@@ -245,5 +245,44 @@ proptest! {
         let problems = Problems::new();
         assert_eq!(TomlFile::parse_bytes("t", &bytes, &problems).is_some(), problems.is_empty());
         problems.into_result().map_or_else(|list| assert!(!list.render(false).is_empty()), |()| ());
+    }
+}
+
+/// The place of every fault is found in one walk, and a line is not shown whole where a file is one line.
+#[test]
+fn many_faults_in_one_line_are_shown_in_little_text() {
+    let (count, head) = (3000, "\"é\" = [");
+    let text = format!("{head}{}]", "1, ".repeat(count));
+    let problems = Problems::new();
+    let file = TomlFile::parse("t.toml", &text, &problems).unwrap();
+    for at in 0..count {
+        let start = head.len() + 3 * at;
+        let place = Place { source: file.source().clone(), span: start..start + 1 };
+        problems.push(Problem::at(&place, format!("fault {at}")).expected("2"));
+    }
+    let list = problems.into_result().unwrap_err();
+    let columns: Vec<_> = list.records().iter().map(|record| record.column.unwrap()).collect();
+    assert_eq!(columns, (0..count).map(|at| 8 + 3 * at).collect::<Vec<_>>());
+    assert_eq!(list.records(), list.iter().map(Problem::record).collect::<Vec<_>>());
+    let shown = list.render(false);
+    assert!(shown.len() < 2000 * count, "{} bytes", shown.len());
+    assert!(
+        shown.contains(&format!("--> t.toml:1:{}\n", 8 + 3 * (count - 1))),
+        "{}",
+        &shown[shown.len() - 2000..]
+    );
+}
+
+#[test]
+fn control_characters_of_a_file_are_shown() {
+    let text = "title = 1 # \u{9b}31m\u{202e}";
+    let problems = Problems::new();
+    let file = TomlFile::parse("a\u{1b}[31m.toml", text, &problems).unwrap();
+    let root = file.root(&problems);
+    root.string("title").help("see \u{1b}[1m").required();
+    let shown = problems.into_result().unwrap_err().render(false);
+    assert!(!shown.contains(['\u{1b}', '\u{9b}', '\u{202e}']), "{shown:?}");
+    for word in ["a\\u{1b}[31m.toml:1:9", "\\u{9b}31m\\u{202e}", "see \\u{1b}[1m"] {
+        assert!(shown.contains(word), "{word}: {shown}");
     }
 }

@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 
 use limits::Limit;
 
+use crate::kind::Kind;
+
 /// A file that could not be read or written. Every message begins with the path.
 #[derive(Debug, thiserror::Error)]
 pub enum FileError {
@@ -22,6 +24,16 @@ pub enum FileError {
         path: PathBuf,
         /// Step that was being tried.
         action: Action,
+    },
+    /// A link, a pipe or a device stands where a file is needed.
+    #[error("{path}: {action}: this is {}, expected a file{}", kind.phrase(), remedy(*kind, *action))]
+    NoFile {
+        /// The path as given.
+        path: PathBuf,
+        /// Step that was being tried.
+        action: Action,
+        /// What stands there.
+        kind: Kind,
     },
     /// The file is larger than the reader allows.
     #[error("{path}: the file has {bytes} bytes, expected at most {limit}; is it the right file?{}", advice(.raised_by))]
@@ -82,6 +94,8 @@ pub enum FileError {
 pub enum Action {
     /// Open or read the file.
     Read,
+    /// Open a file of the program's own.
+    Open,
     /// Make the temporary file beside the target.
     Create,
     /// Write the content of the file.
@@ -98,6 +112,7 @@ impl fmt::Display for Action {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Read => "cannot read",
+            Self::Open => "cannot open",
             Self::Create => "cannot create",
             Self::Write => "cannot write",
             Self::Sync => "cannot bring to the disk",
@@ -129,6 +144,7 @@ impl FileError {
         match self {
             Self::Missing { path }
             | Self::IsFolder { path, .. }
+            | Self::NoFile { path, .. }
             | Self::TooLarge { path, .. }
             | Self::MissingFolder { path, .. }
             | Self::Denied { path, .. }
@@ -138,12 +154,20 @@ impl FileError {
     }
 }
 
+fn remedy(kind: Kind, action: Action) -> &'static str {
+    match (kind, action) {
+        (Kind::Link, _) => "; links are never written through: name the file itself, or remove the link",
+        (_, Action::Read) => "; copy its content to a file and name that file",
+        _ => "; name another file",
+    }
+}
+
 fn advice(raised_by: &Option<Limit>) -> String {
     raised_by.map_or(String::new(), |limit| format!(" {limit}"))
 }
 
 /// The folder a path lies in; the current one for a bare name.
-pub(crate) fn folder_of(path: &Path) -> &Path {
+pub fn folder_of(path: &Path) -> &Path {
     match path.parent() {
         Some(folder) if folder.as_os_str().is_empty() => Path::new("."),
         Some(folder) => folder,

@@ -2,6 +2,9 @@
 //!
 //! - [`write_atomic`] writes beside the target and renames: a reader sees the old file or the new one.
 //! - [`Temporary`] is what a file is called until it is whole; [`abandon_temporaries`] leaves none behind a process that ends.
+//! - [`Folder`] is a folder that one process writes into; [`make_folder`] makes one.
+//! - [`open()`], [`open_own`] and [`expect_output`] are the gate: whatever is opened is a file. Nothing is written through a link.
+//! - [`remove_leftovers`] removes what killed commands have left.
 //! - [`read_all`] reads a file up to a limit that the caller states, [`FilePieces`] piece by piece to where each stays.
 //! - [`Npy`] and [`write_npz`] are numpy's formats; the bytes depend on the values alone.
 //!
@@ -16,17 +19,27 @@
 
 mod atomic;
 mod error;
+mod folder;
+mod kind;
+mod leftovers;
+mod lock;
 mod npy;
 mod npy_header;
 mod npz;
+mod open;
 mod pieces;
 mod read;
 mod temporary;
 
-pub use atomic::{remove_leftovers, write_atomic};
-pub use error::{Action, FileError};
+pub use atomic::write_atomic;
+pub use error::{Action, FileError, folder_of};
+pub use folder::{Folder, FolderError, make_folder};
+pub use kind::{Kind, leads_outside};
+pub use leftovers::{remove_leftovers, remove_leftovers_of};
+pub use lock::LOCK;
 pub use npy::{Npy, NpyData, NpyError, NpyFileError, read_npy, write_npy};
 pub use npz::write_npz;
+pub use open::{append_own, expect_output, open, open_own, open_stream};
 pub use pieces::{FilePieces, Pieces, PiecesError};
-pub use read::{Most, read_all};
+pub use read::{Most, holds, read_all};
 pub use temporary::{Temporary, abandon_temporaries};

@@ -79,7 +79,7 @@ pub struct FilePieces {
 #[derive(Debug)]
 enum Source {
     File(File),
-    /// A pipe or a device, which has no places to go to.
+    /// A pipe that this process has open (`/dev/stdin`), which has no places to go to.
     Whole(Vec<u8>),
 }
 

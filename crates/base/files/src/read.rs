@@ -1,6 +1,6 @@
 //! Reading a whole file, up to a limit.
 
-use std::fs::{File, Metadata};
+use std::fs::{self, File, Metadata};
 use std::io::Read;
 use std::path::Path;
 
@@ -40,6 +40,14 @@ pub fn read_all(path: impl AsRef<Path>, most: impl Into<Most>) -> Result<Vec<u8>
     bytes_of(file, &metadata, path, most)
 }
 
+/// Whether the file at `path` is there with exactly these bytes. A link is not.
+pub fn holds(path: impl AsRef<Path>, bytes: &[u8]) -> bool {
+    let path = path.as_ref();
+    let has_length =
+        fs::symlink_metadata(path).is_ok_and(|found| found.is_file() && found.len() == bytes.len() as u64);
+    has_length && read_all(path, bytes.len() as u64).is_ok_and(|found| found == bytes)
+}
+
 /// All bytes of an open file.
 pub(crate) fn bytes_of(
     file: File,
@@ -58,12 +66,8 @@ pub(crate) fn bytes_of(
 
 /// A file that may be read, and what the system knows of it.
 pub(crate) fn open(path: &Path, most: Most) -> Result<(File, Metadata), FileError> {
-    let failed = |source| FileError::new(path, Action::Read, source);
-    let file = File::open(path).map_err(failed)?;
-    let metadata = file.metadata().map_err(failed)?;
-    if metadata.is_dir() {
-        return Err(FileError::IsFolder { path: path.to_owned(), action: Action::Read });
-    }
+    let file = crate::open::open(path)?;
+    let metadata = file.metadata().map_err(|source| FileError::new(path, Action::Read, source))?;
     most.allows(path, metadata.len())?;
     Ok((file, metadata))
 }

@@ -34,7 +34,10 @@ impl Temporary {
     pub fn beside(target: &Path) -> io::Result<(Self, File)> {
         let path = name_beside(target)?;
         let mut unfinished = unfinished();
+        // A new name is never a link.
         let file = OpenOptions::new().read(true).write(true).create_new(true).open(&path)?;
+        // The lock tells other processes that the file is no leftover; where the system has none, the worst is a failure to rename.
+        let _ = file.try_lock();
         unfinished.insert(path.clone());
         Ok((Self { path: Some(path) }, file))
     }

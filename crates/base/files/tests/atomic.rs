@@ -3,7 +3,7 @@
 use std::fs;
 use std::io;
 
-use files::{Action, FileError, read_all, remove_leftovers, write_atomic};
+use files::{Action, FileError, read_all, write_atomic};
 
 fn names(folder: &std::path::Path) -> Vec<String> {
     let entries = fs::read_dir(folder).expect("the folder is there");
@@ -92,38 +92,6 @@ fn devices_are_written_and_stay() {
     assert!(!fs::metadata("/dev/null").expect("still there").is_file());
 }
 
-#[cfg(unix)]
-#[test]
-fn a_link_stays_and_its_file_is_written() {
-    use std::os::unix::fs::symlink;
-    let folder = tempfile::tempdir().expect("a folder");
-    let at = |name: &str| folder.path().join(name);
-    fs::create_dir(at("far")).expect("made");
-    fs::write(at("far/a.txt"), "old").expect("written");
-    symlink("far/a.txt", at("near")).expect("linked");
-    symlink(at("near"), at("nearer")).expect("linked");
-    symlink("far/new.txt", at("dangling")).expect("linked");
-    let write = |name: &str, text: &str| write_atomic(at(name), |out| out.write_all(text.as_bytes()));
-    write("near", "one link").expect("written");
-    assert_eq!(read_all(at("far/a.txt"), 99).expect("read"), b"one link");
-    write("nearer", "two links").expect("written");
-    assert_eq!(read_all(at("far/a.txt"), 99).expect("read"), b"two links");
-    write("dangling", "made").expect("written");
-    assert_eq!(read_all(at("far/new.txt"), 99).expect("read"), b"made");
-    for link in ["near", "nearer", "dangling"] {
-        assert!(fs::symlink_metadata(at(link)).expect("there").is_symlink(), "{link}");
-    }
-    assert_eq!(names(&at("far")), ["a.txt", "new.txt"]);
-    // A circle leads nowhere, and a folder that is missing is named.
-    symlink("round", at("around")).expect("linked");
-    symlink("around", at("round")).expect("linked");
-    let circle = write("round", "x").expect_err("a circle").to_string();
-    assert!(circle.contains("round: cannot write") && circle.contains("name the file itself"), "{circle}");
-    symlink("none/a.txt", at("lost")).expect("linked");
-    let lost = write("lost", "x").expect_err("no folder");
-    assert!(matches!(&lost, FileError::MissingFolder { folder, .. } if folder.ends_with("none")), "{lost:?}");
-}
-
 #[test]
 fn reading_is_bounded() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -136,25 +104,6 @@ fn reading_is_bounded() {
     let missing = read_all(folder.path().join("b"), 9).expect_err("missing");
     assert!(matches!(missing, FileError::Missing { .. }));
     assert!(missing.path().ends_with("b"));
-}
-
-#[cfg(target_os = "linux")]
-#[test]
-fn an_endless_device_is_too_large() {
-    assert!(matches!(read_all("/dev/zero", 4096), Err(FileError::TooLarge { bytes: 4097, .. })));
-}
-
-#[test]
-fn leftovers_are_removed_and_nothing_else() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let keep = [".a.tmp", ".hidden", "a.12-3.tmp", ".a.12-x.tmp", "frame.png"];
-    for name in keep.iter().chain(&[".frame.png.12-3.tmp", ".a.4-0.tmp"]) {
-        fs::write(folder.path().join(name), "x").expect("written");
-    }
-    assert_eq!(remove_leftovers(folder.path()).expect("removed"), 2);
-    let mut kept = keep.map(String::from);
-    kept.sort();
-    assert_eq!(names(folder.path()), kept);
 }
 
 /// Set for a child of a test: the file it is to write.

@@ -42,8 +42,24 @@ pub enum Limit {
     ShapeBytes,
     /// Bytes of a picture that is read.
     PictureBytes,
-    /// Pixels of a picture that is read.
+    /// Pixels of a picture that is read or drawn.
     Pixels,
+    /// Objects of a scenario.
+    Objects,
+    /// Events of a scenario.
+    Events,
+    /// Convex bodies of all objects of a scenario.
+    Bodies,
+    /// Massifs and rilles of generated ground.
+    Landforms,
+    /// Rows of a table.
+    Rows,
+    /// Signals that are recorded at once.
+    Signals,
+    /// Faults of a file that are listed.
+    Faults,
+    /// Bytes of the record or the journal of a run.
+    RecordBytes,
 }
 
 /// A row of the table of limits.
@@ -62,7 +78,7 @@ pub struct Row {
 }
 
 /// All limits, in the order of [`Limit`].
-pub const ROWS: [Row; 14] = [
+pub const ROWS: [Row; 22] = [
     row(Limit::Corners, "corners", "corners of a generated level", 4_000_000, 1 << 30),
     row(Limit::GroundCraters, "ground-craters", "craters in generated ground", 1_000_000, 1 << 28),
     row(Limit::Craters, "craters", "craters of a population", 4_000_000, 1 << 28),
@@ -76,7 +92,15 @@ pub const ROWS: [Row; 14] = [
     row(Limit::ElevationBytes, "elevation-bytes", "bytes of an elevation file of NumPy", 16 << 30, 1 << 44),
     row(Limit::ShapeBytes, "shape-bytes", "bytes of an OBJ file", 1 << 24, 1 << 30),
     row(Limit::PictureBytes, "picture-bytes", "bytes of a picture that is read", 256 << 20, 1 << 40),
-    row(Limit::Pixels, "pixels", "pixels of a picture that is read", 64 << 20, 1 << 34),
+    row(Limit::Pixels, "pixels", "pixels of a picture that is read or drawn", 64 << 20, 1 << 34),
+    row(Limit::Objects, "objects", "objects of a scenario", 4_000, 1 << 28),
+    row(Limit::Events, "events", "events of a scenario", 100_000, 1 << 28),
+    row(Limit::Bodies, "bodies", "convex bodies of all objects of a scenario", 100_000, 1 << 28),
+    row(Limit::Landforms, "landforms", "massifs and rilles of a generated level", 1_000, 1 << 28),
+    row(Limit::Rows, "rows", "rows of a table of poses", 10_000_000, 1 << 40),
+    row(Limit::Signals, "signals", "signals that are recorded at once", 20_000, 1 << 28),
+    row(Limit::Faults, "faults", "faults of one file that are listed", 100_000, 1 << 28),
+    row(Limit::RecordBytes, "record-bytes", "bytes of the record or the journal of a run", 1 << 32, 1 << 44),
 ];
 
 const fn row(limit: Limit, name: &'static str, what: &'static str, usual: u64, most: u64) -> Row {

@@ -1,8 +1,11 @@
-//! What people write and read: ranges of numbers ([`Span`]), tables in columns, numbers in words.
+//! What people write and read: ranges of numbers ([`Span`]), tables in columns, numbers in words, control characters made visible
+//! ([`visible`]).
 
 mod span;
+mod visible;
 
 pub use span::Span;
+pub use visible::{visible, visible_json, visible_line};
 
 /// A rate with two digits at least, so that a slow one is no zero.
 pub fn rate(value: f64) -> String {

@@ -8,7 +8,7 @@ use deadlines::DeadlineError;
 use diagnostics::ProblemList;
 use event_list::EventListError;
 use file_info::InfoError;
-use files::{Action, FileError, NpyFileError};
+use files::{Action, FileError, FolderError, NpyFileError};
 use front_door::{OpenError, StageError};
 use generator::FrameError;
 use landscape::bank_file::BankFileError;
@@ -22,6 +22,7 @@ use run_page::{PageError, RequestError};
 use scope::ScopeError;
 use state::StateError;
 use survey::SurveyError;
+use text::visible;
 use timing::RecordError;
 use trigger_search::SearchError;
 use waveform::WaveformError;
@@ -70,10 +71,17 @@ impl Failure {
     /// What to print, if anything.
     pub fn message(&self, colour: bool) -> Option<String> {
         match self {
+            // What comes from files is visible in it; the rest may be colour.
             Self::Problems(list) => Some(list.render(colour).trim_end().to_owned()),
             Self::Usage(message) | Self::Input(message) | Self::Output(message) => {
                 // Several faults are several lines.
-                Some(message.lines().map(|line| format!("error: {line}")).collect::<Vec<_>>().join("\n"))
+                Some(
+                    visible(message)
+                        .lines()
+                        .map(|line| format!("error: {line}"))
+                        .collect::<Vec<_>>()
+                        .join("\n"),
+                )
             }
             Self::Told | Self::ClosedPipe => None,
         }
@@ -101,12 +109,22 @@ impl From<FileError> for Failure {
         let is_input = match &error {
             FileError::Missing { .. } | FileError::TooLarge { .. } => true,
             FileError::IsFolder { action, .. }
+            | FileError::NoFile { action, .. }
             | FileError::MissingFolder { action, .. }
             | FileError::Denied { action, .. }
             | FileError::NoSpace { action, .. }
             | FileError::Io { action, .. } => *action == Action::Read,
         };
         if is_input { Self::input(error) } else { Self::output(error) }
+    }
+}
+
+impl From<FolderError> for Failure {
+    fn from(error: FolderError) -> Self {
+        match error {
+            FolderError::File(error) => error.into(),
+            other => Self::output(other),
+        }
     }
 }
 
@@ -183,7 +201,10 @@ impl From<ReplayError> for Failure {
         match error {
             ReplayError::File(error) => error.into(),
             ReplayError::PictureFile(error) => error.into(),
-            ReplayError::Poses(_)
+            ReplayError::Claim(error) => error.into(),
+            ReplayError::Beyond { .. }
+            | ReplayError::Speed { .. }
+            | ReplayError::Poses(_)
             | ReplayError::Prepare(_)
             | ReplayError::Frame(_)
             | ReplayError::Display(_)
@@ -305,7 +326,6 @@ impl From<PageError> for Failure {
             PageError::Scope(error) => error.into(),
             PageError::File(error) => error.into(),
             PageError::Request(error) => error.into(),
-            PageError::Folder { .. } => Self::output(error),
             PageError::Path(_) | PageError::Prepare(_) | PageError::Frame(_) => Self::input(error),
         }
     }

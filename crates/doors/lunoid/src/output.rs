@@ -1,12 +1,14 @@
 //! Standard output: results, and nothing else.
 
 use std::env;
-use std::fs::{self, OpenOptions};
+use std::fs;
 use std::io::{self, IsTerminal, Write};
 use std::path::{self, Path, PathBuf};
 
 use clap::ValueEnum;
+use files::{Kind, Temporary, expect_output, remove_leftovers_of};
 use serde_json::Value;
+use text::{visible, visible_json};
 
 use crate::Failure;
 
@@ -37,8 +39,12 @@ impl Colour {
     }
 }
 
-/// Writes a result. A reader that has gone ends the command quietly.
+/// Writes a result, with control characters made visible. A reader that has gone ends the command quietly.
 pub fn print(text: &str) -> Result<(), Failure> {
+    write(&visible(text))
+}
+
+fn write(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(Failure::stdout)
 }
@@ -50,12 +56,12 @@ pub fn tell(text: &str) {
 
 /// Says what is odd, though the command goes on.
 pub fn warn(text: &str) {
-    tell(&format!("warning: {text}\n"));
+    tell(&format!("warning: {}\n", visible(text)));
 }
 
 /// Writes a JSON document to standard output.
 pub fn print_json(document: &Value) -> Result<(), Failure> {
-    print(&format!("{document:#}\n"))
+    write(&visible_json(&format!("{document:#}\n")))
 }
 
 /// A file that a command reads or writes, or what it has in a folder, and the words for it.
@@ -103,8 +109,8 @@ impl Place {
     /// Whether the name says the kind; a device has none.
     fn expect_ending(&self) -> Result<(), Failure> {
         let (what, path, ending) = (self.what, self.path.display(), ending(&self.path));
-        let is_device = self.path.exists() && !self.path.is_file() && !self.path.is_dir();
-        if self.endings.is_empty() || is_device || self.endings.contains(&ending.as_str()) {
+        let is_device = || Kind::of(&self.path).is_ok_and(|kind| kind == Kind::Stream);
+        if self.endings.is_empty() || is_device() || self.endings.contains(&ending.as_str()) {
             return Ok(());
         }
         let known: Vec<String> = self.endings.iter().map(|known| format!(".{known}")).collect();
@@ -150,6 +156,7 @@ fn with_slashes(path: &Path) -> String {
 /// Sees before any work that `outputs` replace none of `inputs` and not one another, that their names say what they are,
 /// and that they can be written.
 pub fn expect_outputs(outputs: &[Place], inputs: &[Place]) -> Result<(), Failure> {
+    inputs.iter().filter(|input| input.holds.is_none()).try_for_each(|input| expect_readable(&input.path))?;
     for (index, output) in outputs.iter().enumerate() {
         let replaced = inputs.iter().chain(&outputs[..index]).find(|other| output.meets(other));
         replaced.map_or(Ok(()), |other| Err(replacement(output, other)))?;
@@ -166,6 +173,14 @@ fn replacement(output: &Place, other: &Place) -> Failure {
     Failure::usage(format!("{what} {path}: would replace {part}{of} {replaced}; name another {kind}"))
 }
 
+/// What is read is a file, so that no command waits for a pipe that nobody writes. A file that is missing has words of its reader.
+fn expect_readable(path: &Path) -> Result<(), Failure> {
+    if !path.exists() || path.is_dir() {
+        return Ok(());
+    }
+    Ok(files::open(path).map(drop)?)
+}
+
 fn expect_writable(path: &Path) -> Result<(), Failure> {
     let refused = |why: String| Err(Failure::output(format!("{}: {why}", path.display())));
     if path == Path::new("-") {
@@ -173,20 +188,16 @@ fn expect_writable(path: &Path) -> Result<(), Failure> {
             "-: expected a file name; standard output is /dev/stdout, a file of this name ./-",
         ));
     }
-    if path.is_dir() {
+    if path.is_dir() && !path.is_symlink() {
         return refused("this is a folder, expected a file name; name a file inside it".into());
     }
-    if path.exists() && !path.is_file() {
+    if expect_output(path)? == Kind::Stream {
         return Ok(());
     }
-    let folder = match path.parent() {
-        Some(folder) if !folder.as_os_str().is_empty() => folder,
-        _ => Path::new("."),
-    };
-    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let trial = folder.join(format!(".{name}.{}-trial.tmp", std::process::id()));
-    match OpenOptions::new().write(true).create_new(true).open(&trial) {
-        Ok(_) => fs::remove_file(&trial).or_else(|error| refused(format!("cannot write here: {error}"))),
-        Err(error) => refused(format!("cannot write here: {error}; make the folder or choose another place")),
+    if let Err(error) = Temporary::beside(path).map(drop) {
+        return refused(format!("cannot write here: {error}; make the folder or choose another place"));
     }
+    // What a killed command left of this file goes; whoever may not list the folder leaves it.
+    let _ = remove_leftovers_of(path);
+    Ok(())
 }

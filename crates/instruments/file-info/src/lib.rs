@@ -10,7 +10,6 @@ mod model;
 mod run;
 mod scenario;
 
-use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
@@ -95,7 +94,7 @@ fn toml(path: &Path) -> Result<Held, InfoError> {
 
 fn first_bytes(path: &Path) -> Result<Vec<u8>, InfoError> {
     let mut start = Vec::new();
-    match File::open(path).and_then(|file| file.take(8).read_to_end(&mut start)) {
+    match files::open(path)?.take(8).read_to_end(&mut start) {
         Ok(_) => Ok(start),
         // The reader of whole files has the words for what can go wrong.
         Err(_) => Ok(files::read_all(path, 8)?),

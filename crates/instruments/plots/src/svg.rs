@@ -4,6 +4,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 
+use text::visible_line;
+
 use crate::colour::Colour;
 use crate::lettering;
 use crate::mark::{Area, Letters, Mark, Surface};
@@ -177,7 +179,7 @@ fn clip_id(outline: &str) -> String {
 }
 
 fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+    visible_line(text).replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 /// Bytes that no choice of a compression library changes: the coder is that of the PNG crate itself.

@@ -38,7 +38,8 @@ fn rounded(value: f64) -> f64 {
 
 /// The document inside a script element: nothing in it can end the element.
 pub(crate) fn in_script(document: &Value) -> String {
-    document.to_string().replace('<', "\\u003c").replace('>', "\\u003e").replace('&', "\\u0026")
+    let document = document.to_string();
+    text::visible_json(&document).replace('<', "\\u003c").replace('>', "\\u003e").replace('&', "\\u0026")
 }
 
 /// Words as a shell takes them.

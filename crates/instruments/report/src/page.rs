@@ -1,6 +1,5 @@
 //! Writes the whole page of a run.
 
-use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -43,8 +42,9 @@ const SECTIONS: [(&str, &str); 7] = [
 /// If the folder holds no finished run, its files are not what a run writes, or the page cannot be written.
 pub fn write_page(folder: &Path) -> Result<PathBuf, ReportError> {
     let text = page(folder)?.into_string();
+    let text = text::visible(&text);
     let path = folder.join(replay::PAGE);
-    if !fs::read(&path).is_ok_and(|found| found == text.as_bytes()) {
+    if !files::holds(&path, text.as_bytes()) {
         files::write_atomic(&path, |out: &mut dyn Write| out.write_all(text.as_bytes()))?;
     }
     Ok(path)

@@ -1,8 +1,6 @@
 //! Why a page cannot be made.
 
-use std::io;
 use std::ops::Range;
-use std::path::PathBuf;
 
 use files::FileError;
 use generator::{FrameError, PrepareError};
@@ -38,14 +36,6 @@ pub enum PageError {
     /// A plot cannot be written.
     #[error(transparent)]
     File(#[from] FileError),
-    /// The folder of the plots cannot be made.
-    #[error("{}: cannot make the folder: {error}", .folder.display())]
-    Folder {
-        /// Folder that cannot be made.
-        folder: PathBuf,
-        /// What the system says.
-        error: io::Error,
-    },
 }
 
 /// Why sweeps that are asked for cannot be recorded.

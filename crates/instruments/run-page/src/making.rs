@@ -52,7 +52,7 @@ impl Making<'_> {
                 beside.sight = sight(&stage?, &poses);
             }
             self.sum_up_timing(&poses, &mut beside)?;
-            record(self, &poses, folder.path(), &mut beside)?;
+            record(self, &poses, folder, &mut beside)?;
         }
         beside.write(folder.path())?;
         write_page(folder.path())?;

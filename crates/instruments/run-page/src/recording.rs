@@ -1,10 +1,9 @@
 //! Sweeps recorded for a page.
 
-use std::fs;
 use std::path::Path;
 
 use generator::{Planes, Scan, Session};
-use replay::{SCOPES, scope_name};
+use replay::{RunFolder, SCOPES, scope_name};
 use report::{Beside, ScopePlot};
 use run_record::file_hash;
 use scenario::PoseRow;
@@ -17,7 +16,7 @@ use scope::{Recorded, columns_of, light_or_dark_svg, needs, runs_along};
 pub fn record(
     making: &Making,
     poses: &[PoseRow],
-    folder: &Path,
+    folder: &RunFolder,
     beside: &mut Beside,
 ) -> Result<(), PageError> {
     let missing: Vec<(&Request, u32)> =
@@ -25,14 +24,13 @@ pub fn record(
     if missing.is_empty() {
         return Ok(());
     }
-    let scopes = folder.join(SCOPES);
-    fs::create_dir_all(&scopes).map_err(|error| PageError::Folder { folder: scopes, error })?;
+    folder.make(SCOPES)?;
     let session = making.pool.install(|| making.job.generator.prepare(making.job.stage.clone()))?;
     for (request, sweep) in missing {
         let row = poses.iter().find(|row| row.frame == request.frame);
         let Some(row) = row else { continue };
         let Some(scan) = making.scan() else { continue };
-        beside.add(plot(making, &*session, row, (request, sweep, scan), folder)?);
+        beside.add(plot(making, &*session, row, (request, sweep, scan), folder.path())?);
     }
     Ok(())
 }

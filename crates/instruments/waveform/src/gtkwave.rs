@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use signal::Wire;
+use text::visible_line;
 
 use crate::Header;
 use crate::clock::Clock;
@@ -33,7 +34,7 @@ pub fn text(path: &Path, header: &Header) -> String {
         "[*]\n[*] lunoid: {}\n[*]\n[dumpfile] \"{name}\"\n[savefile] \"{name}.gtkw\"\n[timestart] {start}\n[size] 1600 900\n[pos] -1 -1\n\
          *-{zoom}.000000 {start} -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1 -1\n\
          [sst_width] 220\n[signals_width] 300\n[sst_expanded] 1\n",
-        header.title.lines().collect::<Vec<_>>().join(" ")
+        visible_line(&header.title.lines().collect::<Vec<_>>().join(" "))
     );
     let mut block = "";
     let mut colour = COLOURS.len() - 1;

@@ -1,12 +1,12 @@
 //! Where bytes go: a file under a temporary name, or nowhere, to be counted.
 
 use std::cell::Cell;
-use std::fs::{self, File, OpenOptions};
+use std::fs::File;
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
-use files::{Action, FileError, Temporary};
+use files::{Action, FileError, Kind, Temporary, expect_output, open_stream};
 
 use crate::error::file_error;
 
@@ -36,19 +36,12 @@ impl Destination {
     /// If no file can be made there.
     pub fn new(target: &Path) -> Result<Self, FileError> {
         let owned = target.to_owned();
-        match fs::metadata(target) {
-            Ok(found) if found.is_dir() => Err(FileError::IsFolder { path: owned, action: Action::Write }),
-            Ok(found) if !found.is_file() => {
-                let file = OpenOptions::new().write(true).open(target);
-                let file = file.map_err(|source| file_error(target, Action::Write, source))?;
-                Ok(Self { target: owned, temporary: None, file })
-            }
+        match expect_output(target)? {
+            Kind::Stream => Ok(Self { target: owned, temporary: None, file: open_stream(target)? }),
             _ => {
-                // Where a link leads, not over the link.
-                let target = fs::canonicalize(target).unwrap_or_else(|_| target.to_owned());
-                let made = Temporary::beside(&target);
-                let (temporary, file) = made.map_err(|source| file_error(&owned, Action::Create, source))?;
-                Ok(Self { target, temporary: Some(temporary), file })
+                let made = Temporary::beside(target);
+                let (temporary, file) = made.map_err(|source| file_error(target, Action::Create, source))?;
+                Ok(Self { target: owned, temporary: Some(temporary), file })
             }
         }
     }
@@ -58,7 +51,7 @@ impl Destination {
     /// # Errors
     /// If no file can be made there.
     pub fn waiting(target: &Path) -> Result<Self, FileError> {
-        let is_file = fs::metadata(target).map_or(true, |found| found.is_file());
+        let is_file = !matches!(Kind::of(target), Ok(Kind::Stream));
         let name = target.with_added_extension("values");
         if is_file {
             return Self::new(&name);

@@ -3,6 +3,7 @@
 use std::io::{self, BufWriter, Write};
 
 use signal::Wire;
+use text::visible_line;
 
 use crate::clock::seconds;
 use crate::encoder::Encoder;
@@ -67,7 +68,7 @@ fn class(wire: &Wire) -> &'static str {
 }
 
 fn one_line(text: &str) -> String {
-    text.lines().collect::<Vec<_>>().join(" ")
+    visible_line(&text.lines().collect::<Vec<_>>().join(" ")).into_owned()
 }
 
 impl Encoder for RawFile {

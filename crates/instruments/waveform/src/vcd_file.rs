@@ -70,7 +70,7 @@ impl VcdFile {
 fn plain(text: &str) -> String {
     let known = |c: char| match c {
         '$' => 'S',
-        _ if c.is_ascii() => c,
+        _ if c.is_ascii() && !c.is_control() => c,
         _ => '?',
     };
     text.chars().map(known).collect()

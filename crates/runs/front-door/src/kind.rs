@@ -10,6 +10,7 @@ use limits::Limit;
 use scenario::Scenario;
 
 use crate::OpenError;
+use crate::expect_drawable;
 
 /// What a TOML file is meant to be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -131,12 +132,14 @@ pub fn read_model(
     set: &[(String, String)],
 ) -> Result<LoadedModel, OpenError> {
     let source = ModelSource::find_as(asked, name, folder)?;
-    HardwareModel::load(&source, overlays, set).or_else(|faults| {
+    let loaded = HardwareModel::load(&source, overlays, set).or_else(|faults| {
         if let ModelSource::File(path) = &source {
             Kind::Model.expect(path)?;
         }
-        Err(faults.into())
-    })
+        Err(OpenError::from(faults))
+    })?;
+    expect_drawable(&loaded.values)?;
+    Ok(loaded)
 }
 
 /// Tables of a model, by the one that has all of them.

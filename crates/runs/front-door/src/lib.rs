@@ -17,6 +17,7 @@
 
 mod albedo;
 mod error;
+mod extremes;
 mod ground;
 mod keys;
 mod kind;
@@ -27,6 +28,7 @@ mod wishes;
 mod written_keys;
 
 pub use error::{OpenError, StageError, path_problems};
+pub use extremes::expect_drawable;
 pub use ground::landscape;
 pub use keys::{Decides, decides};
 pub use kind::{KNOWN, Kind, read_model, read_scenario};

@@ -1,11 +1,11 @@
 //! From files and wishes to everything that is known before there is ground.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use control_plane::preview_obstacle;
 use diagnostics::{Problem, Problems, TomlFile};
+use files::make_folder;
 use generator::{Generator, Row};
 use hardware_model::{Asked, Economy, LoadedModel, Settings, SettingsError};
 use limits::Limit;
@@ -37,6 +37,7 @@ pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
     let model = model(path, &scenario, row, wishes)?;
     wish(&mut scenario, wishes);
     let settings = crate::settings(&scenario, &model.model).map_err(|error| unfit(path, &error))?;
+    expect_pixels(path, &settings)?;
     let shadow_cache = shadow_cache(wishes)?;
     let settings = Settings { economy: wishes.economy, shadow_cache, ..settings };
     if wishes.economy == Economy::Preview
@@ -160,12 +161,24 @@ fn check_parameters(path: &Path, row: &'static Row, wishes: &Wishes) -> Result<(
     guest(path, row, &Wishes { set, ..Wishes::default() }).map(drop)
 }
 
+/// Refuses pictures that are too large to be drawn.
+fn expect_pixels(path: &Path, settings: &Settings) -> Result<(), OpenError> {
+    let (columns, lines) = (settings.raster.columns, settings.raster.lines);
+    let pixels = u64::from(columns) * u64::from(lines);
+    if Limit::Pixels.allows(pixels) {
+        return Ok(());
+    }
+    let title = format!("pictures of {columns} x {lines} pixels");
+    let problem = Problem::of_file(path.display().to_string(), title).key("raster.columns");
+    let most = format!("at most {} pixels", Limit::Pixels.value());
+    Err(OpenError::Problems(problem.expected(most).help(Limit::Pixels.to_string()).into()))
+}
+
 /// The folder for shadow boundaries, made if it is not there.
 fn shadow_cache(wishes: &Wishes) -> Result<Option<PathBuf>, OpenError> {
     let Some(folder) = &wishes.shadow_cache else { return Ok(None) };
-    fs::create_dir_all(folder).map_err(|error| {
-        let folder = folder.display();
-        OpenError::Output(format!("--shadow-cache {folder}: {error}; name a folder that can be written"))
+    make_folder(folder).map_err(|error| {
+        OpenError::Output(format!("--shadow-cache {error}; name a folder that can be written"))
     })?;
     Ok(Some(folder.clone()))
 }

@@ -4,7 +4,7 @@ use std::io;
 use std::ops::Range;
 use std::path::PathBuf;
 
-use files::{FileError, NpyError};
+use files::{FileError, FolderError, NpyError};
 use generator::{FrameError, PrepareError};
 use picture::{PictureError, PictureFileError};
 use scenario::PathProblems;
@@ -18,7 +18,10 @@ pub enum ReplayError {
     /// A frame on disk that is no picture.
     #[error(transparent)]
     PictureFile(#[from] PictureFileError),
-    /// A folder that cannot be made, listed, locked or cleared.
+    /// A folder that cannot be written into: it is in use, it is a link, or something in it is.
+    #[error(transparent)]
+    Claim(#[from] FolderError),
+    /// A file of the run that cannot be kept.
     #[error("{path}: cannot {doing}: {source}")]
     Folder {
         /// The folder or the file in it.
@@ -27,20 +30,6 @@ pub enum ReplayError {
         doing: &'static str,
         /// What the system says.
         source: io::Error,
-    },
-    /// A file stands where the run folder should be.
-    #[error("{path}: this is a file, expected a folder or a new name; choose another --out")]
-    NotFolder {
-        /// The path as given.
-        path: PathBuf,
-    },
-    /// Another process draws into the folder.
-    #[error("{path}: process {holder} is drawing into this folder; wait for it or choose another --out")]
-    Locked {
-        /// Path of the run folder.
-        path: PathBuf,
-        /// Number of the process that draws into the folder.
-        holder: String,
     },
     /// The folder holds files that are not of a run.
     #[error(
@@ -63,16 +52,42 @@ pub enum ReplayError {
     },
     /// The folder holds a run of something else.
     #[error(
-        "{path}: holds another run ({found}, now {expected}): scenario, machine, ground, settings or program \
-         differ; choose another --out, or remove that run with --fresh"
+        "{path}: holds another run, from which this one differs: {differences}; choose another --out, or remove that run \
+         with --fresh"
     )]
     OtherRun {
         /// Path of the run folder.
         path: PathBuf,
-        /// Fingerprint of the run in the folder.
-        found: String,
-        /// Fingerprint of the job.
-        expected: String,
+        /// Every key that differs, in words.
+        differences: String,
+    },
+    /// Frames that the mission does not have.
+    #[error(
+        "{path}: holds frame {frame}, and the mission has frames 0..{frames}: the mission was cut to fewer frames since, or this \
+         file was changed; choose another --out, or draw the run anew with --fresh"
+    )]
+    Beyond {
+        /// Path of the record or the journal.
+        path: PathBuf,
+        /// The last frame that it lists.
+        frame: u64,
+        /// Frames of the mission.
+        frames: u64,
+    },
+    /// A pose from which nothing follows.
+    #[error(
+        "frame {frame} (t = {time} s): the path goes at {speed} m/s there, expected at most {most} m/s; move its points nearer to \
+         each other, or their times further apart"
+    )]
+    Speed {
+        /// Number of the frame, counted at the update rate.
+        frame: u64,
+        /// Time of the frame (s).
+        time: f64,
+        /// Speed of the vehicle (m/s).
+        speed: f64,
+        /// Greatest speed that is drawn (m/s).
+        most: f64,
     },
     /// A record that cannot be read.
     #[error(

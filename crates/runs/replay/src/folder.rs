@@ -1,14 +1,15 @@
 //! The folder of a run: whose files are in it, and who may write.
 
-use std::fs;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
+use files::{Folder, Most};
+use limits::Limit;
 use serde_json::Value;
 
 use crate::ReplayError;
 use crate::held::{HeldRun, RUN_RECORD};
 use crate::journal::JOURNAL;
-use crate::lock::{LOCK, Lock};
 use crate::truth_files::TRUTH_FILES;
 use run_record::FrameRecord;
 
@@ -45,14 +46,9 @@ const OWN: [&str; 10] =
 /// Folders that a run makes in its own.
 const FOLDERS: [&str; 3] = [FRAMES, TRUTH, SCOPES];
 
-/// A folder that this process, and no other, draws into.
+/// A folder that this process, and no other, draws into. Nothing that a run writes into it is a link.
 #[derive(Debug)]
-pub struct RunFolder {
-    path: PathBuf,
-    /// Folders that did not exist, the deepest first: they go again if nothing comes into them.
-    made: Vec<PathBuf>,
-    lock: Option<Lock>,
-}
+pub struct RunFolder(Folder);
 
 impl RunFolder {
     /// Makes the folder if need be, locks it, and clears what a killed run left half-written. `fresh` removes the
@@ -62,17 +58,7 @@ impl RunFolder {
     /// If the folder cannot be made or written, another run is drawing into it, or it holds files that are not of
     /// a run.
     pub fn claim(path: &Path, fresh: bool) -> Result<Self, ReplayError> {
-        if path.exists() && !path.is_dir() {
-            return Err(ReplayError::NotFolder { path: path.to_owned() });
-        }
-        let missing =
-            path.ancestors().take_while(|folder| !folder.as_os_str().is_empty() && !folder.exists());
-        let made = missing.map(Path::to_owned).collect();
-        let failed =
-            |source| ReplayError::Folder { path: path.to_owned(), doing: "make the run folder", source };
-        fs::create_dir_all(path).map_err(failed)?;
-        let mut folder = Self { path: path.to_owned(), made, lock: None };
-        folder.lock = Some(Lock::take(path)?);
+        let folder = Self(Folder::claim(path, &FOLDERS, is_own)?);
         match (folder.holds_run(), is_of_run(path)) {
             (false, false) => folder.check_foreign(fresh)?,
             // It has the words for what is wrong.
@@ -87,38 +73,38 @@ impl RunFolder {
 
     /// Returns the path of the run folder.
     pub fn path(&self) -> &Path {
-        &self.path
+        self.0.path()
     }
 
     /// A file in it.
     pub(crate) fn join(&self, name: &str) -> PathBuf {
-        self.path.join(name)
+        self.0.join(name)
     }
 
-    /// Makes a folder in it.
-    pub(crate) fn make(&self, name: &str) -> Result<(), ReplayError> {
-        let path = self.join(name);
-        let failed = |source| ReplayError::Folder { path: path.clone(), doing: "make the folder", source };
-        fs::create_dir_all(&path).map_err(failed)
+    /// Makes one of its folders, such as [`SCOPES`].
+    ///
+    /// # Errors
+    /// If the folder cannot be made, or is a link.
+    pub fn make(&self, name: &str) -> Result<(), ReplayError> {
+        Ok(self.0.make(name)?)
     }
 
     fn clear_leftovers(&self) -> Result<(), ReplayError> {
-        files::remove_leftovers(&self.path)?;
-        for path in FOLDERS.map(|name| self.join(name)).iter().filter(|path| path.is_dir()) {
-            files::remove_leftovers(path)?;
-        }
-        Ok(())
+        Ok(self.0.remove_leftovers(is_own)?)
     }
 
     /// Without a record and a journal nothing in the folder is a run's, but a journal that was never begun.
     fn check_foreign(&self, fresh: bool) -> Result<(), ReplayError> {
-        let (begun, mut names): (Vec<_>, Vec<_>) =
-            list(&self.path)?.into_iter().partition(|name| name.starts_with(&format!(".{JOURNAL}.")));
-        begun.iter().try_for_each(|name| self.remove(name))?;
+        self.0.remove_leftovers(|name| name == JOURNAL)?;
+        let mut names = self.0.names("")?;
         let is_folder = |name: &str| FOLDERS.contains(&name);
-        names.retain(|name| name != LOCK && !(is_folder(name) && is_empty(&self.join(name))));
+        let mut empty = Vec::new();
+        for name in FOLDERS {
+            empty.extend(self.0.names(name)?.is_empty().then_some(name));
+        }
+        names.retain(|name| !empty.contains(&name.as_str()));
         let ours = |name: &&String| OWN.contains(&name.as_str()) || is_folder(name);
-        let path = self.path.clone();
+        let path = self.path().to_owned();
         match (names.iter().find(ours), names.first()) {
             (Some(found), _) => Err(ReplayError::WouldReplace { path, found: found.clone() }),
             (None, Some(found)) if !fresh => Err(ReplayError::Foreign { path, found: found.clone() }),
@@ -129,9 +115,8 @@ impl RunFolder {
     /// A run is known by its record or its journal.
     fn holds_run(&self) -> bool {
         let begins = |name: &str, schema: &str| {
-            let head = fs::read(self.join(name)).unwrap_or_default();
-            let head = String::from_utf8_lossy(&head[..head.len().min(200)]).into_owned();
-            head.contains(schema)
+            let head = head_of(&self.join(name)).unwrap_or_default();
+            String::from_utf8_lossy(&head).contains(schema)
         };
         begins(RUN_RECORD, "\"lunoid.run/") || begins(JOURNAL, "\"lunoid.journal/")
     }
@@ -145,10 +130,7 @@ impl RunFolder {
         let truth = TRUTH_FILES.map(|name| format!("{TRUTH}/{name}"));
         let own = truth.iter().map(String::as_str).chain(OWN.into_iter().rev());
         own.filter(|name| self.join(name).exists()).try_for_each(|name| self.remove(name))?;
-        for name in FOLDERS {
-            // Files of somebody else keep it.
-            let _ = fs::remove_dir(self.join(name));
-        }
+        FOLDERS.iter().for_each(|name| self.0.remove_empty(name));
         Ok(())
     }
 
@@ -168,32 +150,21 @@ impl RunFolder {
         index: fn(&str) -> Option<u64>,
         is_known: impl Fn(u64) -> bool,
     ) -> Result<(), ReplayError> {
-        let path = self.join(folder);
-        if !path.is_dir() {
-            return Ok(());
-        }
-        let names = list(&path)?;
+        let names = self.0.names(folder)?;
         let strays = names.iter().filter(|name| index(name).is_some_and(|index| !is_known(index)));
         strays.into_iter().try_for_each(|name| self.remove(&format!("{folder}/{name}")))
     }
 
     fn remove(&self, name: &str) -> Result<(), ReplayError> {
-        let path = self.join(name);
-        fs::remove_file(&path).map_err(|source| ReplayError::Folder { path, doing: "remove", source })
+        Ok(self.0.remove(name)?)
     }
 }
 
-impl Drop for RunFolder {
-    fn drop(&mut self) {
-        self.lock = None;
-        // A folder with anything in it stays.
-        for name in FOLDERS {
-            let _ = fs::remove_dir(self.join(name));
-        }
-        for folder in &self.made {
-            let _ = fs::remove_dir(folder);
-        }
-    }
+/// The first bytes of a file, as many as a record needs to say what it is.
+fn head_of(path: &Path) -> Option<Vec<u8>> {
+    let mut head = Vec::new();
+    files::open(path).ok()?.take(200).read_to_end(&mut head).ok()?;
+    Some(head)
 }
 
 /// Whether a run has written into `folder`, even where its record is gone: wall times as a run writes them, a camera
@@ -201,21 +172,30 @@ impl Drop for RunFolder {
 pub(crate) fn is_of_run(folder: &Path) -> bool {
     let is_of = |name: &str, schema: &str| {
         let document: Option<Value> =
-            fs::read(folder.join(name)).ok().and_then(|bytes| serde_json::from_slice(&bytes).ok());
+            read(folder, name).and_then(|bytes| serde_json::from_slice(&bytes).ok());
         document
             .is_some_and(|document| document["schema"].as_str().is_some_and(|word| word.starts_with(schema)))
     };
     let has_frames = || {
-        let names = list(&folder.join(FRAMES)).unwrap_or_default();
-        names.iter().any(|name| frame_index(name).is_some())
+        let entries = folder.join(FRAMES).read_dir().into_iter().flatten().flatten();
+        entries.into_iter().any(|entry| frame_index(&entry.file_name().to_string_lossy()).is_some())
     };
     let has_journal = || {
-        let lines = fs::read(folder.join(JOURNAL)).unwrap_or_default();
+        let lines = read(folder, JOURNAL).unwrap_or_default();
         lines.split(|byte| *byte == b'\n').any(|line| serde_json::from_slice::<FrameRecord>(line).is_ok())
     };
     is_of(PERFORMANCE, "lunoid.performance/")
         || is_of(CAMERA, "lunoid.camera/") && has_frames()
         || has_journal()
+}
+
+fn read(folder: &Path, name: &str) -> Option<Vec<u8>> {
+    files::read_all(folder.join(name), Most::from(Limit::RecordBytes)).ok()
+}
+
+/// Whether a run writes a file of this name, or puts a film there by name.
+fn is_own(name: &str) -> bool {
+    name == FILM || is_run_file(name)
 }
 
 /// Whether a run writes a file of this name, counted from its folder, with `/`.
@@ -259,21 +239,6 @@ pub(crate) fn truth_name(frame: u64) -> String {
 fn truth_index(name: &str) -> Option<u64> {
     let frame = name.strip_prefix("frame_")?.strip_suffix(".npz")?.parse().ok()?;
     (truth_name(frame) == name).then_some(frame)
-}
-
-/// Names in a folder, in alphabetical order.
-fn list(path: &Path) -> Result<Vec<String>, ReplayError> {
-    let failed = |source| ReplayError::Folder { path: path.to_owned(), doing: "list", source };
-    let entries: Result<Vec<_>, _> = fs::read_dir(path).map_err(failed)?.collect();
-    let entries = entries.map_err(failed)?;
-    let mut names: Vec<String> =
-        entries.iter().map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();
-    names.sort();
-    Ok(names)
-}
-
-fn is_empty(path: &Path) -> bool {
-    fs::read_dir(path).is_ok_and(|mut entries| entries.next().is_none())
 }
 
 #[cfg(test)]

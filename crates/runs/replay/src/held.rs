@@ -1,6 +1,5 @@
 //! What a run folder holds: frames with their hashes, and the record that lists them.
 
-use std::fs;
 use std::io::Write;
 use std::ops::{Deref, Range};
 use std::path::{Path, PathBuf};
@@ -82,9 +81,7 @@ pub(crate) fn whole<T: Send>(
 /// Writes the file `name` of `folder`, unless it is there with these bytes.
 pub(crate) fn write_changed(folder: &Path, name: &str, bytes: &[u8]) -> Result<FileRecord, ReplayError> {
     let path = folder.join(name);
-    let is_there = fs::metadata(&path).is_ok_and(|found| found.len() == bytes.len() as u64)
-        && fs::read(&path).is_ok_and(|found| found == bytes);
-    if !is_there {
+    if !files::holds(&path, bytes) {
         files::write_atomic(&path, |out: &mut dyn Write| out.write_all(bytes))?;
     }
     Ok(FileRecord { file: name.into(), blake3: hash(bytes) })

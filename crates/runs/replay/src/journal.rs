@@ -1,14 +1,18 @@
 //! The journal of work that is not finished: one line a frame, on the disk before the frame counts as done.
 
-use std::fs::{self, File, OpenOptions};
+use std::fs::{self, File};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
+use limits::Limit;
+use run_record::{FrameRecord, TruthFrame, stays_inside};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
+use serde_json::Value;
 
 use crate::ReplayError;
+use crate::fingerprint::Fingerprint;
 
 /// Name of the journal of a run.
 pub(crate) const JOURNAL: &str = "frames.journal";
@@ -16,18 +20,37 @@ pub(crate) const JOURNAL: &str = "frames.journal";
 /// Schema of the first line.
 const SCHEMA: &str = "lunoid.journal/1";
 
-const MAX_BYTES: u64 = 1 << 32;
-
 #[derive(Serialize, Deserialize)]
 struct Heading {
     schema: String,
     fingerprint: String,
+    /// What the fingerprint is of; journals of earlier versions do not say.
+    #[serde(default)]
+    of: Value,
+}
+
+/// A line of a journal: a frame and the files that it became.
+pub(crate) trait Entry: Serialize + DeserializeOwned {
+    /// Names of its files, from the folder of the journal.
+    fn files(&self) -> impl Iterator<Item = &str>;
+}
+
+impl Entry for FrameRecord {
+    fn files(&self) -> impl Iterator<Item = &str> {
+        self.files.iter().map(|file| file.file.as_str())
+    }
+}
+
+impl Entry for TruthFrame {
+    fn files(&self) -> impl Iterator<Item = &str> {
+        self.files.iter().map(|file| file.file.as_str())
+    }
 }
 
 /// What a journal on disk says.
 #[derive(Debug)]
 pub(crate) struct Found<T> {
-    pub fingerprint: String,
+    pub fingerprint: Fingerprint,
     pub frames: Vec<T>,
 }
 
@@ -38,31 +61,39 @@ pub(crate) struct Journal {
     file: Mutex<File>,
 }
 
-/// The journal at `path`, if there is one. A last line that was cut short is left out.
-pub(crate) fn read<T: DeserializeOwned>(path: &Path) -> Result<Option<Found<T>>, ReplayError> {
+/// The journal at `path`, if there is one. A last line that was cut short is left out; one that leads out of the folder is refused.
+pub(crate) fn read<T: Entry>(path: &Path) -> Result<Option<Found<T>>, ReplayError> {
     if !path.exists() {
         return Ok(None);
     }
-    let bytes = files::read_all(path, MAX_BYTES)?;
+    let bytes = files::read_all(path, Limit::RecordBytes)?;
     let mut lines = bytes.split(|byte| *byte == b'\n');
     let heading: Option<Heading> = lines.next().and_then(|line| serde_json::from_slice(line).ok());
-    let Some(Heading { fingerprint, .. }) = heading.filter(|heading| heading.schema == SCHEMA) else {
-        let reason = format!("the first line has no schema {SCHEMA:?}");
-        return Err(ReplayError::Record { path: path.to_owned(), reason });
+    let refuse = |reason| Err(ReplayError::Record { path: path.to_owned(), reason });
+    let Some(Heading { fingerprint, of, .. }) = heading.filter(|heading| heading.schema == SCHEMA) else {
+        return refuse(format!("the first line has no schema {SCHEMA:?}"));
     };
-    let frames = lines.filter_map(|line| serde_json::from_slice(line).ok()).collect();
-    Ok(Some(Found { fingerprint, frames }))
+    let frames: Vec<T> = lines.filter_map(|line| serde_json::from_slice(line).ok()).collect();
+    if let Some(file) = frames.iter().flat_map(T::files).find(|file| !stays_inside(file)) {
+        return refuse(format!("it lists `{file}`, expected files of its folder"));
+    }
+    Ok(Some(Found { fingerprint: Fingerprint { hash: fingerprint, of }, frames }))
 }
 
 impl Journal {
     /// Begins a journal at `path` with frames that are known to be whole.
-    pub fn begin<T: Serialize>(path: PathBuf, fingerprint: &str, frames: &[T]) -> Result<Self, ReplayError> {
-        let heading = Heading { schema: SCHEMA.into(), fingerprint: fingerprint.into() };
+    pub fn begin<T: Serialize>(
+        path: PathBuf,
+        fingerprint: &Fingerprint,
+        frames: &[T],
+    ) -> Result<Self, ReplayError> {
+        let Fingerprint { hash, of } = fingerprint.clone();
+        let heading = Heading { schema: SCHEMA.into(), fingerprint: hash, of };
         files::write_atomic(&path, |out| {
             out.write_all(&line(&heading)?)?;
             frames.iter().try_for_each(|frame| out.write_all(&line(frame)?))
         })?;
-        let file = OpenOptions::new().append(true).open(&path).map_err(|source| failed(&path, source))?;
+        let file = files::append_own(&path)?;
         Ok(Self { path, file: Mutex::new(file) })
     }
 
@@ -93,7 +124,8 @@ fn line(value: &impl Serialize) -> std::io::Result<Vec<u8>> {
 #[cfg(test)]
 mod tests {
     use super::{JOURNAL, Journal, read};
-    use run_record::FrameRecord;
+    use crate::fingerprint::Fingerprint;
+    use run_record::{FileRecord, FrameRecord};
 
     #[test]
     fn what_is_read_is_what_was_written() {
@@ -107,10 +139,16 @@ mod tests {
         };
         let first: Vec<FrameRecord> = (0..500).map(record).collect();
         let path = folder.path().join(JOURNAL);
-        let journal = Journal::begin(path.clone(), "f", &first).expect("begun");
+        let fingerprint = Fingerprint { hash: "f".into(), of: serde_json::json!({ "view": 3 }) };
+        let journal = Journal::begin(path.clone(), &fingerprint, &first).expect("begun");
         (500..1000).for_each(|frame| journal.add(&record(frame)).expect("added"));
         let found = read(&path).expect("readable").expect("there");
-        assert_eq!((found.fingerprint.as_str(), found.frames), ("f", (0..1000).map(record).collect()));
+        assert_eq!((found.fingerprint, found.frames), (fingerprint, (0..1000).map(record).collect()));
+        let mut elsewhere = record(1000);
+        elsewhere.files.push(FileRecord { file: "../../mine.png".into(), blake3: "h".into() });
+        journal.add(&elsewhere).expect("added");
+        let said = read::<FrameRecord>(&path).expect_err("refused").to_string();
+        assert!(said.contains("it lists `../../mine.png`, expected files of its folder"), "{said}");
         journal.end().expect("ended");
         assert!(read::<FrameRecord>(&path).expect("readable").is_none());
     }

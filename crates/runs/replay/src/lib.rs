@@ -29,7 +29,6 @@ mod folder;
 mod held;
 mod job;
 mod journal;
-mod lock;
 mod performance;
 mod picture_png;
 mod record;

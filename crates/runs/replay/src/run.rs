@@ -6,9 +6,10 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use generator::{PlaneKind, Session};
+use limits::Limit;
 use picture::{Encoder, Transfer};
 use quantities::Rate;
-use scenario::{LimitReport, PoseTable, poses_csv};
+use scenario::{LimitReport, PoseRow, PoseTable, poses_csv};
 use serde::Serialize;
 use serde_json::Value;
 
@@ -17,15 +18,15 @@ use crate::camera::camera;
 use crate::check::{Check, expect_available};
 use crate::draw::{Drawing, draw_all};
 use crate::film::{sheet, write_film};
-use crate::fingerprint::fingerprint;
+use crate::fingerprint::{Fingerprint, differences};
 use crate::folder::{ANIMATION, CAMERA, CONTACT_SHEET, FRAMES, PERFORMANCE, POSES, RunFolder};
 use crate::held::{HeldRun, RUN_RECORD, frame_range, whole, write_changed};
 use crate::job::{Control, Job, Progress};
-use crate::journal::{self, JOURNAL, Journal};
+use crate::journal::{self, Found, JOURNAL, Journal};
 use crate::performance::{Phase, StepTimes, performance};
 use crate::record::{Finished, run_record};
 use crate::world::World;
-use run_record::{CheckRecord, FileRecord, FrameRecord, MAX_BYTES, file_hash};
+use run_record::{CheckRecord, FileRecord, FrameRecord, file_hash};
 
 /// The check, as a key of the record and as a phase.
 const CHECK: &str = "check";
@@ -91,7 +92,7 @@ struct Run<'a> {
     control: &'a Control<'a>,
     session: Box<dyn Session>,
     world: World,
-    fingerprint: String,
+    fingerprint: Fingerprint,
     /// The record of an earlier, finished run of the same job, perhaps of fewer frames.
     earlier: Option<HeldRun>,
     /// Frames that are there and whole.
@@ -109,21 +110,17 @@ impl<'a> Run<'a> {
         let start = Instant::now();
         expect_colour(job)?;
         let world = World::of(job);
-        let fingerprint = fingerprint(job, &world);
+        let fingerprint = Fingerprint::of_job(job, &world);
         let earlier = HeldRun::read_if_there(folder.path())?;
         let journal = journal::read::<FrameRecord>(&folder.join(JOURNAL))?;
-        let found = earlier.as_ref().map(|run| &run.fingerprint);
-        let found = found.into_iter().chain(journal.as_ref().map(|journal| &journal.fingerprint));
-        if let Some(other) = found.into_iter().find(|found| **found != fingerprint) {
-            let (path, found) = (folder.path().to_owned(), other.clone());
-            return Err(ReplayError::OtherRun { path, found, expected: fingerprint });
-        }
-        let listed = earlier.iter().flat_map(|run| &run.frames);
-        let listed = listed.chain(journal.iter().flat_map(|journal| &journal.frames));
-        let listed: BTreeMap<u64, FrameRecord> = listed.map(|frame| (frame.frame, frame.clone())).collect();
+        let listed = Listed { earlier: earlier.as_ref(), journal: journal.as_ref() };
+        listed.expect_same(folder, &fingerprint)?;
+        listed.expect_within(folder, job.scenario.frames(job.stage.view.update))?;
+        let listed = listed.frames();
         let frames = join(folder, &listed, &job.frames)?;
         expect_available(job, frames.end - frames.start)?;
         let poses = job.poses(frames.clone())?;
+        expect_drivable(&poses)?;
         let session = job.session(control.pool)?;
         let mut phases = control.phases.clone();
         phases.push(Phase::since("prepare", start));
@@ -234,7 +231,7 @@ impl<'a> Run<'a> {
         let omissions = self.session.omissions();
         let outputs = self.write_outputs(&frames)?;
         let finished = Finished {
-            fingerprint: &self.fingerprint,
+            fingerprint: &self.fingerprint.hash,
             world: &self.world,
             omissions: &omissions,
             limits: self.poses.limits(),
@@ -253,10 +250,10 @@ impl<'a> Run<'a> {
         let counters = self.job.generator.counters();
         let times = performance(&self.phases, &self.times, threads, &drawn, drawing, (update, counters));
         let path = self.folder.join(PERFORMANCE);
-        if !drawn.is_empty() || !path.exists() {
+        if !drawn.is_empty() || !path.is_file() {
             self.write(PERFORMANCE, pretty(&times).as_bytes())?;
         } else if is_new {
-            let checked = with_check(&files::read_all(&path, MAX_BYTES)?, &self.phases);
+            let checked = with_check(&files::read_all(&path, Limit::RecordBytes)?, &self.phases);
             self.write(PERFORMANCE, pretty(&checked.unwrap_or_else(|| times.clone())).as_bytes())?;
         }
         Ok(Some(times))
@@ -283,7 +280,7 @@ impl<'a> Run<'a> {
             folder: self.folder,
             poses: &self.poses,
             frames,
-            fingerprint: &self.fingerprint,
+            fingerprint: &self.fingerprint.hash,
             cancel: self.control.cancel,
         };
         let record = self.control.pool.install(|| check.run(self.job.check))?;
@@ -327,6 +324,65 @@ impl<'a> Run<'a> {
 
     fn write(&self, name: &str, bytes: &[u8]) -> Result<FileRecord, ReplayError> {
         write_changed(self.folder.path(), name, bytes)
+    }
+}
+
+/// What an earlier run of the folder lists, finished or not.
+struct Listed<'a> {
+    earlier: Option<&'a HeldRun>,
+    journal: Option<&'a Found<FrameRecord>>,
+}
+
+impl Listed<'_> {
+    /// The earlier run is of the same job.
+    fn expect_same(&self, folder: &RunFolder, now: &Fingerprint) -> Result<(), ReplayError> {
+        let found = [
+            self.earlier.map(|run| Fingerprint::of_record(run)),
+            self.journal.map(|journal| journal.fingerprint.clone()),
+        ];
+        match found.into_iter().flatten().find(|then| then.hash != now.hash) {
+            None => Ok(()),
+            Some(then) => {
+                let path = folder.path().to_owned();
+                Err(ReplayError::OtherRun { path, differences: differences(&then, now) })
+            }
+        }
+    }
+
+    /// It lists no frame that the mission of `frames` frames does not have.
+    fn expect_within(&self, folder: &RunFolder, frames: u64) -> Result<(), ReplayError> {
+        let last = |frames: &[FrameRecord]| frames.iter().map(|frame| frame.frame).max();
+        let found = [
+            (RUN_RECORD, self.earlier.and_then(|run| last(&run.frames))),
+            (JOURNAL, self.journal.and_then(|journal| last(&journal.frames))),
+        ];
+        match found.into_iter().find_map(|(name, last)| Some((name, last.filter(|last| *last >= frames)?))) {
+            None => Ok(()),
+            Some((name, frame)) => Err(ReplayError::Beyond { path: folder.join(name), frame, frames }),
+        }
+    }
+
+    /// All frames, by their numbers.
+    fn frames(&self) -> BTreeMap<u64, FrameRecord> {
+        let listed = self.earlier.iter().flat_map(|run| &run.frames);
+        let listed = listed.chain(self.journal.iter().flat_map(|journal| &journal.frames));
+        listed.map(|frame| (frame.frame, frame.clone())).collect()
+    }
+}
+
+/// Greatest speed that is drawn and recorded (m/s): beyond that of light nothing drives.
+const MOST_SPEED: f64 = 299_792_458.0;
+
+/// Whatever follows from the poses is a number that a record can hold.
+fn expect_drivable(poses: &PoseTable) -> Result<(), ReplayError> {
+    let is_wrong =
+        |row: &&PoseRow| !(row.speed <= MOST_SPEED && row.turn_rate.is_finite() && row.slope.is_finite());
+    match poses.rows().iter().find(is_wrong) {
+        None => Ok(()),
+        Some(row) => {
+            let (frame, time, speed) = (row.frame, row.pose.time, row.speed);
+            Err(ReplayError::Speed { frame, time, speed, most: MOST_SPEED })
+        }
     }
 }
 

@@ -47,5 +47,5 @@ pub fn hash(bytes: &[u8]) -> String {
 
 /// Whether a name of a record leads to a file of its own folder, whoever wrote the record.
 pub fn stays_inside(file: &str) -> bool {
-    Path::new(file).components().all(|part| matches!(part, Component::Normal(_)))
+    !file.is_empty() && Path::new(file).components().all(|part| matches!(part, Component::Normal(_)))
 }

@@ -13,6 +13,7 @@
 //! - [`TruthRecord`]: the record of the truth.
 //! - [`Inputs`], [`FileRecord`]: the files that a run was made from.
 
+mod differences;
 mod file;
 mod frame;
 mod ground;
@@ -24,6 +25,7 @@ mod scenery;
 mod truth;
 mod view;
 
+pub use differences::differences;
 pub use file::{FileRecord, MAX_BYTES, file_hash, hash, stays_inside};
 pub use frame::{FrameRecord, total_work};
 pub use ground::{AlbedoMapRecord, GroundRecord, LevelRecord};

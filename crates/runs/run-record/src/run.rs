@@ -4,11 +4,12 @@ use std::path::Path;
 
 use files::FileError;
 use generator::FrameCounts;
+use limits::Limit;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::{
-    FileRecord, FrameRecord, GroundRecord, LimitRecord, MAX_BYTES, ModelRecord, OmissionRecord, PathRecord,
+    FileRecord, FrameRecord, GroundRecord, LimitRecord, ModelRecord, OmissionRecord, PathRecord,
     SceneryRecord, SunRecord, VehicleRecord, ViewRecord, stays_inside,
 };
 
@@ -167,7 +168,7 @@ impl RunRecord {
     /// # Errors
     /// If the file cannot be read, is no record of this schema, or leads out of its folder.
     pub fn read(path: &Path) -> Result<Self, RecordError> {
-        Self::parse(&files::read_all(path, MAX_BYTES)?)
+        Self::parse(&files::read_all(path, Limit::RecordBytes)?)
     }
 
     /// The record in `bytes`.
@@ -185,12 +186,31 @@ impl RunRecord {
             let file = &listed.file;
             return Err(RecordError::Content(format!("it lists `{file}`, expected files of its folder")));
         }
+        record.expect_frames_in_a_row().map_err(RecordError::Content)?;
         Ok(record)
     }
 
     /// The document, ending with a newline.
     pub fn text(&self) -> String {
         serde_json::to_string_pretty(self).expect("records are plain values") + "\n"
+    }
+
+    /// The frames are those of the range, each once: whoever reads the record counts on it.
+    fn expect_frames_in_a_row(&self) -> Result<(), String> {
+        let [start, end] = self.range;
+        let expected = || format!("expected frames {start}..{end}, each once and ascending");
+        let number = |at: usize| start.checked_add(at as u64);
+        let odd = self.frames.iter().enumerate().find(|(at, frame)| Some(frame.frame) != number(*at));
+        match odd {
+            Some((at, frame)) => {
+                let number = number(at).unwrap_or(u64::MAX);
+                Err(format!("it lists frame {} in place of frame {number}; {}", frame.frame, expected()))
+            }
+            None if start.checked_add(self.frames.len() as u64) != Some(end) => {
+                Err(format!("it lists {} frames; {}", self.frames.len(), expected()))
+            }
+            None => Ok(()),
+        }
     }
 
     /// Files of the run's folder that it lists.

@@ -2,11 +2,12 @@
 
 use std::path::Path;
 
+use limits::Limit;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::{
-    FileRecord, GroundRecord, MAX_BYTES, OmissionRecord, Program, RecordError, ScenarioRecord, SceneryRecord,
+    FileRecord, GroundRecord, OmissionRecord, Program, RecordError, ScenarioRecord, SceneryRecord,
     ViewRecord, stays_inside,
 };
 
@@ -75,7 +76,7 @@ impl TruthRecord {
     /// # Errors
     /// If the file cannot be read, is no record of this schema, or leads out of its folder.
     pub fn read(path: &Path) -> Result<Self, RecordError> {
-        let bytes = files::read_all(path, MAX_BYTES)?;
+        let bytes = files::read_all(path, Limit::RecordBytes)?;
         let refused = |error: serde_json::Error| RecordError::Content(error.to_string());
         let record: Self = serde_json::from_slice(&bytes).map_err(refused)?;
         if record.schema != TRUTH_SCHEMA {

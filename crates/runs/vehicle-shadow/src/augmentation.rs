@@ -1,7 +1,6 @@
 //! The shadow of one vehicle in one picture after the other.
 
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use generator::check_eye;
@@ -16,7 +15,7 @@ use crate::blanking::Blanking;
 use crate::flat_ground::{OutlineRule, flat_gates, shadow_outlines};
 use crate::gate::PictureGates;
 use crate::insertion::Method;
-use crate::kept::{Made, kept, stamp};
+use crate::kept::{kept, stamp};
 use crate::probed::{Lines, Look};
 use crate::sequence::{Sequence, SequenceFrame};
 use crate::shadow::Shadow;
@@ -24,7 +23,7 @@ use crate::suns::suns;
 use crate::true_ground::TrueGround;
 use crate::view_lines::LineCounts;
 use crate::work::{Work, WorkTimes};
-use crate::{AugmentError, Shape, Shot};
+use crate::{AugmentError, ShadowFolder, Shape, Shot};
 
 /// What the ground is taken for.
 #[derive(Debug, Clone)]
@@ -138,8 +137,7 @@ impl Augmentation {
         (PictureGates { suns, tracks: Vec::new() }, counts)
     }
 
-    /// Puts the shadow into all pictures of `sequence` and writes them as PNG, under the same names, into the folder `out`,
-    /// which is made if it is not there, and goes again if nothing comes into it. Each file is written whole or not at all; one
+    /// Puts the shadow into all pictures of `sequence` and writes them as PNG, under the same names, into the folder `out`. Each file is written whole or not at all; one
     /// that is there, made from the same by an earlier run, stays. Ends early, with whole pictures only, when `cancel` is set;
     /// `heard` hears how many are done. A picture whose lines `look` wants is made again if it is there.
     ///
@@ -148,12 +146,12 @@ impl Augmentation {
     pub fn run(
         &self,
         sequence: &Sequence,
-        out: &Path,
+        out: &ShadowFolder,
         cancel: &AtomicBool,
         heard: &dyn Fn(u64),
         look: &mut Look,
     ) -> Result<Vec<FrameWork>, AugmentError> {
-        let _made = make_folder(sequence.folder(), out)?;
+        let out = out.path();
         let mut size = sequence.camera().size.map(|size| (size, "camera.json says".to_owned()));
         let mut done = Vec::with_capacity(sequence.frames().len());
         for frame in sequence.frames() {
@@ -209,7 +207,7 @@ impl Augmentation {
         let texts = [
             ("Frame", frame.frame.to_string()),
             ("Time", format!("{} s", frame.pose.time)),
-            stamp(&key, &work),
+            stamp(&key, &self.inputs, &work),
         ];
         let bytes =
             encode_png(&new, &texts.each_ref().map(|(key, text)| (*key, text.as_str()))).map_err(refused)?;
@@ -244,19 +242,4 @@ impl Source {
         // The report's television has no colour.
         Ok(Self { bytes, picture: picture.to_grey(CURVE) })
     }
-}
-
-/// Makes `out`, which must not be the folder of the pictures.
-fn make_folder(pictures: &Path, out: &Path) -> Result<Made, AugmentError> {
-    let failed = |path: &Path, doing| {
-        let path: PathBuf = path.to_owned();
-        move |source| AugmentError::Folder { path, doing, source }
-    };
-    let made = Made::at(out);
-    fs::create_dir_all(out).map_err(failed(out, "make this folder"))?;
-    let real = |path: &Path| fs::canonicalize(path).map_err(failed(path, "find this folder"));
-    if real(pictures)? == real(out)? {
-        return Err(AugmentError::SameFolder { path: out.to_owned() });
-    }
-    Ok(made)
 }

@@ -3,7 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
-use files::FileError;
+use files::{FileError, FolderError};
 use generator::FrameError;
 use photographs::PhotographFileError;
 use picture::PictureFileError;
@@ -22,7 +22,42 @@ pub enum AugmentError {
     /// A new picture that cannot be written.
     #[error(transparent)]
     Picture(#[from] PictureFileError),
-    /// A folder that cannot be listed or made.
+    /// The folder of the new pictures cannot be written into: it is in use, or it or something in it is a link.
+    #[error(transparent)]
+    Claim(#[from] FolderError),
+    /// The folder of the new pictures holds files of somebody else.
+    #[error(
+        "{path}: holds `{found}`, which `lunoid augment` did not make; choose another --out, or keep it beside the new \
+         pictures with --fresh (only what the command made is ever removed)"
+    )]
+    Foreign {
+        /// Path of the folder.
+        path: PathBuf,
+        /// The first file found.
+        found: String,
+    },
+    /// A file of somebody else has the name of a new one.
+    #[error(
+        "{path}: holds `{found}`, which `lunoid augment` did not make and would replace; choose another --out"
+    )]
+    WouldReplace {
+        /// Path of the folder.
+        path: PathBuf,
+        /// Name of the file that would be replaced.
+        found: String,
+    },
+    /// The folder holds pictures that were made from something else.
+    #[error(
+        "{path}: holds pictures of another augmentation, from which this one differs: {differences}; choose another --out, or \
+         remove them with --fresh"
+    )]
+    Other {
+        /// Path of the folder.
+        path: PathBuf,
+        /// Every key that differs, in words.
+        differences: String,
+    },
+    /// A folder that cannot be listed.
     #[error("{path}: cannot {doing}: {source}")]
     Folder {
         /// Path of the folder.

@@ -71,6 +71,10 @@ pub fn read_poses(path: &Path) -> Result<BTreeMap<u64, FramePose>, AugmentError>
     let mut poses = BTreeMap::new();
     while let Some(row) = rows.next_row() {
         let row = Row { reading: &reading, row };
+        if !Limit::Rows.allows(poses.len() as u64 + 1) {
+            let expected = format!("at most {} rows; {}", Limit::Rows.value(), Limit::Rows);
+            return Err(Reading { expected, ..reading }.fault(Some(&row.row), "one row more".into()));
+        }
         let (frame, pose) = row.pose(&columns, width)?;
         if poses.insert(frame, pose).is_some() {
             return Err(row.fault(format!("frame {frame} a second time")));

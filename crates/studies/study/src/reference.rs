@@ -1,13 +1,12 @@
 //! Pictures of `exact`, kept by what they depend on.
 
 use std::collections::HashMap;
-use std::fs;
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use blake3::Hasher;
 use exact::{Exact, ExactWithin, Fineness, LINE_MEAN_TOLERANCE, RIDGE_SHARE};
-use files::{FileError, Npy, NpyData, NpyError};
+use files::{FileError, FolderError, Npy, NpyData, NpyError};
 use generator::{Generator, PlaneKind, Planes, Stage};
 use landscape::bank_file;
 use scenario::{Pose, Scenario, View};
@@ -26,14 +25,9 @@ pub enum ReferenceError {
     /// A picture cannot be written.
     #[error("pictures of exact cannot be kept: {0}; name a folder that can be written")]
     Write(#[from] FileError),
-    /// The folder cannot be made.
-    #[error("{}: pictures of exact cannot be kept: {source}; name a folder that can be written", .folder.display())]
-    Folder {
-        /// Folder that cannot be made.
-        folder: PathBuf,
-        /// What the system says.
-        source: std::io::Error,
-    },
+    /// The folder cannot be made, or is a link.
+    #[error("pictures of exact cannot be kept: {0}; name a folder that can be written")]
+    Folder(#[from] FolderError),
     /// A picture has no shape.
     #[error(transparent)]
     Shape(#[from] NpyError),
@@ -94,8 +88,7 @@ impl ExactPictures {
         folder: Option<PathBuf>,
     ) -> Result<Self, ReferenceError> {
         if let Some(folder) = &folder {
-            let refused = |source| ReferenceError::Folder { folder: folder.clone(), source };
-            fs::create_dir_all(folder).map_err(refused)?;
+            files::make_folder(folder)?;
         }
         let mut hasher = Hasher::new();
         hasher.update(program.as_bytes());

@@ -81,6 +81,19 @@ pub enum PathError {
         /// Time of the one before (s).
         before: f64,
     },
+    /// Two times are so near to each other that speeds between them are no numbers.
+    #[error(
+        "waypoint {index}: t = {time} s is {} s after the waypoint before; expected at least {LEAST_STEP} s between two times",
+        time - before
+    )]
+    Near {
+        /// Index of the waypoint, from 0.
+        index: usize,
+        /// Time of that waypoint (s).
+        time: f64,
+        /// Time of the one before (s).
+        before: f64,
+    },
     /// Height, pitch or roll is given for some waypoints only.
     #[error("{what} is given for some waypoints only; expected for all or for none")]
     Partly {
@@ -164,14 +177,23 @@ fn check(waypoints: &[Waypoint]) -> Result<(), PathError> {
             return Err(PathError::NotFinite { index });
         }
     }
-    match waypoints.windows(2).position(|pair| pair[1].time <= pair[0].time) {
-        None => Ok(()),
-        Some(index) => {
-            let (time, before) = (waypoints[index + 1].time, waypoints[index].time);
-            Err(PathError::Time { index: index + 1, time, before })
+    for (pair, index) in waypoints.windows(2).zip(1..) {
+        let (time, before) = (pair[1].time, pair[0].time);
+        if time <= before {
+            return Err(PathError::Time { index, time, before });
+        }
+        // As near as the rounding of decimal times allows.
+        if time - before < LEAST_STEP * (1.0 - ROUNDING) {
+            return Err(PathError::Near { index, time, before });
         }
     }
+    Ok(())
 }
+
+/// Least time from one waypoint to the next (s): what a clock in seconds since 1970 can just tell apart.
+const LEAST_STEP: f64 = 1e-6;
+/// Share of it by which two such times may be off.
+const ROUNDING: f64 = 0.25;
 
 /// The values of a quantity that is given for all waypoints or for none.
 fn all(

@@ -6,7 +6,7 @@ use glam::DVec3;
 use landscape::Landscape;
 use solids::{Body, Kind, Solid};
 
-use crate::objects::{Object, Stay, stays};
+use crate::objects::{Event, Object, Stay, stays};
 use crate::rocks::Clear;
 use crate::{Frame, Guest, MoveStation, Scenario, Scenery, SceneryProblem, SceneryProblems, Standing};
 
@@ -51,16 +51,22 @@ fn suns(scenario: &Scenario) -> Vec<(f64, landscape::Sun)> {
     }
 }
 
+/// The events of each object, ascending in time.
+fn events_of(scenario: &Scenario) -> Vec<Vec<Event>> {
+    let mut own = vec![Vec::new(); scenario.objects.len()];
+    scenario.events.iter().for_each(|event| own[event.object].push(*event));
+    own
+}
+
 fn culture(
     scenario: &Scenario,
     landscape: &Landscape,
     keep: &mut impl FnMut(SceneryProblem),
 ) -> Vec<Standing> {
     let mut standing = Vec::new();
-    for (number, object) in scenario.objects.iter().enumerate() {
-        let events = scenario.events.iter().filter(|event| event.object == number);
+    for ((number, object), events) in scenario.objects.iter().enumerate().zip(events_of(scenario)) {
         // What moves has frames of its own.
-        let stays = if object.moves.is_some() { Vec::new() } else { stays(object, events.copied()) };
+        let stays = if object.moves.is_some() { Vec::new() } else { stays(object, events.into_iter()) };
         for stay in stays {
             match bodies(number as u32, object, &stay, landscape) {
                 Some(bodies) => standing.extend(bodies),
@@ -74,13 +80,12 @@ fn culture(
 /// The parts of objects that move or are open, stay by stay.
 fn guests(scenario: &Scenario, landscape: &Landscape, keep: &mut impl FnMut(SceneryProblem)) -> Vec<Guest> {
     let mut guests = Vec::new();
-    for (number, object) in scenario.objects.iter().enumerate() {
+    for ((number, object), events) in scenario.objects.iter().enumerate().zip(events_of(scenario)) {
         let parts: Vec<_> = object.parts.iter().filter(|part| is_guest(object, part)).collect();
         if parts.is_empty() {
             continue;
         }
-        let events = scenario.events.iter().filter(|event| event.object == number);
-        for stay in stays(object, events.copied()) {
+        for stay in stays(object, events.into_iter()) {
             let Some(frames) = frames(object, &stay, landscape, keep) else { continue };
             guests.extend(parts.iter().map(|part| Guest {
                 from: stay.from,

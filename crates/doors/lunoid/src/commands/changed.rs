@@ -1,8 +1,8 @@
 //! A folder with pictures of changed pixels, one a frame.
 
-use std::fs;
 use std::path::Path;
 
+use files::make_folder;
 use picture::{ChangedPixels, encode_png};
 
 use crate::Failure;
@@ -19,9 +19,7 @@ pub fn place(folder: &Path) -> Place {
 /// # Errors
 /// If the folder cannot be made or the picture not be written.
 pub fn write(folder: &Path, frame: u64, changed: &ChangedPixels) -> Result<(), Failure> {
-    fs::create_dir_all(folder).map_err(|error| {
-        Failure::output(format!("{}: cannot make this folder: {error}", folder.display()))
-    })?;
+    make_folder(folder)?;
     let title = format!("frame {frame}: {} changed pixels", changed.pixels().len());
     let png = encode_png(&changed.picture(), &[("Title", &title)]).map_err(Failure::input)?;
     files::write_atomic(folder.join(format!("changed-{frame:06}.png")), |out| out.write_all(&png))?;

@@ -6,7 +6,7 @@ use cartridge::{CartridgeError, of_file};
 use clap::Args;
 use diagnostics::{Problem, ProblemList, ProblemRecord};
 use files::FileError;
-use front_door::{KNOWN, Kind, OpenError, Wishes, open, path_problems};
+use front_door::{KNOWN, Kind, OpenError, Wishes, expect_drawable, open, path_problems};
 use generator::Row;
 use hardware_model::{HardwareModel, ModelSource};
 use limits::Limit;
@@ -79,6 +79,7 @@ type Checked = Result<Vec<String>, ProblemList>;
 /// Of a model alone: over a scenario of other sweeps its delays may meet their words all the same.
 fn check_model(path: &Path) -> Checked {
     let loaded = HardwareModel::read(path, &[], &[])?;
+    expect_drawable(&loaded.values)?;
     let idle = loaded.model.check().into_iter().filter(|finding| finding.keys.contains(&"loader.delay"));
     let idle = idle.map(|finding| format!("{}: {}", path.display(), finding.message));
     Ok(loaded.remarks.into_iter().chain(idle).collect())
@@ -87,7 +88,8 @@ fn check_model(path: &Path) -> Checked {
 /// Differences have no faults by themselves: they are those of the ideal machine under them.
 fn check_overlay(path: &Path) -> Checked {
     let ideal = ModelSource::BuiltIn("ideal".into());
-    HardwareModel::load(&ideal, &[path.to_owned()], &[]).map(|_| Vec::new())
+    let loaded = HardwareModel::load(&ideal, &[path.to_owned()], &[])?;
+    expect_drawable(&loaded.values).map(|()| Vec::new())
 }
 
 fn check_gear(row: &Row, path: &Path) -> Checked {
@@ -120,8 +122,8 @@ fn check_scenario(path: &Path) -> Checked {
 }
 
 fn document(file: &Path, kind: Kind, result: &Checked) -> Value {
-    let problems = result.as_ref().err().into_iter().flat_map(ProblemList::iter).map(|problem| {
-        let ProblemRecord { file, line, column, key, title, found, expected, help } = problem.record();
+    let problems = result.as_ref().err().into_iter().flat_map(ProblemList::records).map(|record| {
+        let ProblemRecord { file, line, column, key, title, found, expected, help } = record;
         json!({ "file": file, "line": line, "column": column, "key": key, "title": title, "found": found,
                 "expected": expected, "help": help })
     });

@@ -12,8 +12,10 @@ use std::time::{Duration, Instant};
 
 use between::Between;
 use clap::Args;
+use files::Kind;
 use front_door::Opened;
 use generator::{Scan, Stage};
+use limits::Limit;
 use lockstep::Engines;
 use rayon::ThreadPool;
 use scope::{
@@ -126,6 +128,7 @@ impl ProbeCommand {
         let raster = [stage.view.columns as usize, stage.view.lines as usize];
         let session = generator.prepare(stage).map_err(Failure::input)?;
         let choice = Choice::of(table, &session.wires(), &self.signals);
+        expect_signals(&choice)?;
         let at_samples =
             Look { session: &*session, pool: &pool, frame: self.chosen.frame, pose: &pose, raster };
         let engines = self.engines(&opened, &pool)?;
@@ -277,13 +280,25 @@ impl ProbeCommand {
         };
         let of = if self.line.is_some() { "lines" } else { "sweeps" };
         let line = format!("{out}: {dry}frame {frame}, {of} {}..{}: {signals}\n", sweeps.start, sweeps.end);
-        if self.out.exists() && !self.out.is_file() {
+        if Kind::of(&self.out).is_ok_and(|kind| kind == Kind::Stream) {
             // The device may be standard output.
             tell(&line);
             return Ok(());
         }
         print(&line)
     }
+}
+
+/// Refuses to record more signals than memory and a file of waveforms hold.
+fn expect_signals(choice: &Choice) -> Result<(), Failure> {
+    let (count, limit) = (choice.names().len(), Limit::Signals);
+    if limit.allows(count as u64) {
+        return Ok(());
+    }
+    let most = limit.value();
+    Err(Failure::usage(format!(
+        "--signals: {count} signals, expected at most {most}; name fewer, or {limit}"
+    )))
 }
 
 /// What a picture is drawn of.

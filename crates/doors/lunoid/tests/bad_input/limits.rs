@@ -119,6 +119,42 @@ fn pixels(room: &Room) -> u64 {
     40 * 23
 }
 
+/// Three flags, of one body each or more.
+fn flags(room: &Room) -> u64 {
+    let flag = |at: u32| format!("[[object]]\nid = \"o{at}\"\nmodel = \"flag\"\nx_m = 200\ny_m = 200\n");
+    add(room, &(0..3).map(flag).collect::<String>());
+    3
+}
+
+/// As many parts as the shape in the program has.
+fn bodies(room: &Room) -> u64 {
+    3 * solids::culture::model("flag").expect("a shape").len() as u64 * flags(room) / 3
+}
+
+fn events(room: &Room) -> u64 {
+    let object = "[[object]]\nid = \"a\"\nmodel = \"flag\"\nx_m = 200\ny_m = 200\n";
+    let event =
+        |t: u32| format!("[[event]]\nt_s = {t}\naction = \"move\"\nobject = \"a\"\nx_m = 210\ny_m = 200\n");
+    add(room, &(object.to_owned() + &(1..6).map(event).collect::<String>()));
+    5
+}
+
+fn landforms(room: &Room) -> u64 {
+    let massif = "[[landscape.generated.massif]]\nat_m = [200, 200]\nheight_m = 10\nradius_m = 120\ndetail_m = 110\nruggedness = 0.5\n";
+    add(room, &massif.repeat(2));
+    2
+}
+
+fn rows(room: &Room) -> u64 {
+    room.done(&["replay", "tiny.toml", "-q", "--out", "run"]);
+    4
+}
+
+fn record(room: &Room) -> u64 {
+    room.done(&["replay", "tiny.toml", "-q", "--frames", "0", "--out", "run"]);
+    bytes(room, "run/run.json")
+}
+
 const HEADING: &str = "x_m,y_m,radius_m,depth_m,rim_m,type,outer_m,floor_m";
 
 const CASES: &[Case] = &[
@@ -177,12 +213,21 @@ const CASES: &[Case] = &[
     Case { limit: "shape-bytes", file: "cube.obj", make: cube, command: CHECK },
     Case { limit: "picture-bytes", file: "a.png", make: picture_bytes, command: &["info", "a.png"] },
     Case { limit: "pixels", file: "a.png", make: pixels, command: &["info", "a.png"] },
+    Case { limit: "pixels", file: "tiny.toml", make: |_| 40 * 23, command: &["check", "tiny.toml"] },
+    Case { limit: "objects", file: "s.toml", make: flags, command: CHECK },
+    Case { limit: "bodies", file: "s.toml", make: bodies, command: CHECK },
+    Case { limit: "events", file: "s.toml", make: events, command: CHECK },
+    Case { limit: "landforms", file: "s.toml", make: landforms, command: CHECK },
+    Case { limit: "rows", file: "run/poses.csv", make: rows, command: AUGMENT },
+    Case { limit: "record-bytes", file: "run/run.json", make: record, command: &["info", "run"] },
 ];
 
 #[test]
 fn one_more_than_each_limit_needs_its_name() {
     let listed: BTreeSet<_> = ROWS.iter().map(|row| row.name).collect();
-    let held: BTreeSet<_> = CASES.iter().map(|case| case.limit).collect();
+    // What these two limit is no file that is refused: extremes.rs has their cases.
+    let elsewhere = ["faults", "signals"];
+    let held: BTreeSet<_> = CASES.iter().map(|case| case.limit).chain(elsewhere).collect();
     assert_eq!(listed, held, "limits of the list, and those with a case here");
     for &Case { limit, file, make, command } in CASES {
         let room = Room::new();

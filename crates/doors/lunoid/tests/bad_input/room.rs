@@ -126,13 +126,18 @@ pub fn said(mut command: Command) -> Said {
     Said { code: output.status.code(), out, err }
 }
 
-/// Everything below `folder`; nothing if there is none.
+/// Everything below `folder`; nothing if there is none. Of a link, where it leads; of a pipe, nothing.
 pub fn content(folder: &Path) -> Content {
     let mut found = Content::new();
     for entry in fs::read_dir(folder).into_iter().flatten() {
         let path = entry.unwrap().path();
-        if path.is_dir() {
+        if path.is_symlink() {
+            let target = fs::read_link(&path).unwrap();
+            found.insert(path, Some(target.to_string_lossy().into_owned().into_bytes()));
+        } else if path.is_dir() {
             found.extend(content(&path));
+            found.insert(path, None);
+        } else if !path.is_file() {
             found.insert(path, None);
         } else {
             found.insert(path.clone(), Some(fs::read(path).unwrap()));

@@ -61,8 +61,10 @@ fn pictures_that_are_there_stay() {
     let (again, _) = augment(&scene, 0, &["rover", "--sun", "212,6", "--out", "new", "--json"]);
     assert_eq!((again, fs::read(picture(1)).unwrap()), (whole, bytes.clone()));
     assert_eq!(made(0), first, "it was not made again");
-    // Under another sun all are.
-    augment(&scene, 0, &["rover", "--sun", "213,6", "--out", "new"]);
+    // Under another sun all are, in place of the earlier ones only where that is asked for.
+    let (_, err) = augment(&scene, 4, &["rover", "--sun", "213,6", "--out", "new"]);
+    assert!(err.contains("sun_deg.0 (212.0 there, 213.0 now)"), "{err}");
+    augment(&scene, 0, &["rover", "--sun", "213,6", "--out", "new", "--fresh"]);
     assert_ne!(fs::read(picture(1)).unwrap(), bytes);
     assert_ne!(made(0), first);
 }
@@ -86,9 +88,9 @@ fn timing_is_held_to_a_baseline() {
     let out: Value = serde_json::from_str(&out).unwrap();
     assert_eq!(out["timing_check"]["met"], true, "{out}");
     // Other gear, another sun: of another run.
-    let (out, _) = with(1, &["212,6", "--baseline", "timing.json", "--dac-bits", "6"]);
+    let (out, _) = with(1, &["212,6", "--baseline", "timing.json", "--dac-bits", "6", "--fresh"]);
     assert!(out.contains("events"), "{out}");
-    let (out, _) = with(1, &["212,7", "--baseline", "timing.json"]);
+    let (out, _) = with(1, &["212,7", "--baseline", "timing.json", "--fresh"]);
     assert!(out.contains("inputs"), "{out}");
     scene.write("half.json", "{");
     let (_, err) = with(3, &["212,6", "--baseline", "half.json"]);
@@ -138,7 +140,7 @@ fn lines_of_a_picture_are_probed() {
         (&255.0.into(), &"vehicle-shadow".into())
     );
     // A scan converter has no D/A converters.
-    let tube = ["--method", "scan-converter", "--waveforms", "tube.json"];
+    let tube = ["--fresh", "--method", "scan-converter", "--waveforms", "tube.json"];
     probe(0, &[&["0:20"][..], &tube].concat());
     let tube_has: Value = serde_json::from_slice(&fs::read(scene.join("tube.json")).unwrap()).unwrap();
     let signals = tube_has["traces"][0]["signals"].as_object().unwrap();

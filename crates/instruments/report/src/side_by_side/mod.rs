@@ -3,11 +3,11 @@
 mod figures;
 mod page;
 
-use std::fs;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use serde::Serialize;
+use text::visible;
 
 use crate::ReportError;
 use figures::figures;
@@ -49,12 +49,12 @@ pub fn write_side_by_side(
     let json = serde_json::to_string_pretty(&figures).expect("figures are plain values") + "\n";
     write_changed(&folder.join(SIDE_BY_SIDE), &json)?;
     let path = folder.join(replay::PAGE);
-    write_changed(&path, &page(folder, &runs, &figures)?.into_string())?;
+    write_changed(&path, &visible(&page(folder, &runs, &figures)?.into_string()))?;
     Ok((figures, path))
 }
 
 fn write_changed(path: &Path, text: &str) -> Result<(), ReportError> {
-    if !fs::read(path).is_ok_and(|found| found == text.as_bytes()) {
+    if !files::holds(path, text.as_bytes()) {
         files::write_atomic(path, |out: &mut dyn Write| out.write_all(text.as_bytes()))?;
     }
     Ok(())

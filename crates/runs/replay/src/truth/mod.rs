@@ -25,6 +25,7 @@ use scenario::{PixelRule, PoseRow, PoseTable};
 use serde_json::json;
 use signal::Probe;
 
+use crate::fingerprint::Fingerprint;
 use crate::folder::{TRUTH, truth_name};
 use crate::held::{frame_range, whole, write_changed};
 use crate::job::{Control, Job, Progress};
@@ -80,7 +81,7 @@ struct Truth<'a> {
     control: &'a Control<'a>,
     run: HeldRun,
     session: Box<dyn Session>,
-    fingerprint: String,
+    fingerprint: Fingerprint,
     /// Poses of all frames that are to have truth.
     rows: Vec<PoseRow>,
     /// Frames that have it.
@@ -98,7 +99,8 @@ impl<'a> Truth<'a> {
         job.stage.view.laws.pixel_rule = PixelRule::Centre;
         let run = HeldRun::read(folder.path())?;
         let fingerprint = fingerprint(&run, items);
-        let listed = listed(folder, &fingerprint, items)?;
+        let listed = listed(folder, &fingerprint.hash, items)?;
+        expect_frames_of(&run, folder, &listed)?;
         let rows = rows(&job, &run, &listed.keys().copied().chain(job.frames.clone()).collect())?;
         let session = control.pool.install(|| registry::judge_on(job.stage.clone()))?;
         (control.progress)(Progress::Verifying { frames: listed.len() as u64 });
@@ -117,7 +119,8 @@ impl<'a> Truth<'a> {
         self.folder.make(TRUTH)?;
         let kept: Vec<&TruthFrame> = self.frames.values().collect();
         let journal = Journal::begin(self.path(JOURNAL), &self.fingerprint, &kept)?;
-        self.folder.remove_stray_truth(|frame| self.rows.iter().any(|row| row.frame == frame))?;
+        let has_row = |frame| self.rows.binary_search_by_key(&frame, |row| row.frame).is_ok();
+        self.folder.remove_stray_truth(has_row)?;
         Ok(journal)
     }
 
@@ -179,7 +182,7 @@ impl<'a> Truth<'a> {
             job: &self.job,
             run: &self.run,
             items: self.items,
-            fingerprint: &self.fingerprint,
+            fingerprint: &self.fingerprint.hash,
             frames: &frames,
             outputs: &outputs,
             omissions: &self.session.omissions(),
@@ -190,9 +193,26 @@ impl<'a> Truth<'a> {
 }
 
 /// What decides the arrays: the run, the format, the kinds.
-fn fingerprint(run: &HeldRun, items: &TruthItems) -> String {
+fn fingerprint(run: &HeldRun, items: &TruthItems) -> Fingerprint {
     let document = json!({ "run": run.fingerprint, "format": FORMAT, "items": items.to_string() });
-    hash(document.to_string().as_bytes())
+    Fingerprint { hash: hash(document.to_string().as_bytes()), of: document }
+}
+
+/// No frame has truth that the run does not have.
+fn expect_frames_of(
+    run: &HeldRun,
+    folder: &RunFolder,
+    listed: &BTreeMap<u64, TruthFrame>,
+) -> Result<(), ReplayError> {
+    let range = frame_range(&run.frames).unwrap_or(0..0);
+    match listed.keys().find(|frame| !range.contains(frame)) {
+        None => Ok(()),
+        Some(frame) => {
+            let reason =
+                format!("it lists frame {frame}, expected frames {}..{} of the run", range.start, range.end);
+            Err(ReplayError::TruthRecord { path: folder.join(TRUTH).join(RECORD), reason })
+        }
+    }
 }
 
 /// The record at `path`, if there is one.
@@ -216,7 +236,7 @@ fn listed(
     let held = held(path.join(RECORD))?;
     let journal = journal::read::<TruthFrame>(&path.join(JOURNAL))?;
     let held = held.map(|held| (held.fingerprint, held.frames));
-    let found = [held, journal.map(|journal| (journal.fingerprint, journal.frames))];
+    let found = [held, journal.map(|journal| (journal.fingerprint.hash, journal.frames))];
     let mut frames = BTreeMap::new();
     for (found, list) in found.into_iter().flatten() {
         if found != fingerprint {

@@ -1,7 +1,7 @@
 use std::fs;
 use std::path::Path;
 
-use files::FileError;
+use files::{FileError, FolderError};
 use replay::{Outcome, ReplayError, RunFolder};
 use tempfile::tempdir;
 
@@ -100,7 +100,10 @@ fn one_run_at_a_time() {
     let first = RunFolder::claim(&out, false).unwrap();
     let second = RunFolder::claim(&out, false);
     let process = std::process::id().to_string();
-    assert!(matches!(&second, Err(ReplayError::Locked { holder, .. }) if *holder == process), "{second:?}");
+    assert!(
+        matches!(&second, Err(ReplayError::Claim(FolderError::Locked { holder, .. })) if *holder == process),
+        "{second:?}"
+    );
     Wish::default().run_in(&first).unwrap();
     drop(first);
     RunFolder::claim(&out, false).unwrap();
@@ -114,8 +117,11 @@ fn a_claim_without_a_run_leaves_nothing() {
     assert_eq!(fs::read_dir(at.path()).unwrap().count(), 0);
     let file = at.path().join("file");
     fs::write(&file, "").unwrap();
-    assert!(matches!(RunFolder::claim(&file, false), Err(ReplayError::NotFolder { .. })));
-    assert!(matches!(RunFolder::claim(&file.join("below"), false), Err(ReplayError::Folder { .. })));
+    assert!(matches!(RunFolder::claim(&file, false), Err(ReplayError::Claim(FolderError::NoFolder { .. }))));
+    assert!(matches!(
+        RunFolder::claim(&file.join("below"), false),
+        Err(ReplayError::Claim(FolderError::System { .. }))
+    ));
 }
 
 /// A folder stands where a file should be written, for each file of a run in turn.

@@ -7,10 +7,12 @@ use glam::DVec3;
 use picture::{Depth, GreyPicture, Limits, read_png};
 use quantities::{radians, sin_cos};
 use scenario::{Scenery, TrackPatch};
+use serde_json::Value;
 use signal::{Probe, Waveform};
 use solids::Solid;
 use vehicle_shadow::{
-    Augmentation, GroundLaw, Look, Method, OutlineRule, SIGNALS, ScanConverter, Shape, TrueGround,
+    Augmentation, GroundLaw, Look, MadeFrom, Method, OutlineRule, SIGNALS, ScanConverter, ShadowFolder,
+    Shape, TrueGround,
 };
 
 use crate::scenes::{flat, stage, sun};
@@ -40,7 +42,10 @@ fn flat_ground() -> GroundLaw {
 fn looked(folder: &Folder, augmentation: &Augmentation, lines: std::ops::Range<u32>) -> Vec<Waveform> {
     let mut look = Look { frame: 5, probe: Probe::new(vec!["vs.*".into()], lines) };
     let cancel = AtomicBool::new(false);
-    augmentation.run(&folder.sequence().unwrap(), &folder.join("out"), &cancel, &|_| {}, &mut look).unwrap();
+    let sequence = folder.sequence().unwrap();
+    let from = MadeFrom { inputs: String::new(), keys: Value::Null };
+    let out = ShadowFolder::claim(&folder.join("out"), &sequence, &from, false).unwrap();
+    augmentation.run(&sequence, &out, &cancel, &|_| {}, &mut look).unwrap();
     look.probe.waveforms
 }
 

@@ -5,10 +5,11 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
 use picture::{ColourPicture, Curve, Depth, GreyPicture, Limits, read_png, write_png};
+use serde_json::Value;
 use tempfile::TempDir;
 use vehicle_shadow::{
-    AugmentError, Augmentation, Camera, FrameWork, GroundLaw, Look, Method, OutlineRule, ScanConverter,
-    Sequence, Shape,
+    AugmentError, Augmentation, Camera, FrameWork, GroundLaw, Look, MadeFrom, Method, OutlineRule,
+    ScanConverter, Sequence, ShadowFolder, Shape,
 };
 
 use crate::scenes::sun;
@@ -73,7 +74,10 @@ impl Folder {
             ground: GroundLaw::Flat(OutlineRule::Parts),
             method,
         };
-        augmentation.run(&self.sequence()?, out, &AtomicBool::new(false), &|_| {}, &mut Look::off())
+        let sequence = self.sequence()?;
+        let from = MadeFrom { inputs: String::new(), keys: Value::Null };
+        let out = ShadowFolder::claim(out, &sequence, &from, false)?;
+        augmentation.run(&sequence, &out, &AtomicBool::new(false), &|_| {}, &mut Look::off())
     }
 
     fn refused(&self) -> String {

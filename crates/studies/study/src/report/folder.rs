@@ -1,24 +1,18 @@
 //! Where results are left: a folder of tables and plots.
 
-use std::fs;
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use ::plots::{Drawing, PlotError};
-use files::FileError;
+use files::{FileError, FolderError};
 use serde_json::Value;
 
 /// Why results cannot be left in a folder.
 #[derive(Debug, thiserror::Error)]
 pub enum ReportError {
-    /// The folder cannot be made.
-    #[error("--out {}: {error}; name a folder that can be written", .folder.display())]
-    Folder {
-        /// Folder that cannot be made.
-        folder: PathBuf,
-        /// What the system says.
-        error: io::Error,
-    },
+    /// The folder cannot be made, or is a link.
+    #[error("--out {0}; name a folder that can be written")]
+    Folder(#[from] FolderError),
     /// A table cannot be written.
     #[error(transparent)]
     File(#[from] FileError),
@@ -32,8 +26,8 @@ pub enum ReportError {
 /// # Errors
 /// If the folder cannot be made.
 pub fn make_folder(folder: &Path) -> Result<(), ReportError> {
-    let refused = |error| ReportError::Folder { folder: folder.to_owned(), error };
-    fs::create_dir_all(folder).map_err(refused)
+    files::make_folder(folder)?;
+    Ok(())
 }
 
 /// Whether the study of that name writes a file called `file`: a table of its own name, or a plot.

@@ -1,21 +1,27 @@
 //! `[[event]]`: what happens to objects, and whether it can.
 
+use std::collections::HashMap;
+
 use diagnostics::{Placed, Problem, Reader};
+use limits::Limit;
 use quantities::radians;
 
-use super::scenery::place;
+use super::scenery::{expect_count, place};
 use crate::{Action, Event, Object};
 
 /// The events of a scenario, ascending in time; every one that cannot happen is a problem.
 pub(super) fn events(tables: &[Reader], objects: &[Object]) -> Option<Vec<Event>> {
-    let read: Vec<_> = tables.iter().map(|table| event(table, objects)).collect();
+    expect_count(tables, Limit::Events, "events")?;
+    let ids = Ids::of(objects);
+    let read: Vec<_> = tables.iter().map(|table| event(table, &ids)).collect();
     let mut events = read.into_iter().collect::<Option<Vec<Placed<Event>>>>()?;
     // Stable: the later line of two at one time is the one that is refused.
     events.sort_by(|a, b| a.value.time.total_cmp(&b.value.time));
     let mut all_happen = true;
-    for number in 0..objects.len() {
-        let own = events.iter().filter(|event| event.value.object == number);
-        for problem in impossible(&objects[number], own) {
+    let mut own: Vec<Vec<&Placed<Event>>> = vec![Vec::new(); objects.len()];
+    events.iter().for_each(|event| own[event.value.object].push(event));
+    for (object, own) in objects.iter().zip(own) {
+        for problem in impossible(object, own.into_iter()) {
             tables[0].report(problem);
             all_happen = false;
         }
@@ -23,9 +29,9 @@ pub(super) fn events(tables: &[Reader], objects: &[Object]) -> Option<Vec<Event>
     all_happen.then(|| events.into_iter().map(|event| event.value).collect())
 }
 
-fn event(table: &Reader, objects: &[Object]) -> Option<Placed<Event>> {
+fn event(table: &Reader, ids: &Ids<'_>) -> Option<Placed<Event>> {
     let time = table.f64("t_s").at_least(0.0).at_most(1e6).unit("s").placed().required();
-    let object = object(table, objects);
+    let object = ids.object(table);
     #[derive(Clone, Copy, PartialEq)]
     enum Word {
         Move,
@@ -53,17 +59,41 @@ fn motion(table: &Reader) -> Option<Action> {
     Some(Action::Move { at: at?, heading })
 }
 
-/// The object that an event is about, by its id.
-fn object(table: &Reader, objects: &[Object]) -> Option<usize> {
-    if objects.is_empty() {
-        let problem = table.problem("object", "an event without an object that it could happen to");
-        table.report(problem.expected("an [[object]] with this id"));
-        table.string("object").optional();
-        return None;
+/// Ids that a message lists; where there are more, it counts on its reader to know them.
+const LISTED: usize = 40;
+
+/// The objects by their ids.
+struct Ids<'o> {
+    listed: Vec<(&'o str, usize)>,
+    numbers: HashMap<&'o str, usize>,
+}
+
+impl<'o> Ids<'o> {
+    fn of(objects: &'o [Object]) -> Self {
+        let ids = || objects.iter().enumerate().map(|(number, object)| (object.id.as_str(), number));
+        Self { listed: ids().take(LISTED + 1).collect(), numbers: ids().collect() }
     }
-    let ids: Vec<(&str, usize)> =
-        objects.iter().enumerate().map(|(number, object)| (object.id.as_str(), number)).collect();
-    table.one_of("object", &ids).required()
+
+    /// The object that an event is about.
+    fn object(&self, table: &Reader) -> Option<usize> {
+        let (title, expected) = match self.listed.len() {
+            1..=LISTED => return table.one_of("object", &self.listed).required(),
+            0 => (
+                "an event without an object that it could happen to".to_owned(),
+                "an [[object]] with this id",
+            ),
+            _ => {
+                let id = table.string("object").required()?;
+                if let Some(number) = self.numbers.get(id.as_str()) {
+                    return Some(*number);
+                }
+                (format!("no object is called \"{id}\""), "the id of an [[object]]")
+            }
+        };
+        table.report(table.problem("object", title).expected(expected));
+        table.string("object").optional();
+        None
+    }
 }
 
 /// What is wrong with the events of one object, ascending in time.

@@ -4,9 +4,11 @@ use std::path::Path;
 
 use diagnostics::Reader;
 use landscape::relief::{Craters, MAX_WAVES, Massif, Meander, Relief, ReliefError, Rille, Undulation};
+use limits::Limit;
 use quantities::radians;
 
 use super::reference::reference;
+use super::scenery::report_limit;
 use crate::GroundSource;
 
 /// The ground of a `[landscape]` table, and the ground around it.
@@ -51,8 +53,15 @@ fn relief(table: &Reader) -> Option<Relief> {
     let tilt = table.f64_array::<2>("tilt_m_per_m").between(-1.0, 1.0).unit("m/m").default([0.0; 2]);
     let undulation = table.optional_table("undulation").map(|table| undulation(&table));
     let craters = table.optional_table("craters").map(|table| craters(&table));
-    let massifs: Vec<_> = table.tables("massif").iter().map(massif).collect();
-    let rilles: Vec<_> = table.tables("rille").iter().map(rille).collect();
+    let (massifs, rilles) = (table.tables("massif"), table.tables("rille"));
+    let landforms = (massifs.len() + rilles.len()) as u64;
+    if !Limit::Landforms.allows(landforms) {
+        report_limit(table, Limit::Landforms, format!("{landforms} massifs and rilles"));
+        massifs.iter().chain(&rilles).for_each(Reader::ignore_rest);
+        return None;
+    }
+    let massifs: Vec<_> = massifs.iter().map(massif).collect();
+    let rilles: Vec<_> = rilles.iter().map(rille).collect();
     let relief = Relief {
         seed: seed?,
         extent: extent?,

@@ -1,5 +1,6 @@
 //! `[[group]]`, and `moves`, `group`, `priority` and `colour` of an `[[object]]`.
 
+use std::collections::HashSet;
 use std::num::NonZeroU16;
 use std::sync::Arc;
 
@@ -23,8 +24,9 @@ pub(super) fn groups(tables: &[Reader]) -> Option<Vec<Group>> {
         tables[0].report(tables[0].problem("name", title).expected(format!("at most {MOST_GROUPS}")));
         return None;
     }
+    let mut earlier = HashSet::new();
     for (index, Group { name, .. }) in groups.iter().enumerate() {
-        if groups[..index].iter().any(|earlier| earlier.name == *name) {
+        if !earlier.insert(name) {
             let problem = tables[index].problem("name", format!("two groups are called \"{name}\""));
             tables[index].report(problem.expected("a name of its own"));
             return None;

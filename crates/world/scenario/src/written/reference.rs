@@ -3,14 +3,24 @@
 use std::path::{Component, Path, PathBuf};
 
 use diagnostics::Reader;
+use files::leads_outside;
 
 /// The file that `key` names, seen from `folder`; it must lie in that folder or below, so that a scenario that
-/// came from elsewhere reads nothing but what came with it.
+/// came from elsewhere reads nothing but what came with it, through links neither.
 pub(super) fn reference(table: &Reader, key: &str, folder: &Path) -> Option<PathBuf> {
     let field = table.string(key).must("a relative path that stays in the scenario's folder", stays_inside);
-    let help = "copy or link the file into the folder, or name it on the command line";
-    field.help(help).optional().map(|path| folder.join(path))
+    let path = field.help(HELP).optional().map(|path| folder.join(path))?;
+    if let Some(found) = leads_outside(folder, &path) {
+        let title =
+            format!("`{}` leads out of the scenario's folder, to {}", table.path(key), found.display());
+        let expected = "a file of the folder, or a link that stays in it";
+        table.report(table.problem(key, title).expected(expected).help(HELP));
+        return None;
+    }
+    Some(path)
 }
+
+const HELP: &str = "copy the file into the folder, or name it on the command line";
 
 fn stays_inside(path: &String) -> bool {
     let depths = Path::new(path).components().scan(0i64, |depth, component| {

@@ -1,10 +1,12 @@
 //! What lies and stands on the ground: `[rocks]`, `[tracks]`, `[[object]]`.
 
+use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use diagnostics::{Placed, Problem, ProblemList, Problems, Reader};
 use landscape::Attitude;
+use limits::Limit;
 use quantities::radians;
 use solids::{SizeLaw, Solid, culture, obj};
 
@@ -65,21 +67,50 @@ pub(super) fn objects(
     folder: &Path,
     problems: &Problems,
 ) -> Option<Vec<Object>> {
-    let found: Vec<_> = tables.iter().map(|table| object(table, groups, folder, problems)).collect();
+    expect_count(tables, Limit::Objects, "objects")?;
+    let mut bodies = 0;
+    let mut found = Vec::with_capacity(tables.len());
+    for (number, table) in tables.iter().enumerate() {
+        let read = object(table, groups, folder, problems);
+        bodies += read.1.as_ref().map_or(0, |object| object.parts.len() as u64);
+        found.push(read);
+        if !Limit::Bodies.allows(bodies) {
+            let title = format!("the first {} objects have {bodies} convex bodies", number + 1);
+            report_limit(table, Limit::Bodies, title);
+            tables[number + 1..].iter().for_each(Reader::ignore_rest);
+            return None;
+        }
+    }
     let twins = report_twins(tables, &found);
     let found: Option<Vec<_>> = found.into_iter().map(|(_, object)| object).collect();
     found.filter(|_| !twins)
+}
+
+/// Reports more tables than `limit` allows, before any of them is read. `what` names them.
+pub(super) fn expect_count(tables: &[Reader], limit: Limit, what: &str) -> Option<()> {
+    if limit.allows(tables.len() as u64) {
+        return Some(());
+    }
+    report_limit(&tables[limit.value() as usize], limit, format!("{} {what}", tables.len()));
+    tables.iter().for_each(Reader::ignore_rest);
+    None
+}
+
+/// Reports at `table` that there is more than `limit` allows.
+pub(super) fn report_limit(table: &Reader, limit: Limit, title: String) {
+    let problem = Problem::at(table.table_place(), title);
+    table.report(problem.expected(format!("at most {}", limit.value())).help(limit.to_string()));
 }
 
 type Id = Option<Placed<String>>;
 
 /// Two objects of one id could not be told apart by events.
 fn report_twins(tables: &[Reader], objects: &[(Id, Option<Object>)]) -> bool {
-    let ids: Vec<_> = objects.iter().map(|(id, _)| id.as_ref()).collect();
+    let mut earlier = HashSet::new();
     let mut twins = false;
-    for (index, id) in ids.iter().enumerate() {
+    for (index, (id, _)) in objects.iter().enumerate() {
         let Some(id) = id else { continue };
-        if ids[..index].iter().flatten().any(|earlier| earlier.value == id.value) {
+        if !earlier.insert(&id.value) {
             let title = format!("two objects are called \"{}\"", id.value);
             tables[index].report(Problem::of(id, title).expected("an id of its own"));
             twins = true;

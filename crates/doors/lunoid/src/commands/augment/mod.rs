@@ -13,8 +13,8 @@ use replay::Progress;
 use scenario::Vehicle;
 use timing::{Tolerance, compare};
 use vehicle_shadow::{
-    AugmentError, Augmentation, Camera, DAC_BITS, GroundLaw, Look, Method, OutlineRule, ScanConverter,
-    Sequence, Shape, TrueGround, USUAL_TRACKS, timing_record, tracks_along,
+    AugmentError, Augmentation, Camera, DAC_BITS, GroundLaw, Look, MadeFrom, Method, OutlineRule,
+    ScanConverter, Sequence, ShadowFolder, Shape, TrueGround, USUAL_TRACKS, timing_record, tracks_along,
 };
 
 use crate::cli::COMMIT;
@@ -26,8 +26,6 @@ use crate::{Failure, Verdict, values};
 
 use probing::{Probing, Recording};
 
-/// What was done, beside the pictures.
-const RECORD: &str = "augment.json";
 /// Stands beside the poses of a run.
 const CAMERA: &str = "camera.json";
 /// The ground that is no scenario.
@@ -61,6 +59,9 @@ pub struct Augment {
     /// Folder for the new pictures and their record.
     #[arg(short, long, value_name = "FOLDER")]
     out: PathBuf,
+    /// Remove the pictures that an earlier augmentation left in the folder, and nothing else, and start anew.
+    #[arg(long)]
+    fresh: bool,
     /// How the shadow gets into the video.
     #[arg(long, value_enum, default_value = "synchronised")]
     method: MethodWord,
@@ -166,6 +167,9 @@ impl Augment {
             method: self.method(),
         };
         let mut recording = self.probing.recording(&augmentation, &sequence, self.provenance())?;
+        let from =
+            MadeFrom { inputs: augmentation.inputs.clone(), keys: self.decides(&augmentation, &sequence) };
+        let folder = ShadowFolder::claim(&self.out, &sequence, &from, self.fresh)?;
         let mut nothing = Look::off();
         let look = recording.as_mut().map_or(&mut nothing, |recording| &mut recording.look);
         let cancel = interrupt::listen();
@@ -173,7 +177,7 @@ impl Augment {
         let frames = sequence.frames().len() as u64;
         display.hear(Progress::Begins { what: "frames", frames, kept: 0 });
         let hear = |done| display.hear(Progress::Frame { done });
-        let made = pool.install(|| augmentation.run(&sequence, &self.out, cancel, &hear, look));
+        let made = pool.install(|| augmentation.run(&sequence, &folder, cancel, &hear, look));
         display.end();
         let made = made?;
         if (made.len() as u64) < frames {
@@ -183,8 +187,8 @@ impl Augment {
             ));
             return Ok(Verdict::Interrupted);
         }
-        let record = self.record(&augmentation, &sequence, &made);
-        files::write_atomic(self.out.join(RECORD), |out| writeln!(out, "{record:#}"))?;
+        let mut record = self.record(from.keys.clone(), &sequence, &made);
+        folder.finish(&mut record, &from)?;
         let poses: Vec<_> = sequence.frames().iter().map(|frame| frame.pose).collect();
         let timing = timing_record(
             &self.vehicle,
@@ -204,7 +208,7 @@ impl Augment {
 
     /// Files and folders that the command writes.
     fn outputs(&self) -> Vec<Place> {
-        let made = Place::folder("--out", &self.out, |name| name == RECORD || is_picture(name));
+        let made = Place::folder("--out", &self.out, |name| name == "augment.json" || is_picture(name));
         let timing = Place::given([("--timing", &self.timing)]);
         [made].into_iter().chain(timing).chain(self.probing.outputs()).collect()
     }
@@ -328,6 +332,10 @@ impl From<AugmentError> for Failure {
     fn from(error: AugmentError) -> Self {
         match error {
             AugmentError::File(error) => error.into(),
+            AugmentError::Claim(error) => error.into(),
+            AugmentError::Foreign { .. } | AugmentError::WouldReplace { .. } | AugmentError::Other { .. } => {
+                Self::output(error)
+            }
             AugmentError::Picture(error) => error.into(),
             AugmentError::Photograph(error) => error.into(),
             AugmentError::Folder { doing: "list this folder", .. } => Self::input(error),

@@ -16,22 +16,12 @@ use super::probing::Recorded;
 const TOLD: usize = 60;
 
 impl Augment {
-    /// All of it, as a document.
-    pub(super) fn record(
-        &self,
-        augmentation: &Augmentation,
-        sequence: &Sequence,
-        made: &[FrameWork],
-    ) -> Value {
+    /// The keys of the record that decide every picture beside the old ones.
+    pub(super) fn decides(&self, augmentation: &Augmentation, sequence: &Sequence) -> Value {
         let function = augmentation.shape.function();
         let camera = sequence.camera();
-        let most = |time: fn(&FrameWork) -> f64| made.iter().map(time).fold(0.0, f64::max);
-        let largest = |count: fn(&FrameWork) -> u64| made.iter().map(count).max().unwrap_or(0);
         json!({
-            "schema": "lunoid.augment/1",
             "program": { "name": "lunoid", "version": env!("CARGO_PKG_VERSION"), "commit": COMMIT },
-            "frames_of": self.frames.display().to_string(),
-            "poses": self.poses.display().to_string(),
             "camera": {
                 "field_of_view_deg": camera.angles_of_view(),
                 "roll_drawn": camera.rolls,
@@ -52,15 +42,26 @@ impl Augment {
                 GroundLaw::True { tracks, .. } => tracks.len(),
             },
             "method": method_record(&augmentation.method, word(&self.method)),
-            "timing": {
-                "picture_period_s": sequence.period(),
-                "largest_setup_s": most(|frame| frame.times.setup_s),
-                "largest_write_s": most(|frame| frame.times.write_s),
-                "most_pictures": largest(|frame| frame.times.pictures),
-                "most_line_generators": largest(|frame| frame.work.line_generators),
-            },
-            "frames": made,
         })
+    }
+
+    /// All of it, as a document: what `decides`, and what came of it.
+    pub(super) fn record(&self, decides: Value, sequence: &Sequence, made: &[FrameWork]) -> Value {
+        let most = |time: fn(&FrameWork) -> f64| made.iter().map(time).fold(0.0, f64::max);
+        let largest = |count: fn(&FrameWork) -> u64| made.iter().map(count).max().unwrap_or(0);
+        let mut record = decides;
+        record["schema"] = "lunoid.augment/1".into();
+        record["frames_of"] = self.frames.display().to_string().into();
+        record["poses"] = self.poses.display().to_string().into();
+        record["timing"] = json!({
+            "picture_period_s": sequence.period(),
+            "largest_setup_s": most(|frame| frame.times.setup_s),
+            "largest_write_s": most(|frame| frame.times.write_s),
+            "most_pictures": largest(|frame| frame.times.pictures),
+            "most_line_generators": largest(|frame| frame.work.line_generators),
+        });
+        record["frames"] = json!(made);
+        record
     }
 
     /// Prints it, with what was probed and what came of the baseline.

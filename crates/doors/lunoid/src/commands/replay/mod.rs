@@ -31,7 +31,7 @@ use crate::output::{Place, expect_outputs, print, print_json, tell};
 use crate::progress::Saying;
 use crate::{Failure, Verdict, values};
 use summary::Summary;
-use text::Span;
+use text::{Span, visible};
 
 const AFTER: &str = "Examples:
   lunoid replay scenarios/first-light.toml
@@ -309,7 +309,7 @@ impl Replay {
             (true, _, _) => print_json(&summary.document()),
             (_, true, _) => Ok(()),
             (_, _, true) => {
-                tell(&summary.text());
+                tell(&visible(&summary.text()));
                 Ok(())
             }
             _ => print(&summary.text()),

@@ -4,6 +4,7 @@ use std::fs;
 use std::path::Path;
 use std::time::Instant;
 
+use files::Kind;
 use generator::Stage;
 use rayon::ThreadPool;
 use replay::{Job, Outcome, Phase, RUN_RECORD, ReplayError, RunFolder};
@@ -215,8 +216,9 @@ fn expect_no_run(out: &Path) -> Result<(), Failure> {
             out.display()
         )))
     };
-    if out.exists() && !out.is_dir() {
-        return refused("a file of this name".into());
+    match Kind::of(out) {
+        Ok(Kind::Folder | Kind::Nothing) | Err(_) => {}
+        Ok(kind) => return refused(format!("{} of this name", kind.phrase())),
     }
     if out.join(RUN_RECORD).exists() || (out.join(replay::PAGE).exists() && !out.join(SIDE_BY_SIDE).exists())
     {

@@ -1,9 +1,9 @@
 //! `lunoid state load`: the machine from a file, and on.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use files::make_folder;
 use generator::{PlaneKind, Planes};
 use picture::{Depth, Encoder, Transfer};
 use replay::picture_png;
@@ -103,9 +103,7 @@ impl Load {
         out: &Path,
     ) -> Result<Vec<String>, Failure> {
         if !is_picture(out) {
-            fs::create_dir_all(out).map_err(|error| {
-                Failure::output(format!("{}: cannot make this folder: {error}", out.display()))
-            })?;
+            make_folder(out)?;
         }
         let first = state.head.place.frame;
         let mut written = Vec::new();

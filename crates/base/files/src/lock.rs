@@ -1,13 +1,17 @@
-//! One run a folder at a time.
+//! One writer a folder at a time.
 
-use std::fs::{self, File, OpenOptions, TryLockError};
+use std::fs::{self, File, TryLockError};
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 
-use crate::ReplayError;
+use crate::folder::FolderError;
+use crate::open::open_own;
 
 /// Name of the lock file.
-pub(crate) const LOCK: &str = ".lunoid.lock";
+pub const LOCK: &str = ".lunoid.lock";
+
+/// Bytes of the holder's number that are read: a number has fewer.
+const HOLDER_BYTES: u64 = 20;
 
 /// A lock of the system: it ends with the process, so a file that a killed run left locks nobody out.
 #[derive(Debug)]
@@ -18,14 +22,11 @@ pub(crate) struct Lock {
 
 impl Lock {
     /// Takes the lock of `folder`.
-    pub fn take(folder: &Path) -> Result<Self, ReplayError> {
+    pub fn take(folder: &Path) -> Result<Self, FolderError> {
         let path = folder.join(LOCK);
-        let failed =
-            |source| ReplayError::Folder { path: path.clone(), doing: "lock the run folder", source };
+        let failed = |source| FolderError::System { path: path.clone(), doing: "lock the folder", source };
         loop {
-            let mut options = OpenOptions::new();
-            let mut file =
-                options.read(true).write(true).create(true).truncate(false).open(&path).map_err(failed)?;
+            let file = open_own(&path)?;
             match file.try_lock() {
                 Ok(()) if is_named(&file, &path) => {
                     // From here on whatever fails removes the file.
@@ -39,8 +40,8 @@ impl Lock {
                 Err(TryLockError::WouldBlock) => {
                     let mut holder = String::new();
                     // Without a number the message is still right.
-                    let _ = file.read_to_string(&mut holder);
-                    return Err(ReplayError::Locked { path: folder.to_owned(), holder });
+                    let _ = file.take(HOLDER_BYTES).read_to_string(&mut holder);
+                    return Err(FolderError::Locked { path: folder.to_owned(), holder });
                 }
                 Err(TryLockError::Error(source)) => return Err(failed(source)),
             }
@@ -58,7 +59,7 @@ impl Drop for Lock {
 #[cfg(unix)]
 fn is_named(file: &File, path: &Path) -> bool {
     use std::os::unix::fs::MetadataExt;
-    let (held, named) = (file.metadata(), fs::metadata(path));
+    let (held, named) = (file.metadata(), fs::symlink_metadata(path));
     matches!((held, named), (Ok(held), Ok(named)) if (held.dev(), held.ino()) == (named.dev(), named.ino()))
 }
 
