@@ -194,7 +194,7 @@ fn on_sphere(radius: f64, latitude: f64, longitude: f64, area: [f64; 4]) -> Plac
 fn check_inside(elevation: &Elevation, area: [f64; 4]) -> Result<(), SurveyError> {
     let (held, step) = (elevation.extent(), elevation.affine.step.map(f64::abs));
     let geographic = matches!(elevation.frame, Frame::Geographic { .. });
-    let around = elevation.turn().is_some();
+    let around = elevation.grid().turn().is_some();
     let fits = |axis: usize| {
         let free = axis == 1 && around;
         free || (area[axis] >= held[axis] - step[axis] && area[2 + axis] <= held[2 + axis] + step[axis])
@@ -220,7 +220,7 @@ fn check_resampled(elevation: &Elevation, plane: &Projection, size: [f64; 2]) ->
     let step = elevation.affine.step.map(f64::abs);
     let within = |at: f64, low: f64, high: f64, step: f64| at >= low - step && at <= high + step;
     let inside = within(plane.latitude, held[0], held[2], step[0])
-        && (elevation.turn().is_some() || within(longitude, held[1], held[3], step[1]));
+        && (elevation.grid().turn().is_some() || within(longitude, held[1], held[3], step[1]));
     let samples = size.iter().map(|length| length / (plane.radius * step[0])).product::<f64>();
     let fits = samples <= 4.0 * (elevation.lines * elevation.columns) as f64;
     if inside && fits && size.iter().all(|length| *length > 0.0 && *length < 1.4 * plane.radius) {
@@ -273,7 +273,7 @@ fn take(elevation: &Elevation, origin: [f64; 2], metres: [f64; 2], wanted: [f64;
     let affine = elevation.affine;
     let [north, east] =
         [0, 1].map(|k| walk(affine.first[k], affine.step[k], counts[k], origin[k], metres[k], wanted[k]));
-    let turn = elevation.turn();
+    let turn = elevation.grid().turn();
     let mut heights = Vec::with_capacity(north.count * east.count);
     for i in 0..north.count {
         let line = usize::try_from(north.file_first + i as i64 * north.file_step).unwrap_or(usize::MAX);
@@ -289,7 +289,7 @@ fn take(elevation: &Elevation, origin: [f64; 2], metres: [f64; 2], wanted: [f64;
         step: [north.step, east.step],
         count: [north.count, east.count],
         heights,
-        file_first: [north.file_first, east.file_first],
+        file_first: [0, 1].map(|k| [north.file_first, east.file_first][k] + elevation.corner[k] as i64),
         file_step: [north.file_step, east.file_step],
     }
 }
@@ -313,7 +313,7 @@ fn between(elevation: &Elevation, [latitude, longitude]: [f64; 2]) -> Option<f64
     let middle = 0.5 * (elevation.extent()[1] + elevation.extent()[3]);
     let longitude = middle + wrap(longitude - middle);
     let at = [(latitude - affine.first[0]) / affine.step[0], (longitude - affine.first[1]) / affine.step[1]];
-    let (floor, turn) = (at.map(f64::floor), elevation.turn());
+    let (floor, turn) = (at.map(f64::floor), elevation.grid().turn());
     let [u, v] = [at[0] - floor[0], at[1] - floor[1]];
     let sample = |i: i64, j: i64| {
         let column = floor[1] as i64 + j;

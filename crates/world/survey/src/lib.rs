@@ -42,7 +42,7 @@ pub use elevation::{Affine, Elevation, Frame};
 pub use error::SurveyError;
 pub use fit::Stiffness;
 pub use projection::{Method, Projection};
-pub use read::{Fate, ReadOptions, VOCABULARIES, Vocabulary, Word, read, words_page};
+pub use read::{Fate, Opened, ReadOptions, VOCABULARIES, Vocabulary, Window, Word, open, read, words_page};
 pub use report::{SurveyReport, Worst};
 pub use survey::{Grid, Step, Survey, SurveyOptions, survey};
 pub use told::SurveyTold;

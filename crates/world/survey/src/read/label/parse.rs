@@ -1,4 +1,4 @@
-//! PDS3 labels: keyword = value statements of the Object Description Language.
+//! Labels of PDS3 and ISIS: keyword = value statements of the Object Description Language.
 
 use crate::read::words::seen;
 
