@@ -1,6 +1,7 @@
 //! Elevation files into coefficient banks.
 //!
-//! [`read()`] takes a GeoTIFF, a PDS3 image, a DTED cell, an SRTM tile or a `.npy` array and gives an [`Elevation`];
+//! [`read()`] takes a GeoTIFF, a PDS3 image, a PDS4 array, an ISIS cube, an ENVI raster, an Arc ASCII grid, a DTED cell, an
+//! SRTM tile or a `.npy` array and gives an [`Elevation`]; [`open()`] reads its header alone, and then a [`Window`] of it;
 //! [`survey()`] cuts an [`Area`] out of it and fits the Lagrange 2-2 lattice to the samples by least squares, all words at
 //! once. [`VOCABULARIES`] has every name that the readers know, and what becomes of each.
 //! Axes of the bank: x north, y east, origin at the south-west corner of the area.

@@ -1,22 +1,28 @@
 //! Elevation files into memory.
 
+mod ascii;
 mod bands;
 mod beside;
 mod dted;
 mod earth;
+mod envi;
 mod geotiff;
 mod hgt;
+mod isis;
 mod kind;
 mod label;
+mod map;
 mod npy;
 mod opened;
 mod options;
 mod page;
 mod pds3;
+mod pds4;
 mod raw;
 mod refusal;
 mod samples;
 mod unit;
+mod wkt;
 mod words;
 
 use std::fs::File;
@@ -42,8 +48,8 @@ pub fn read(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Elevation, 
     open(path, options)?.all()
 }
 
-/// Opens a GeoTIFF, a PDS3 image (by image or label), a DTED cell, a `.npy` array or an SRTM tile. The ending `.hgt` makes a
-/// tile; else the first bytes decide.
+/// Opens a GeoTIFF, a PDS3 image or PDS4 array (by data or label), an ISIS cube, an ENVI raster (by header or samples), an Arc
+/// ASCII grid, a DTED cell, a `.npy` array or an SRTM tile. The ending `.hgt` makes a tile; else the first bytes decide.
 ///
 /// # Errors
 /// If the file is missing, its header is damaged or of another kind, or an option is needed.
@@ -57,10 +63,11 @@ pub fn open(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Opened, Sur
         [0x93, b'N', b'U', b'M', b'P', b'Y', ..] => npy::open(path, options)?,
         _ if dted::is_dted(&start) => dted::open(path, options)?,
         _ if pds3::is_label(&start) => pds3::open(path, options)?,
-        _ => match beside::with_ending(path, "lbl")? {
-            Some(label) => pds3::open(&label, options)?,
-            None => return Err(unknown(path, &start)),
-        },
+        _ if pds4::is_label(&start) => pds4::open(path, options)?,
+        _ if isis::is_cube(&start) => isis::open(path, options)?,
+        _ if envi::is_header(&start) => envi::open(path, None, options)?,
+        _ if ascii::is_grid(&start) => ascii::open(path, options)?,
+        _ => by_label(path, &start, options)?,
     };
     check_globe(path, &opened.grid)?;
     let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
@@ -68,6 +75,21 @@ pub fn open(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Opened, Sur
     opened.title = visible(&title);
     opened.path = path.to_path_buf();
     Ok(opened)
+}
+
+/// Opens samples that say nothing about themselves by the label or header beside them.
+fn by_label(path: &Path, start: &[u8], options: &ReadOptions) -> Result<Opened, SurveyError> {
+    if let Some(label) = beside::with_ending(path, "lbl")? {
+        let is_cube = isis::is_cube(&first_bytes(&label)?);
+        return if is_cube { isis::open(&label, options) } else { pds3::open(&label, options) };
+    }
+    if let Some(label) = beside::with_ending(path, "xml")?.filter(|label| label != path) {
+        return pds4::open(&label, options);
+    }
+    match envi::header_of(path)? {
+        Some(header) => envi::open(&header, Some(path), options),
+        None => Err(unknown(path, start)),
+    }
 }
 
 /// Refuses places that are on no globe, as those of a file whose metres are said to be degrees.
