@@ -1,12 +1,15 @@
 //! Which part of a file becomes the bank, and how its samples come into the axes of the bank.
 
+use std::f64::consts::{FRAC_PI_2, PI};
+
 use landscape::{Georeference, LUNOID_RADIUS};
 use quantities::degrees;
 
-use crate::elevation::{Elevation, Frame};
+use crate::elevation::{Elevation, Frame, Grid};
 use crate::error::SurveyError;
 use crate::patch::Patch;
 use crate::projection::{Method, Projection, wrap};
+use crate::read::Window;
 
 /// The ground to survey.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -77,6 +80,14 @@ struct Placed {
     resampled: Option<Projection>,
 }
 
+impl Placed {
+    /// Size to the north and to the east (m).
+    fn size(&self) -> [f64; 2] {
+        let [south, west, north, east] = self.area;
+        [(north - south) * self.metres[0], (east - west) * self.metres[1]]
+    }
+}
+
 /// Cuts `area` out of `elevation`. `reach(size)` says how far to the north and east (m) samples are wanted for an
 /// area of that size: the last regions may go beyond it.
 ///
@@ -87,16 +98,17 @@ pub fn cut(
     area: Area,
     reach: impl FnOnce([f64; 2]) -> Result<[f64; 2], SurveyError>,
 ) -> Result<Cut, SurveyError> {
-    let placed = place(elevation, area)?;
-    let [south, west, north, east] = placed.area;
-    let size = [(north - south) * placed.metres[0], (east - west) * placed.metres[1]];
+    let grid = elevation.grid();
+    let placed = place(&grid, area)?;
+    let size = placed.size();
+    let [south, west, ..] = placed.area;
     let patch = match &placed.resampled {
         Some(plane) => {
-            check_resampled(elevation, plane, size)?;
+            check_resampled(&grid, elevation.file_size, plane, size)?;
             resample(elevation, plane, size, reach(size)?)
         }
         None => {
-            check_inside(elevation, placed.area)?;
+            check_inside(&grid, placed.area)?;
             take(elevation, [south, west], placed.metres, reach(size)?)
         }
     };
@@ -113,7 +125,69 @@ pub fn cut(
     Ok(Cut { patch, area: placed.area, georeference, true_north: placed.true_north, warnings })
 }
 
-fn place(elevation: &Elevation, area: Area) -> Result<Placed, SurveyError> {
+/// The lines and columns of a file on `grid` that a survey of `area` needs; `reach` is that of [`cut`].
+///
+/// # Errors
+/// If the area does not go with the file or lies outside it.
+pub fn window(
+    grid: &Grid,
+    area: Area,
+    reach: impl FnOnce([f64; 2]) -> Result<[f64; 2], SurveyError>,
+) -> Result<Window, SurveyError> {
+    let placed = place(grid, area)?;
+    let size = placed.size();
+    let [south, west, north, east] = match &placed.resampled {
+        Some(plane) => {
+            check_resampled(grid, [grid.lines, grid.columns], plane, size)?;
+            around(grid, plane, size, reach(size)?)
+        }
+        None => {
+            check_inside(grid, placed.area)?;
+            let reach = reach(size)?;
+            let [south, west, ..] = placed.area;
+            [south, west, south + reach[0] / placed.metres[0], west + reach[1] / placed.metres[1]]
+        }
+    };
+    let touched = |axis: usize, edges: [f64; 2]| {
+        let [a, b] = edges.map(|edge| (edge - grid.affine.first[axis]) / grid.affine.step[axis]);
+        // One sample more on each side: some are interpolated.
+        [a.min(b).floor() as i64 - 1, a.max(b).ceil() as i64 + 2]
+    };
+    let held = |[start, end]: [i64; 2], count: usize| {
+        let held = |at: i64| at.clamp(0, count as i64) as usize;
+        held(start)..held(end)
+    };
+    let (lines, columns) = (touched(0, [south, north]), touched(1, [west, east]));
+    let columns = match grid.turn() {
+        Some(turn) if columns[1] - columns[0] >= turn as i64 => 0..grid.columns,
+        Some(turn) => {
+            let start = columns[0].rem_euclid(turn as i64) as usize;
+            start..start + (columns[1] - columns[0]) as usize
+        }
+        None => held(columns, grid.columns),
+    };
+    Ok(Window { lines: held(lines, grid.lines), columns })
+}
+
+/// South, west, north, east (rad) of a cap of the sphere that holds what is interpolated to a plane.
+fn around(grid: &Grid, plane: &Projection, size: [f64; 2], reach: [f64; 2]) -> [f64; 4] {
+    let far = [0, 1].map(|k| (0.5 * size[k]).max(reach[k] - 0.5 * size[k]));
+    let radius = libm::asin((libm::hypot(far[0], far[1]) / plane.radius).min(1.0));
+    let [_, west, _, east] = grid.extent();
+    let middle = 0.5 * (west + east);
+    let longitude = middle + wrap(plane.longitude - middle);
+    let [low, high] = [plane.latitude - radius, plane.latitude + radius];
+    let sine = libm::sin(radius) / libm::cos(plane.latitude);
+    let reaches_pole = low.min(-high) <= -FRAC_PI_2 || sine >= 1.0;
+    let across = if reaches_pole { PI } else { libm::asin(sine) };
+    let crosses = (longitude - middle).abs() + across >= PI;
+    if grid.turn().is_none() && crosses {
+        return [low, west, high, east];
+    }
+    [low, longitude - across, high, longitude + across]
+}
+
+fn place(elevation: &Grid, area: Area) -> Result<Placed, SurveyError> {
     match (elevation.frame, area) {
         (Frame::Plane(projection), Area::Whole) => Ok(in_plane(elevation.extent(), projection)),
         (Frame::Plane(projection), Area::Metres { south, west, north, east }) => {
@@ -191,16 +265,16 @@ fn on_sphere(radius: f64, latitude: f64, longitude: f64, area: [f64; 4]) -> Plac
     }
 }
 
-fn check_inside(elevation: &Elevation, area: [f64; 4]) -> Result<(), SurveyError> {
+fn check_inside(elevation: &Grid, area: [f64; 4]) -> Result<(), SurveyError> {
     let (held, step) = (elevation.extent(), elevation.affine.step.map(f64::abs));
     let geographic = matches!(elevation.frame, Frame::Geographic { .. });
-    let around = elevation.grid().turn().is_some();
+    let around = elevation.turn().is_some();
     let fits = |axis: usize| {
         let free = axis == 1 && around;
         free || (area[axis] >= held[axis] - step[axis] && area[2 + axis] <= held[2 + axis] + step[axis])
     };
     let sane = area.iter().all(|edge| edge.is_finite()) && area[2] > area[0] && area[3] > area[1];
-    let at_most_a_turn = !around || area[3] - area[1] <= 2.0 * std::f64::consts::PI * (1.0 + 1e-9);
+    let at_most_a_turn = !around || area[3] - area[1] <= 2.0 * PI * (1.0 + 1e-9);
     if sane && at_most_a_turn && fits(0) && fits(1) {
         return Ok(());
     }
@@ -213,16 +287,21 @@ fn check_inside(elevation: &Elevation, area: [f64; 4]) -> Result<(), SurveyError
 }
 
 /// The centre must lie in the file, and the plane must not be larger than what the file can fill.
-fn check_resampled(elevation: &Elevation, plane: &Projection, size: [f64; 2]) -> Result<(), SurveyError> {
+fn check_resampled(
+    elevation: &Grid,
+    file_size: [usize; 2],
+    plane: &Projection,
+    size: [f64; 2],
+) -> Result<(), SurveyError> {
     let held = elevation.extent();
     let middle = 0.5 * (held[1] + held[3]);
     let longitude = middle + wrap(plane.longitude - middle);
     let step = elevation.affine.step.map(f64::abs);
     let within = |at: f64, low: f64, high: f64, step: f64| at >= low - step && at <= high + step;
     let inside = within(plane.latitude, held[0], held[2], step[0])
-        && (elevation.grid().turn().is_some() || within(longitude, held[1], held[3], step[1]));
+        && (elevation.turn().is_some() || within(longitude, held[1], held[3], step[1]));
     let samples = size.iter().map(|length| length / (plane.radius * step[0])).product::<f64>();
-    let fits = samples <= 4.0 * (elevation.lines * elevation.columns) as f64;
+    let fits = samples <= 4.0 * file_size[0] as f64 * file_size[1] as f64;
     if inside && fits && size.iter().all(|length| *length > 0.0 && *length < 1.4 * plane.radius) {
         return Ok(());
     }

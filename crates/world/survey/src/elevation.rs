@@ -79,6 +79,8 @@ pub struct Elevation {
     pub columns: usize,
     /// Line and column of the file where line 0 and column 0 stand: not 0 for a window of it.
     pub corner: [usize; 2],
+    /// Lines of the whole file and samples of a line.
+    pub file_size: [usize; 2],
     /// Place of the samples.
     pub affine: Affine,
     /// Meaning of the places.
@@ -98,7 +100,8 @@ impl Elevation {
     pub fn new(lines: usize, columns: usize, mut heights: Vec<f64>, affine: Affine, frame: Frame) -> Self {
         heights.resize(lines * columns, f64::NAN);
         let (title, sources, notes) = (String::new(), Vec::new(), Vec::new());
-        Self { lines, columns, corner: [0; 2], affine, frame, title, sources, notes, heights }
+        let file_size = [lines, columns];
+        Self { lines, columns, corner: [0; 2], file_size, affine, frame, title, sources, notes, heights }
     }
 
     /// A window of a file on `grid`, with heights as [`Elevation::new`] takes them.
@@ -113,7 +116,8 @@ impl Elevation {
         let corner = [window.lines.start, window.columns.start];
         let affine = Affine { first: grid.place(corner[0], corner[1]), ..grid.affine };
         let whole = Self::new(window.lines.len(), window.columns.len(), heights, affine, grid.frame);
-        Self { corner, title, sources, notes, ..whole }
+        let file_size = [grid.lines, grid.columns];
+        Self { corner, file_size, title, sources, notes, ..whole }
     }
 
     /// Number and place of the samples.

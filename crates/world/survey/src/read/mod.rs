@@ -27,7 +27,7 @@ mod words;
 
 use std::fs::File;
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use quantities::degrees;
 
@@ -70,6 +70,7 @@ pub fn open(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Opened, Sur
         _ => by_label(path, &start, options)?,
     };
     check_globe(path, &opened.grid)?;
+    opened.notes.extend(other_metadata(&opened.sources));
     let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let title = if opened.title.is_empty() { stem } else { format!("{stem}: {}", opened.title) };
     opened.title = visible(&title);
@@ -90,6 +91,15 @@ fn by_label(path: &Path, start: &[u8], options: &ReadOptions) -> Result<Opened, 
         Some(header) => envi::open(&header, Some(path), options),
         None => Err(unknown(path, start)),
     }
+}
+
+/// Notes on metadata of GDAL's beside the files, which are not read.
+fn other_metadata(sources: &[PathBuf]) -> Vec<String> {
+    let beside = sources.iter().map(|path| beside::going_on(path, ".aux.xml")).filter(|path| path.is_file());
+    let note = |path: PathBuf| {
+        format!("{} is not read: it may hold a no-data value, a scale or a place", path.display())
+    };
+    beside.map(note).collect()
 }
 
 /// Refuses places that are on no globe, as those of a file whose metres are said to be degrees.

@@ -140,14 +140,16 @@ impl Opened {
         let most = most.max(self.grid.columns);
         let fits = |range: &Range<usize>, most: usize| range.start < range.end && range.end <= most;
         let is_inside = fits(&window.lines, self.grid.lines) && fits(&window.columns, most);
-        if !is_inside || window.columns.start >= self.grid.columns {
+        let goes_around = window.columns.end > self.grid.columns;
+        let first = turn.filter(|_| goes_around).unwrap_or(self.grid.columns);
+        if !is_inside || window.columns.start >= first {
             return Err(SurveyError::Option {
                 option: "window",
                 found: format!("lines {:?}, columns {:?}", window.lines, window.columns),
                 expected: format!("some of {} lines and {most} columns", self.grid.lines),
             });
         }
-        let Some(turn) = turn.filter(|_| window.columns.end > self.grid.columns) else {
+        let Some(turn) = turn.filter(|_| goes_around) else {
             return Ok(vec![window.clone()]);
         };
         let part = |columns| Window { lines: window.lines.clone(), columns };

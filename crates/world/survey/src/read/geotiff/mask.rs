@@ -88,15 +88,8 @@ fn hide(samples: &mut [f64], mask: &[f64]) {
     masked.for_each(|(sample, _)| *sample = f64::NAN);
 }
 
-/// A mask of GDAL's beside the file is read; other metadata of GDAL's are told.
+/// A mask of GDAL's beside the file.
 fn beside(path: &Path, size: [usize; 2], notes: &mut Vec<String>) -> Result<Option<Mask>, SurveyError> {
-    let metadata = going_on(path, ".aux.xml");
-    if metadata.is_file() {
-        notes.push(format!(
-            "{} is not read: it may hold a no-data value, a scale or a place",
-            metadata.display()
-        ));
-    }
     let file = going_on(path, ".msk");
     if !file.is_file() {
         return Ok(None);

@@ -246,9 +246,7 @@ pub const DISPLAY: Vocabulary = Vocabulary {
     kind: "element of Display_Settings in a PDS4 label",
     prefix: "element:",
     words: &[
-        named("Local_Internal_Reference", Used(INSIDE)),
-        named("local_identifier_reference", Used("the array that is shown")),
-        named("local_reference_type", Harmless("what the reference is for")),
+        named("Local_Internal_Reference", Harmless("which array is shown: all must be shown alike")),
         named("Display_Direction", Used(INSIDE)),
         named("horizontal_display_axis", Only(&["Sample"], "a turned image")),
         named("horizontal_display_direction", Only(&["Left to Right"], "a mirrored image")),
