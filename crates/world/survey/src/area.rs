@@ -1,6 +1,6 @@
 //! Which part of a file becomes the bank, and how its samples come into the axes of the bank.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::PI;
 
 use landscape::{Georeference, LUNOID_RADIUS};
 use quantities::degrees;
@@ -9,7 +9,6 @@ use crate::elevation::{Elevation, Frame, Grid};
 use crate::error::SurveyError;
 use crate::patch::Patch;
 use crate::projection::{Method, Projection, wrap};
-use crate::read::Window;
 
 /// The ground to survey.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -70,19 +69,20 @@ pub struct Cut {
 const STRETCH: f64 = 0.01;
 
 /// An area in the coordinates of the file (or of the plane it is interpolated to), before samples are taken.
-struct Placed {
-    area: [f64; 4],
+pub(crate) struct Placed {
+    /// South, west, north, east.
+    pub area: [f64; 4],
     /// Metres a unit of the file's coordinates: north, east.
-    metres: [f64; 2],
+    pub metres: [f64; 2],
     centre: Option<[f64; 2]>,
     true_north: Option<f64>,
     /// The plane onto which samples are interpolated; the area is then in its metres.
-    resampled: Option<Projection>,
+    pub resampled: Option<Projection>,
 }
 
 impl Placed {
     /// Size to the north and to the east (m).
-    fn size(&self) -> [f64; 2] {
+    pub fn size(&self) -> [f64; 2] {
         let [south, west, north, east] = self.area;
         [(north - south) * self.metres[0], (east - west) * self.metres[1]]
     }
@@ -125,69 +125,7 @@ pub fn cut(
     Ok(Cut { patch, area: placed.area, georeference, true_north: placed.true_north, warnings })
 }
 
-/// The lines and columns of a file on `grid` that a survey of `area` needs; `reach` is that of [`cut`].
-///
-/// # Errors
-/// If the area does not go with the file or lies outside it.
-pub fn window(
-    grid: &Grid,
-    area: Area,
-    reach: impl FnOnce([f64; 2]) -> Result<[f64; 2], SurveyError>,
-) -> Result<Window, SurveyError> {
-    let placed = place(grid, area)?;
-    let size = placed.size();
-    let [south, west, north, east] = match &placed.resampled {
-        Some(plane) => {
-            check_resampled(grid, [grid.lines, grid.columns], plane, size)?;
-            around(grid, plane, size, reach(size)?)
-        }
-        None => {
-            check_inside(grid, placed.area)?;
-            let reach = reach(size)?;
-            let [south, west, ..] = placed.area;
-            [south, west, south + reach[0] / placed.metres[0], west + reach[1] / placed.metres[1]]
-        }
-    };
-    let touched = |axis: usize, edges: [f64; 2]| {
-        let [a, b] = edges.map(|edge| (edge - grid.affine.first[axis]) / grid.affine.step[axis]);
-        // One sample more on each side: some are interpolated.
-        [a.min(b).floor() as i64 - 1, a.max(b).ceil() as i64 + 2]
-    };
-    let held = |[start, end]: [i64; 2], count: usize| {
-        let held = |at: i64| at.clamp(0, count as i64) as usize;
-        held(start)..held(end)
-    };
-    let (lines, columns) = (touched(0, [south, north]), touched(1, [west, east]));
-    let columns = match grid.turn() {
-        Some(turn) if columns[1] - columns[0] >= turn as i64 => 0..grid.columns,
-        Some(turn) => {
-            let start = columns[0].rem_euclid(turn as i64) as usize;
-            start..start + (columns[1] - columns[0]) as usize
-        }
-        None => held(columns, grid.columns),
-    };
-    Ok(Window { lines: held(lines, grid.lines), columns })
-}
-
-/// South, west, north, east (rad) of a cap of the sphere that holds what is interpolated to a plane.
-fn around(grid: &Grid, plane: &Projection, size: [f64; 2], reach: [f64; 2]) -> [f64; 4] {
-    let far = [0, 1].map(|k| (0.5 * size[k]).max(reach[k] - 0.5 * size[k]));
-    let radius = libm::asin((libm::hypot(far[0], far[1]) / plane.radius).min(1.0));
-    let [_, west, _, east] = grid.extent();
-    let middle = 0.5 * (west + east);
-    let longitude = middle + wrap(plane.longitude - middle);
-    let [low, high] = [plane.latitude - radius, plane.latitude + radius];
-    let sine = libm::sin(radius) / libm::cos(plane.latitude);
-    let reaches_pole = low.min(-high) <= -FRAC_PI_2 || sine >= 1.0;
-    let across = if reaches_pole { PI } else { libm::asin(sine) };
-    let crosses = (longitude - middle).abs() + across >= PI;
-    if grid.turn().is_none() && crosses {
-        return [low, west, high, east];
-    }
-    [low, longitude - across, high, longitude + across]
-}
-
-fn place(elevation: &Grid, area: Area) -> Result<Placed, SurveyError> {
+pub(crate) fn place(elevation: &Grid, area: Area) -> Result<Placed, SurveyError> {
     match (elevation.frame, area) {
         (Frame::Plane(projection), Area::Whole) => Ok(in_plane(elevation.extent(), projection)),
         (Frame::Plane(projection), Area::Metres { south, west, north, east }) => {
@@ -265,7 +203,7 @@ fn on_sphere(radius: f64, latitude: f64, longitude: f64, area: [f64; 4]) -> Plac
     }
 }
 
-fn check_inside(elevation: &Grid, area: [f64; 4]) -> Result<(), SurveyError> {
+pub(crate) fn check_inside(elevation: &Grid, area: [f64; 4]) -> Result<(), SurveyError> {
     let (held, step) = (elevation.extent(), elevation.affine.step.map(f64::abs));
     let geographic = matches!(elevation.frame, Frame::Geographic { .. });
     let around = elevation.turn().is_some();
@@ -287,7 +225,7 @@ fn check_inside(elevation: &Grid, area: [f64; 4]) -> Result<(), SurveyError> {
 }
 
 /// The centre must lie in the file, and the plane must not be larger than what the file can fill.
-fn check_resampled(
+pub(crate) fn check_resampled(
     elevation: &Grid,
     file_size: [usize; 2],
     plane: &Projection,
@@ -363,12 +301,16 @@ fn take(elevation: &Elevation, origin: [f64; 2], metres: [f64; 2], wanted: [f64;
             heights.push(elevation.height(line, column).unwrap_or(f64::NAN));
         }
     }
+    // Columns count once around the globe, from the file's own first one.
+    let file = Grid { columns: elevation.file_size[1], ..elevation.grid() };
+    let column = east.file_first + elevation.corner[1] as i64;
+    let column = file.turn().map_or(column, |turn| column.rem_euclid(turn as i64));
     Patch {
         first: [north.first, east.first],
         step: [north.step, east.step],
         count: [north.count, east.count],
         heights,
-        file_first: [0, 1].map(|k| [north.file_first, east.file_first][k] + elevation.corner[k] as i64),
+        file_first: [north.file_first + elevation.corner[0] as i64, column],
         file_step: [north.file_step, east.file_step],
     }
 }

@@ -37,6 +37,7 @@ mod read;
 mod report;
 mod survey;
 mod told;
+mod window;
 
 pub use area::{Area, Plane};
 pub use elevation::{Affine, Elevation, Frame};

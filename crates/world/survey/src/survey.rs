@@ -4,7 +4,7 @@ use landscape::{Bank, LUNOID_RADIUS};
 use quantities::unit_interval;
 use rayon::prelude::*;
 
-use crate::area::{Area, Cut, cut, window};
+use crate::area::{Area, Cut, cut};
 use crate::elevation::Elevation;
 use crate::error::SurveyError;
 use crate::fill::fill;
@@ -13,6 +13,7 @@ use crate::measure::{empty_regions, measure};
 use crate::patch::Patch;
 use crate::read::{Opened, Window};
 use crate::report::{LevelReport, SurveyReport};
+use crate::window::window;
 
 /// What to survey and how.
 #[derive(Debug, Clone, PartialEq)]

@@ -28,8 +28,8 @@ pub const VOCABULARIES: [(&str, &Vocabulary); 24] = [
     ("Keywords of Mapping", &isis::words::MAPPING),
     ("Keys of the header", &envi::words::KEYS),
     ("Keys of the head", &ascii::KEYS),
-    ("Elements", &wkt::ELEMENTS),
-    ("Parameters of a map", &wkt::PARAMETERS),
+    ("Elements", &wkt::words::ELEMENTS),
+    ("Parameters of a map", &wkt::words::PARAMETERS),
     ("Fields of the headers and records", &dted::FIELDS),
 ];
 

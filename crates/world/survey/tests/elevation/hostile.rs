@@ -44,12 +44,12 @@ fn sizes_that_no_file_can_hold() {
 
 #[test]
 fn files_that_are_cut_short() {
-    let core = words(&quarters());
+    let (core, whole) = (words(&quarters()), cube(ISIS, &words(&quarters())));
     let cut = |bytes: &[u8], at: usize| bytes[..bytes.len() * at / 16].to_vec();
     for at in 0..16 {
         refused(&Made::new(&[("made.xml", PDS4.as_bytes()), ("made.dat", &cut(&core, at))]));
         refused(&Made::new(&[("made.xml", &cut(PDS4.as_bytes(), at)), ("made.dat", &core)]));
-        refused(&Made::new(&[("made.cub", &cut(&cube(ISIS, &core[..core.len() - 2048]), at))]));
+        refused(&Made::new(&[("made.cub", &cut(&whole[..whole.len() - 2048], at))]));
         refused(&Made::new(&[("made.hdr", ENVI.as_bytes()), ("made.dat", &cut(&core, at))]));
         refused(&Made::new(&[("made.asc", &cut(format!("{HEAD}{}", numbers()).as_bytes(), at))]));
         refused(&ascii(HEAD, &PRJ[..PRJ.len() * at / 16]));

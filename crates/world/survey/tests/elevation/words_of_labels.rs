@@ -31,7 +31,8 @@ fn elements(label: &str, behind: &str, name: &str) -> Vec<[Outcome; 2]> {
     let values: &[&str] = if is_container(name) { &["<Mystery>1</Mystery>"] } else { &["250", "@@", "7"] };
     let prefixes = ["<", "<cart:", "<disp:"].map(|prefix| format!("{prefix}{name}>"));
     let with_unit = ["<", "<cart:"].map(|prefix| format!("{prefix}{name} "));
-    let base = if is_container(name) {
+    // The array and the file beside it have a name inside the label, each decided by its own table.
+    let base = if is_container(name) || (name == "local_identifier" && behind != "<Array_2D_Image>") {
         label.to_owned()
     } else {
         without(label, &[prefixes.to_vec(), with_unit.to_vec()].concat())

@@ -124,7 +124,8 @@ fn entries(path: &Path, text: &str) -> Result<Vec<Entry>, SurveyError> {
         };
         let (mut inside, mut is_closed) = (inside.to_owned(), inside.contains('}'));
         while !is_closed {
-            let Some((_, more)) = lines.next() else { return damaged(line, text, "a closing brace") };
+            let more = lines.next().map(|(_, more)| more).filter(|more| !more.contains('{'));
+            let Some(more) = more else { return damaged(line, text, "a closing brace") };
             inside.push(' ');
             inside.push_str(more.trim());
             is_closed = more.contains('}');

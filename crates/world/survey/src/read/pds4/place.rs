@@ -91,8 +91,9 @@ impl Cartography<'_, '_> {
         let (resolution, scale) = (format!("pixel_resolution_{axis}"), format!("pixel_scale_{axis}"));
         let length = |unit: &str| any_case(length_of_sample)(if unit.is_empty() { "m/pixel" } else { unit });
         let resolution = [resolution.as_str(), "pixel_resolution"];
-        if let Some(found) = self.label.number_of(self.node, &resolution, length)? {
-            return Some(found).filter(|step| *step > 0.0).ok_or_else(|| self.label.missing(resolution[0]));
+        if let Some(found) = self.label.any(self.node, &resolution)? {
+            let step = Some(self.label.number(found, length)?).filter(|step| *step > 0.0);
+            return step.ok_or_else(|| self.label.wrong(found, "a length above 0"));
         }
         Ok(self.radius
             / self.positive(&[&scale, "pixel_scale", resolution[0]], any_case(samples_of_angle))?)

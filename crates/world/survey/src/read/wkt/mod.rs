@@ -1,104 +1,21 @@
 //! Coordinate systems as well-known text, version 1 (OGC 01-009), as ENVI headers and `.prj` files have them.
 
+mod element;
+pub mod words;
+
 use std::path::Path;
 
+use self::element::{Element, parse};
+use self::words::{ELEMENTS, PARAMETERS};
 use super::map::{self, Kind, Map};
 use super::refusal::field;
-use super::words::Fate::{Harmless, Only, Refused, Used};
-use super::words::{Decider, Met, Vocabulary, named, seen};
+use super::words::Fate::Used;
+use super::words::{Decider, Met, seen};
 use crate::elevation::{Affine, Frame};
 use crate::error::SurveyError;
 
-/// Elements of well-known text.
-pub const ELEMENTS: Vocabulary = Vocabulary {
-    kind: "element of well-known text",
-    prefix: "wkt:",
-    words: &[
-        named("PROJCS", Used("a map; its unit is the one directly inside")),
-        named("GEOGCS", Used("the body; its unit is that of angles")),
-        named("DATUM", Used("the spheroid is in it")),
-        named("SPHEROID", Used("radius and flattening; a note tells of an ellipsoid")),
-        named("ELLIPSOID", Used("as SPHEROID")),
-        named("PRIMEM", Used("longitude of the prime meridian, which is added")),
-        named("UNIT", Used("metres of a unit of the map, or radians of a unit of angles")),
-        named(
-            "PROJECTION",
-            Used("kind of the map; the metres of an unknown one are taken as they are, with a note"),
-        ),
-        named("PARAMETER", Used("a figure of the map, decided by its own table")),
-        named("AUTHORITY", Harmless("a code of the same system")),
-        named("AXIS", Harmless("names of the axes; the order is that of the file's format")),
-        named("EXTENSION", Harmless("the same system in another language")),
-        named("METADATA", Harmless("text")),
-        named("TOWGS84", Harmless("a shift to another system of the Earth")),
-        named("GEOCCS", Refused("coordinates from the centre of the body")),
-        named("LOCAL_CS", Refused("axes that are tied to nothing")),
-        named("COMPD_CS", Refused("a system of heights of its own")),
-        named("VERT_CS", Refused("a system of heights of its own")),
-        named("VERTCS", Refused("a system of heights of its own")),
-        named("FITTED_CS", Refused("a system within another one")),
-        named("PROJCRS", Refused("well-known text of version 2")),
-        named("GEOGCRS", Refused("well-known text of version 2")),
-        named("GEODCRS", Refused("well-known text of version 2")),
-    ],
-};
-
-/// Parameters of a map, by the letters of their names.
-pub const PARAMETERS: Vocabulary = Vocabulary {
-    kind: "parameter of a map in well-known text",
-    prefix: "parameter:",
-    words: &[
-        named("false_easting", Used("easting of the origin")),
-        named("false_northing", Used("northing of the origin")),
-        named("central_meridian", Used("longitude of the origin")),
-        named("longitude_of_center", Used("longitude of the origin")),
-        named("longitude_of_origin", Used("longitude of the origin")),
-        named("longitude_of_natural_origin", Used("longitude of the origin")),
-        named("latitude_of_origin", Used("latitude of the origin, or of true scale in a polar map")),
-        named("latitude_of_center", Used("as latitude_of_origin")),
-        named("latitude_of_natural_origin", Used("as latitude_of_origin")),
-        named("standard_parallel_1", Used("parallel that is true to scale")),
-        named("latitude_of_1st_standard_parallel", Used("as standard_parallel_1")),
-        named("latitude_of_standard_parallel", Used("as standard_parallel_1")),
-        named("standard_parallel_2", Used("refused if it is another than standard_parallel_1")),
-        named("scale_factor", Used("scale at the pole; 1 in other maps, else refused")),
-        named("scale_factor_at_natural_origin", Used("as scale_factor")),
-        named("azimuth", Only(&["0", "90"], "a turned map")),
-        named("rectified_grid_angle", Only(&["0", "90"], "a turned map")),
-    ],
-};
-
-/// Most elements within one another; those of coordinate systems have five.
-const MOST_NESTED: usize = 16;
 /// Most bytes of a text; those of coordinate systems have some thousand.
 const MOST_BYTES: usize = 1 << 16;
-
-/// An element: its keyword, its text and numbers in order, and the elements inside it.
-#[derive(Debug, Clone, PartialEq, Default)]
-struct Element {
-    keyword: String,
-    texts: Vec<String>,
-    numbers: Vec<f64>,
-    inside: Vec<Element>,
-}
-
-impl Element {
-    fn child(&self, keyword: &str) -> Option<&Element> {
-        self.inside.iter().find(|child| child.keyword == keyword)
-    }
-
-    /// The first element of a keyword at any depth, itself included.
-    fn find(&self, keyword: &str) -> Option<&Element> {
-        if self.keyword == keyword {
-            return Some(self);
-        }
-        self.inside.iter().find_map(|child| child.find(keyword))
-    }
-
-    fn name(&self) -> &str {
-        self.texts.first().map_or("", String::as_str)
-    }
-}
 
 /// A coordinate system.
 #[derive(Debug)]
@@ -121,10 +38,12 @@ impl<'a> System<'a> {
         if text.len() > MOST_BYTES {
             return Err(damaged(format!("{} bytes", text.len()), "at most 65536 bytes of well-known text"));
         }
-        let mut reader = Reader { rest: text, depth: 0 };
-        let root = reader.element().map_err(|found| damaged(found, "KEYWORD[\"NAME\", ...]"))?;
-        if !reader.rest.trim().is_empty() {
-            return Err(damaged(reader.rest.trim().to_owned(), "the end of the coordinate system"));
+        let (root, rest) = parse(text).map_err(|found| damaged(found, "KEYWORD[\"NAME\", ...]"))?;
+        if root.inside.is_empty() {
+            return Err(damaged(text.to_owned(), "KEYWORD[\"NAME\", ...]"));
+        }
+        if !rest.trim().is_empty() {
+            return Err(damaged(rest.trim().to_owned(), "the end of the coordinate system"));
         }
         let system = Self { path, place: place.to_owned(), root };
         system.decide(&system.root, decider)?;
@@ -260,79 +179,6 @@ fn canonical(name: &str) -> String {
     name.trim().to_ascii_lowercase().replace(' ', "_")
 }
 
-/// Reads elements from the front of a text.
-struct Reader<'a> {
-    rest: &'a str,
-    depth: usize,
-}
-
-impl Reader<'_> {
-    /// The next element; the error is what stands in place of one.
-    fn element(&mut self) -> Result<Element, String> {
-        let keyword = self.word();
-        if keyword.is_empty() || !keyword.starts_with(|first: char| first.is_ascii_alphabetic()) {
-            return Err(self.found(&keyword));
-        }
-        let mut element = Element { keyword: keyword.to_ascii_uppercase(), ..Element::default() };
-        if !self.takes(&['[', '(']) {
-            // A bare word, as the direction of an axis.
-            element.texts.push(keyword);
-            return Ok(element);
-        }
-        self.depth += 1;
-        if self.depth > MOST_NESTED {
-            return Err(format!("{} elements within one another", self.depth));
-        }
-        loop {
-            self.value(&mut element)?;
-            if self.takes(&[']', ')']) {
-                self.depth -= 1;
-                return Ok(element);
-            }
-            if !self.takes(&[',']) {
-                return Err(self.found(&element.keyword));
-            }
-        }
-    }
-
-    fn value(&mut self, element: &mut Element) -> Result<(), String> {
-        let rest = self.rest.trim_start();
-        if let Some(quoted) = rest.strip_prefix('"') {
-            let (text, after) = quoted.split_once('"').ok_or_else(|| self.found(&element.keyword))?;
-            element.texts.push(text.to_owned());
-            self.rest = after;
-            return Ok(());
-        }
-        if rest.starts_with(|first: char| first.is_ascii_alphabetic()) {
-            element.inside.push(self.element()?);
-            return Ok(());
-        }
-        let word = self.word();
-        element.numbers.push(word.parse().map_err(|_| self.found(&word))?);
-        Ok(())
-    }
-
-    /// Letters, digits and what numbers are made of.
-    fn word(&mut self) -> String {
-        let rest = self.rest.trim_start();
-        let is_part = |c: char| c.is_ascii_alphanumeric() || "_+-.".contains(c);
-        let end = rest.find(|c| !is_part(c)).unwrap_or(rest.len());
-        self.rest = &rest[end..];
-        rest[..end].to_owned()
-    }
-
-    /// Whether one of these characters comes next, which is then taken.
-    fn takes(&mut self, marks: &[char]) -> bool {
-        let after = self.rest.trim_start().strip_prefix(marks);
-        self.rest = after.unwrap_or(self.rest);
-        after.is_some()
-    }
-
-    fn found(&self, before: &str) -> String {
-        format!("{before}{}", self.rest.chars().take(40).collect::<String>())
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use std::path::Path;
@@ -396,7 +242,7 @@ mod tests {
         unknown(&map("Orthographic", "PARAMETER[\"Skew\",1],", 1.0), "--ignore parameter:skew");
         unknown(&BODY.replace("PRIMEM", "PRIMUM"), "--ignore wkt:PRIMUM");
         unknown(&map("Orthographic", "PARAMETER[\"scale_factor\",2],", 1.0), "1 in this map");
-        unknown("VERT_CS[\"h\"]", "a system of heights");
+        unknown("VERT_CS[\"h\",UNIT[\"m\",1]]", "a system of heights");
         unknown("PROJCS[\"m\",UNIT[\"u\",1]]", "a body");
         unknown(&map("Orthographic", "", 0.0), "above 0");
         unknown(&BODY.replace("1737400.0", "-1"), "a radius above 0");
