@@ -33,7 +33,7 @@ POLE = '  MAP_PROJECTION_TYPE = "POLAR STEREOGRAPHIC"\n  MAP_SCALE = 10 <M/PIXEL
 
 
 def pds3(folder):
-    # Kind, bits, type of NumPy, statements, map, offsets, bytes in front and around lines.
+    # Kind, bits, type of NumPy, statements, map, offsets, bytes in front. GDAL takes integers of 32 bits as reals.
     rows = [
         ("LSB_INTEGER", 16, "<i2", "", FLAT, (500, -100), 0),
         ("MSB_INTEGER", 16, ">i2", "", FLAT, (-500, -100), 0),
@@ -42,8 +42,8 @@ def pds3(folder):
         ("PC_REAL", 32, "<f4", "  MISSING_CONSTANT = -32768\n", FLAT, (500, -100), 0),
         ("IEEE_REAL", 32, ">f4", "  MISSING_CONSTANT = -32768\n", POLE, (-20, -40), 0),
         ("LSB_INTEGER", 16, "<i2", "  MISSING_CONSTANT = -32768\n", POLE, (30, 60), 0),
-        ("MSB_INTEGER", 32, ">i4", "  MISSING_CONSTANT = -32768\n", FLAT, (500.5, -100.5), 0),
-        ("LSB_INTEGER", 32, "<i4", "  SCALING_FACTOR = 0.5\n  OFFSET = 100\n", FLAT, (500, -100), 0),
+        ("MSB_INTEGER", 16, ">i2", "  MISSING_CONSTANT = -32768\n", FLAT, (500.5, -100.5), 0),
+        ("LSB_INTEGER", 16, "<i2", "  SCALING_FACTOR = 0.5\n  OFFSET = 100\n", FLAT, (500, -100), 0),
         ("MSB_INTEGER", 16, ">i2", "  SCALING_FACTOR = 2\n", POLE, (500, -100), 11),
         ("PC_REAL", 32, "<f4", "  BANDS = 1\n  BAND_STORAGE_TYPE = BAND_SEQUENTIAL\n", FLAT, (0, 0), 0),
         ("IEEE_REAL", 64, ">f8", "", FLAT, (500, 30), 0),
@@ -67,7 +67,9 @@ PDS4 = """<?xml version="1.0" encoding="UTF-8"?>
     <cart:Spatial_Reference_Information><cart:Horizontal_Coordinate_System_Definition>
       <cart:Planar>
         <cart:Map_Projection>{map}</cart:Map_Projection>
-        <cart:Planar_Coordinate_Information><cart:Coordinate_Representation>
+        <cart:Planar_Coordinate_Information>
+          <cart:planar_coordinate_encoding_method>Coordinate Pair</cart:planar_coordinate_encoding_method>
+          <cart:Coordinate_Representation>
           <cart:pixel_resolution_x unit="m/pixel">10</cart:pixel_resolution_x>
           <cart:pixel_resolution_y unit="m/pixel">10</cart:pixel_resolution_y>
         </cart:Coordinate_Representation></cart:Planar_Coordinate_Information>
@@ -257,7 +259,8 @@ def envi(folder):
         data = POSITIVE if "u" in stored else GROUND
         data = np.where(HOLES, 99, data)
         data = np.stack([data, data + 1], axis=-1) if bands == 2 else data
-        more = "data ignore value = 99\n" if index % 2 else "wavelength units = Unknown\n"
+        # GDAL does not take the void of integers of 64 bits as one.
+        more = "data ignore value = 99\n" if index % 2 and kind < 14 else "wavelength units = Unknown\n"
         info, system = infos[index % 4]
         text = ENVI.format(kind=kind, order=order, bands=bands, offset=offset, more=more, info=info, system=system)
         (folder / f"{index}.hdr").write_text(text)
