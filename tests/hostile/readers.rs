@@ -28,7 +28,7 @@ pub struct Reader {
 }
 
 /// All readers that are given damaged files.
-pub const READERS: [Reader; 17] = [
+pub const READERS: [Reader; 22] = [
     Reader { name: "scenario", file: "scene.toml", read: |path| said(Scenario::read(path)) },
     Reader {
         name: "path-csv",
@@ -48,6 +48,11 @@ pub const READERS: [Reader; 17] = [
     Reader { name: "pds", file: "dem.lbl", read: elevation },
     Reader { name: "npy", file: "dem.npy", read: elevation },
     Reader { name: "dted", file: "dem.dt0", read: elevation },
+    Reader { name: "pds4", file: "dem.xml", read: |path| beside(path, "dat", &SAMPLES) },
+    Reader { name: "isis", file: "dem.cub", read: elevation },
+    Reader { name: "envi", file: "dem.hdr", read: |path| beside(path, "dat", &SAMPLES) },
+    Reader { name: "ascii", file: "dem.asc", read: elevation },
+    Reader { name: "prj", file: "dem.prj", read: grid_beside },
     Reader {
         name: "png",
         file: "frame.png",
@@ -107,6 +112,23 @@ fn elevation(path: &Path) -> Result<(), String> {
         Err(SurveyError::Option { .. }) => said(read(None)),
         found => said(found),
     }
+}
+
+/// Samples beside a label or header: 24 x 24 words of 16 bits.
+const SAMPLES: [u8; 1152] = [7; 1152];
+
+/// An elevation label with a file beside it that it leads to.
+fn beside(path: &Path, ending: &str, bytes: &[u8]) -> Result<(), String> {
+    fs::write(path.with_extension(ending), bytes).expect("a folder that can be written");
+    elevation(path)
+}
+
+/// A coordinate system beside a grid.
+fn grid_beside(path: &Path) -> Result<(), String> {
+    let grid = path.with_extension("asc");
+    let text = "ncols 2\nnrows 2\nxllcorner 5\nyllcorner 6\ncellsize 1\n1 2\n3 4\n";
+    fs::write(&grid, text).expect("a folder that can be written");
+    elevation(&grid)
 }
 
 /// A whole scenario around a path file.

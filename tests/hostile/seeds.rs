@@ -11,6 +11,10 @@ use state::{Block, BlockKind, Hashes, Head, Identity, Place, State};
 use crate::build::{Tiff, doubles, npy};
 
 const LABEL: &str = include_str!("../../crates/world/survey/tests/ground.lbl");
+const PDS4: &str = include_str!("../../crates/world/survey/tests/elevation/ground.xml");
+const CUBE_LABEL: &str = include_str!("../../crates/world/survey/tests/elevation/ground.pvl");
+const ENVI: &str = include_str!("../../crates/world/survey/tests/elevation/ground.hdr");
+const SYSTEM: &str = include_str!("../../crates/world/survey/tests/elevation/ground.prj");
 
 const CUBE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\no box\n\
                     f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
@@ -61,6 +65,12 @@ pub fn seeds(name: &str) -> Vec<Vec<u8>> {
                         150,150,20,2,0.5,3,30,9\n",
         ],
         "obj" => &[CUBE],
+        "envi" => &[ENVI],
+        "prj" => &[SYSTEM],
+        "ascii" => &[
+            "ncols 3\nnrows 2\nxllcorner 10\nyllcorner -5.5\ncellsize 10\nNODATA_value -9\n1 2 -9\n4 5.5 6e1\n",
+            "NCOLS 2\r\nNROWS 2\r\nXLLCENTER 1\r\nYLLCENTER 2\r\nDX 1\r\nDY 2\r\n1 2\r\nnan 4\r\n",
+        ],
         "baseline" => &[include_str!("../timing-baselines/first-light.ideal.json")],
         "run" => &[RUN],
         "poses" => &[
@@ -79,6 +89,8 @@ pub fn seeds(name: &str) -> Vec<Vec<u8>> {
         ],
         "pds" => vec![label()],
         "dted" => vec![cell()],
+        "pds4" => vec![PDS4.replace("made.dat", "dem.dat").into_bytes()],
+        "isis" => vec![cube("BandSequential"), cube("Tile\n    TileSamples = 10\n    TileLines = 7")],
         "npy" => vec![
             npy("<f8", "(5, 5)", &doubles(&[1.0; 25])),
             npy("<i2", "(3, 4)", &[7; 24]),
@@ -95,6 +107,15 @@ fn label() -> Vec<u8> {
     let mut bytes = LABEL.replace("\"GROUND.IMG\"", "200").into_bytes();
     bytes.resize(199 * 6, b' ');
     bytes.extend([2_i16, -4, 6, 8, -32768, 12].iter().flat_map(|height| height.to_le_bytes()));
+    bytes
+}
+
+/// A cube whose core stands behind its label, in lines or in tiles.
+fn cube(format: &str) -> Vec<u8> {
+    let label = CUBE_LABEL.replace("BandSequential", format).replace("4097", "2049");
+    let mut bytes = label.into_bytes();
+    bytes.resize(2048, b' ');
+    bytes.extend((0..12 * 70).flat_map(|sample: i16| sample.to_le_bytes()));
     bytes
 }
 

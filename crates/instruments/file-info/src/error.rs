@@ -19,7 +19,7 @@ pub enum InfoError {
     Other(String),
     /// The file begins like none that is known.
     #[error(
-        "{}: starts with {found}; expected a bank, a state of a machine, an elevation file (GeoTIFF, PDS3, .npy), a scenario or a hardware model (.toml), a grey PNG, or the folder of a run",
+        "{}: starts with {found}; expected a bank, a state of a machine, an elevation file (GeoTIFF, PDS3, PDS4, ISIS, ENVI, Arc ASCII, DTED, .hgt, .npy), a scenario or a hardware model (.toml), a grey PNG, or the folder of a run",
         .file.display()
     )]
     UnknownStart {

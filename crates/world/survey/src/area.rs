@@ -1,9 +1,11 @@
 //! Which part of a file becomes the bank, and how its samples come into the axes of the bank.
 
+use std::f64::consts::PI;
+
 use landscape::{Georeference, LUNOID_RADIUS};
 use quantities::degrees;
 
-use crate::elevation::{Elevation, Frame};
+use crate::elevation::{Elevation, Frame, Grid};
 use crate::error::SurveyError;
 use crate::patch::Patch;
 use crate::projection::{Method, Projection, wrap};
@@ -67,14 +69,23 @@ pub struct Cut {
 const STRETCH: f64 = 0.01;
 
 /// An area in the coordinates of the file (or of the plane it is interpolated to), before samples are taken.
-struct Placed {
-    area: [f64; 4],
+pub(crate) struct Placed {
+    /// South, west, north, east.
+    pub area: [f64; 4],
     /// Metres a unit of the file's coordinates: north, east.
-    metres: [f64; 2],
+    pub metres: [f64; 2],
     centre: Option<[f64; 2]>,
     true_north: Option<f64>,
     /// The plane onto which samples are interpolated; the area is then in its metres.
-    resampled: Option<Projection>,
+    pub resampled: Option<Projection>,
+}
+
+impl Placed {
+    /// Size to the north and to the east (m).
+    pub fn size(&self) -> [f64; 2] {
+        let [south, west, north, east] = self.area;
+        [(north - south) * self.metres[0], (east - west) * self.metres[1]]
+    }
 }
 
 /// Cuts `area` out of `elevation`. `reach(size)` says how far to the north and east (m) samples are wanted for an
@@ -87,16 +98,17 @@ pub fn cut(
     area: Area,
     reach: impl FnOnce([f64; 2]) -> Result<[f64; 2], SurveyError>,
 ) -> Result<Cut, SurveyError> {
-    let placed = place(elevation, area)?;
-    let [south, west, north, east] = placed.area;
-    let size = [(north - south) * placed.metres[0], (east - west) * placed.metres[1]];
+    let grid = elevation.grid();
+    let placed = place(&grid, area)?;
+    let size = placed.size();
+    let [south, west, ..] = placed.area;
     let patch = match &placed.resampled {
         Some(plane) => {
-            check_resampled(elevation, plane, size)?;
+            check_resampled(&grid, elevation.file_size, plane, size)?;
             resample(elevation, plane, size, reach(size)?)
         }
         None => {
-            check_inside(elevation, placed.area)?;
+            check_inside(&grid, placed.area)?;
             take(elevation, [south, west], placed.metres, reach(size)?)
         }
     };
@@ -113,7 +125,7 @@ pub fn cut(
     Ok(Cut { patch, area: placed.area, georeference, true_north: placed.true_north, warnings })
 }
 
-fn place(elevation: &Elevation, area: Area) -> Result<Placed, SurveyError> {
+pub(crate) fn place(elevation: &Grid, area: Area) -> Result<Placed, SurveyError> {
     match (elevation.frame, area) {
         (Frame::Plane(projection), Area::Whole) => Ok(in_plane(elevation.extent(), projection)),
         (Frame::Plane(projection), Area::Metres { south, west, north, east }) => {
@@ -191,7 +203,7 @@ fn on_sphere(radius: f64, latitude: f64, longitude: f64, area: [f64; 4]) -> Plac
     }
 }
 
-fn check_inside(elevation: &Elevation, area: [f64; 4]) -> Result<(), SurveyError> {
+pub(crate) fn check_inside(elevation: &Grid, area: [f64; 4]) -> Result<(), SurveyError> {
     let (held, step) = (elevation.extent(), elevation.affine.step.map(f64::abs));
     let geographic = matches!(elevation.frame, Frame::Geographic { .. });
     let around = elevation.turn().is_some();
@@ -200,7 +212,7 @@ fn check_inside(elevation: &Elevation, area: [f64; 4]) -> Result<(), SurveyError
         free || (area[axis] >= held[axis] - step[axis] && area[2 + axis] <= held[2 + axis] + step[axis])
     };
     let sane = area.iter().all(|edge| edge.is_finite()) && area[2] > area[0] && area[3] > area[1];
-    let at_most_a_turn = !around || area[3] - area[1] <= 2.0 * std::f64::consts::PI * (1.0 + 1e-9);
+    let at_most_a_turn = !around || area[3] - area[1] <= 2.0 * PI * (1.0 + 1e-9);
     if sane && at_most_a_turn && fits(0) && fits(1) {
         return Ok(());
     }
@@ -213,7 +225,12 @@ fn check_inside(elevation: &Elevation, area: [f64; 4]) -> Result<(), SurveyError
 }
 
 /// The centre must lie in the file, and the plane must not be larger than what the file can fill.
-fn check_resampled(elevation: &Elevation, plane: &Projection, size: [f64; 2]) -> Result<(), SurveyError> {
+pub(crate) fn check_resampled(
+    elevation: &Grid,
+    file_size: [usize; 2],
+    plane: &Projection,
+    size: [f64; 2],
+) -> Result<(), SurveyError> {
     let held = elevation.extent();
     let middle = 0.5 * (held[1] + held[3]);
     let longitude = middle + wrap(plane.longitude - middle);
@@ -222,7 +239,7 @@ fn check_resampled(elevation: &Elevation, plane: &Projection, size: [f64; 2]) ->
     let inside = within(plane.latitude, held[0], held[2], step[0])
         && (elevation.turn().is_some() || within(longitude, held[1], held[3], step[1]));
     let samples = size.iter().map(|length| length / (plane.radius * step[0])).product::<f64>();
-    let fits = samples <= 4.0 * (elevation.lines * elevation.columns) as f64;
+    let fits = samples <= 4.0 * file_size[0] as f64 * file_size[1] as f64;
     if inside && fits && size.iter().all(|length| *length > 0.0 && *length < 1.4 * plane.radius) {
         return Ok(());
     }
@@ -273,7 +290,7 @@ fn take(elevation: &Elevation, origin: [f64; 2], metres: [f64; 2], wanted: [f64;
     let affine = elevation.affine;
     let [north, east] =
         [0, 1].map(|k| walk(affine.first[k], affine.step[k], counts[k], origin[k], metres[k], wanted[k]));
-    let turn = elevation.turn();
+    let turn = elevation.grid().turn();
     let mut heights = Vec::with_capacity(north.count * east.count);
     for i in 0..north.count {
         let line = usize::try_from(north.file_first + i as i64 * north.file_step).unwrap_or(usize::MAX);
@@ -284,12 +301,16 @@ fn take(elevation: &Elevation, origin: [f64; 2], metres: [f64; 2], wanted: [f64;
             heights.push(elevation.height(line, column).unwrap_or(f64::NAN));
         }
     }
+    // Columns count once around the globe, from the file's own first one.
+    let file = Grid { columns: elevation.file_size[1], ..elevation.grid() };
+    let column = east.file_first + elevation.corner[1] as i64;
+    let column = file.turn().map_or(column, |turn| column.rem_euclid(turn as i64));
     Patch {
         first: [north.first, east.first],
         step: [north.step, east.step],
         count: [north.count, east.count],
         heights,
-        file_first: [north.file_first, east.file_first],
+        file_first: [north.file_first + elevation.corner[0] as i64, column],
         file_step: [north.file_step, east.file_step],
     }
 }
@@ -313,7 +334,7 @@ fn between(elevation: &Elevation, [latitude, longitude]: [f64; 2]) -> Option<f64
     let middle = 0.5 * (elevation.extent()[1] + elevation.extent()[3]);
     let longitude = middle + wrap(longitude - middle);
     let at = [(latitude - affine.first[0]) / affine.step[0], (longitude - affine.first[1]) / affine.step[1]];
-    let (floor, turn) = (at.map(f64::floor), elevation.turn());
+    let (floor, turn) = (at.map(f64::floor), elevation.grid().turn());
     let [u, v] = [at[0] - floor[0], at[1] - floor[1]];
     let sample = |i: i64, j: i64| {
         let column = floor[1] as i64 + j;

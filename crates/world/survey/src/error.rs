@@ -17,10 +17,10 @@ pub enum SurveyError {
         source: io::Error,
     },
     /// A folder or device in place of a file.
-    #[error("{path}: is not a file; expected a GeoTIFF, a PDS3 image or label, a DTED cell, an SRTM tile or a .npy array; name the file itself", path = .0.display())]
+    #[error("{path}: is not a file; expected an elevation file, as docs/elevation-words.md lists them; name the file itself", path = .0.display())]
     NotAFile(PathBuf),
     /// None of the formats read here.
-    #[error("{path}: starts with {found}; expected a TIFF, a PDS3 label, a DTED cell, an SRTM tile (NAME.hgt) or a NumPy array; convert it with gdal_translate -of GTiff", path = .path.display())]
+    #[error("{path}: starts with {found}; expected a TIFF, a label of PDS3, PDS4 or ISIS, an ENVI header, an Arc ASCII grid, a DTED cell, an SRTM tile (NAME.hgt) or a NumPy array; convert it with gdal_translate -of GTiff", path = .path.display())]
     UnknownFormat {
         /// Path of the file.
         path: PathBuf,

@@ -1,6 +1,7 @@
 //! Elevation files into coefficient banks.
 //!
-//! [`read()`] takes a GeoTIFF, a PDS3 image, a DTED cell, an SRTM tile or a `.npy` array and gives an [`Elevation`];
+//! [`read()`] takes a GeoTIFF, a PDS3 image, a PDS4 array, an ISIS cube, an ENVI raster, an Arc ASCII grid, a DTED cell, an
+//! SRTM tile or a `.npy` array and gives an [`Elevation`]; [`open()`] reads its header alone, and then a [`Window`] of it;
 //! [`survey()`] cuts an [`Area`] out of it and fits the Lagrange 2-2 lattice to the samples by least squares, all words at
 //! once. [`VOCABULARIES`] has every name that the readers know, and what becomes of each.
 //! Axes of the bank: x north, y east, origin at the south-west corner of the area.
@@ -36,13 +37,14 @@ mod read;
 mod report;
 mod survey;
 mod told;
+mod window;
 
 pub use area::{Area, Plane};
 pub use elevation::{Affine, Elevation, Frame};
 pub use error::SurveyError;
 pub use fit::Stiffness;
 pub use projection::{Method, Projection};
-pub use read::{Fate, ReadOptions, VOCABULARIES, Vocabulary, Word, read, words_page};
+pub use read::{Fate, Opened, ReadOptions, VOCABULARIES, Vocabulary, Window, Word, open, read, words_page};
 pub use report::{SurveyReport, Worst};
 pub use survey::{Grid, Step, Survey, SurveyOptions, survey};
 pub use told::SurveyTold;

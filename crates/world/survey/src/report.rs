@@ -103,7 +103,7 @@ impl SurveyReport {
     pub fn held_by_file(&self, elevation: &Elevation, grid: &Grid) -> [usize; 2] {
         let (held, counts) = (elevation.extent(), [grid.lines, grid.columns]);
         [0, 1].map(|axis| {
-            if axis == 1 && elevation.turn().is_some() {
+            if axis == 1 && elevation.grid().turn().is_some() {
                 return counts[axis];
             }
             let step = elevation.affine.step[axis].abs();

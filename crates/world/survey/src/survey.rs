@@ -11,7 +11,9 @@ use crate::fill::fill;
 use crate::fit::{Fit, Place, Stiffness, Stop, fit};
 use crate::measure::{empty_regions, measure};
 use crate::patch::Patch;
+use crate::read::{Opened, Window};
 use crate::report::{LevelReport, SurveyReport};
+use crate::window::window;
 
 /// What to survey and how.
 #[derive(Debug, Clone, PartialEq)]
@@ -47,6 +49,30 @@ impl SurveyOptions {
             iterations: 1000,
             title: None,
         }
+    }
+
+    /// The lines and columns of a file that a survey with these options needs: what to give to [`Opened::window`].
+    ///
+    /// # Errors
+    /// If an option is unusable, or the area does not go with the file or lies outside it.
+    pub fn window(&self, opened: &Opened) -> Result<Window, SurveyError> {
+        self.check()?;
+        window(&opened.grid, self.area, |size| Ok(self.reach(&self.shapes(size)?)))
+    }
+
+    /// Regions of each level over an area of this size (m), to the north and east.
+    fn shapes(&self, size: [f64; 2]) -> Result<Vec<[usize; 2]>, SurveyError> {
+        let shape = |factor: &usize| regions(size, self.region_size * *factor as f64);
+        self.levels.iter().map(shape).collect()
+    }
+
+    /// How far to the north and east (m) the regions of all levels go.
+    fn reach(&self, shapes: &[[usize; 2]]) -> [f64; 2] {
+        let reach = |axis: usize| {
+            let ends = self.levels.iter().zip(shapes);
+            ends.map(|(factor, shape)| (factor * shape[axis]) as f64).fold(0.0, f64::max)
+        };
+        [0, 1].map(|axis| reach(axis) * self.region_size)
     }
 
     fn check(&self) -> Result<(), SurveyError> {
@@ -139,16 +165,8 @@ pub fn survey(
     options.check()?;
     let mut shapes = Vec::new();
     let cut = cut(elevation, options.area, |size| {
-        shapes = options
-            .levels
-            .iter()
-            .map(|&factor| regions(size, options.region_size * factor as f64))
-            .collect::<Result<_, _>>()?;
-        let reach = |axis: usize| {
-            let ends = options.levels.iter().zip(&shapes);
-            ends.map(|(&factor, shape): (_, &[usize; 2])| (factor * shape[axis]) as f64).fold(0.0, f64::max)
-        };
-        Ok([0, 1].map(|axis| reach(axis) * options.region_size))
+        shapes = options.shapes(size)?;
+        Ok(options.reach(&shapes))
     })?;
     let places = choose(&cut.patch, options.held_out);
     let samples = places.iter().filter(|place| **place == Place::Used).count();

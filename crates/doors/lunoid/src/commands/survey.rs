@@ -7,7 +7,7 @@ use clap::{Args, ValueEnum};
 use landscape::{Sun, bank_file};
 use plots::{Residuals, SurveyLook, survey_picture};
 use quantities::radians;
-use survey::{Area, Elevation, Frame, Plane, ReadOptions, Survey, SurveyOptions, SurveyTold, survey};
+use survey::{Area, Elevation, Frame, Opened, Plane, ReadOptions, Survey, SurveyOptions, SurveyTold, survey};
 
 use crate::commands::bank::bank_at;
 use crate::loading::Threads;
@@ -18,8 +18,10 @@ const AFTER: &str = "Examples:
   lunoid survey pole.tif --region-size-m 40 -o pole.bank --picture pole.png
   lunoid survey global.lbl --centre 20.19,30.77 --size-m 20000,20000 -o valley.bank
 
-Reads GeoTIFF, PDS3 images (image or label), DTED cells, SRTM tiles (.hgt) and .npy arrays.
-Coordinates of --area are metres of the file's own projection.";
+Reads GeoTIFF (also BigTIFF and cloud-optimised), PDS3 images and PDS4 arrays (data or label), ISIS cubes, ENVI rasters
+(samples or header), Arc ASCII grids, DTED cells, SRTM tiles (.hgt) and .npy arrays.
+Coordinates of --area are metres of the file's own projection. With --area or --centre only the blocks of the file are
+read that the area needs, so the file may be larger than memory (.npy is read whole).";
 
 /// Fit a bank to an elevation file.
 #[derive(Debug, Args)]
@@ -107,9 +109,15 @@ fn spacing(text: &str) -> Result<[f64; 2], String> {
 /// leaves slivers of regions with few samples, and a condition 10^6 times as large.
 const SAMPLES_A_REGION: f64 = 4.0;
 
+/// Endings of labels, headers, coordinate systems and of the samples beside them.
+const BESIDE: [&str; 17] = [
+    "lbl", "LBL", "img", "IMG", "xml", "XML", "dat", "DAT", "cub", "hdr", "prj", "bin", "raw", "bsq", "bil",
+    "bip", "dem",
+];
+
 /// What is read of an elevation file: a label and its image are two files, whichever of them is named.
 fn sources(elevation: &Path) -> Vec<Place> {
-    let beside = ["lbl", "LBL", "img", "IMG"].map(|ending| elevation.with_extension(ending));
+    let beside = BESIDE.map(|ending| elevation.with_extension(ending));
     let both =
         beside.into_iter().filter(|path| path.is_file()).map(|path| Place::file("the label or image", path));
     [Place::file("the elevation file", elevation)].into_iter().chain(both).collect()
@@ -122,9 +130,12 @@ impl SurveyCommand {
         expect_outputs(&outputs, &sources(&self.elevation))?;
         let pool = self.threads.pool()?;
         let start = Instant::now();
-        let elevation = survey::read(&self.elevation, &self.read_options())?;
+        let file = survey::open(&self.elevation, &self.read_options())?;
+        let options = self.survey_options(&file);
+        // A file may be larger than memory: only what the area needs is read.
+        let window = options.window(&file)?;
+        let elevation = file.window(&window)?;
         self.warn_of_unit(&elevation);
-        let options = self.survey_options(&elevation);
         let result = pool.install(|| survey(&elevation, &options, &mut |_| {}))?;
         bank_file::write(&self.out, &result.bank)?;
         if let Some(picture) = &self.picture {
@@ -164,12 +175,12 @@ impl SurveyCommand {
         }
     }
 
-    fn survey_options(&self, elevation: &Elevation) -> SurveyOptions {
-        let metres = match elevation.frame {
+    fn survey_options(&self, file: &Opened) -> SurveyOptions {
+        let metres = match file.frame() {
             Frame::Plane(_) => 1.0,
             Frame::Geographic { radius } => radius,
         };
-        let four_samples = SAMPLES_A_REGION * elevation.affine.step[0].abs() * metres;
+        let four_samples = SAMPLES_A_REGION * file.affine().step[0].abs() * metres;
         let mut options = SurveyOptions::new(self.region_size_m.unwrap_or(four_samples));
         options.area = self.area();
         options.levels = self.levels.clone();

@@ -2,17 +2,18 @@
 
 use std::fs::File;
 use std::io::{BufReader, Read, Seek, SeekFrom};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use quantities::radians;
 
 use super::earth;
+use super::opened::{Opened, Samples, Window};
 use super::options::ReadOptions;
 use super::refusal::{check_raster, field};
 use super::samples::{Conversion, Said};
 use super::words::Fate::{Harmless, Only, Used};
 use super::words::{Decider, Met, Vocabulary, numbered, seen};
-use crate::elevation::{Affine, Elevation, Frame};
+use crate::elevation::{Affine, Frame, Grid};
 use crate::error::SurveyError;
 
 /// Bytes of the three headers: user header label, data set identification, accuracy.
@@ -96,8 +97,8 @@ pub fn is_dted(start: &[u8]) -> bool {
     ["UHL1", "VOL1", "HDR1"].iter().any(|word| start.starts_with(word.as_bytes()))
 }
 
-/// Reads a cell: its headers, then a record a meridian.
-pub fn read(path: &Path, options: &ReadOptions) -> Result<Elevation, SurveyError> {
+/// Opens a cell: three headers, then a record a meridian.
+pub fn open(path: &Path, options: &ReadOptions) -> Result<Opened, SurveyError> {
     options.expect_no_place()?;
     let failed = |source| SurveyError::Read { path: path.to_path_buf(), source };
     let mut file = BufReader::new(File::open(path).map_err(failed)?);
@@ -107,16 +108,26 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Elevation, SurveyError
     headers.decide(&mut decider)?;
     let cell = headers.cell()?;
     cell.check_size(path, headers.start, bytes)?;
-    let mut samples = cell.samples(path, &mut file, &mut decider)?;
     let said = Said { voids: vec![[VOID; 2]], sphere: earth::RADIUS, ..Said::default() };
-    let notes = Conversion::new(path, options, said)?.convert(path, &mut samples, cell.meridians)?;
-    let place = Affine { first: cell.origin, step: cell.step };
+    let affine = Affine { first: cell.origin, step: cell.step };
     let frame = Frame::Geographic { radius: earth::RADIUS };
-    let mut elevation = Elevation::new(cell.points, cell.meridians, samples, place, frame);
-    elevation.title = headers.text(139, 5);
-    elevation.sources = vec![path.to_path_buf()];
-    elevation.notes = [notes, headers.notes(), decider.finish()?].concat();
-    Ok(elevation)
+    let grid = Grid { lines: cell.points, columns: cell.meridians, affine, frame };
+    let (title, notes) = (headers.text(139, 5), headers.notes());
+    let records = Records {
+        path: path.to_path_buf(),
+        first: (headers.start + HEADERS) as u64,
+        bytes: cell.record(),
+        forgives: decider.forgives("checksum"),
+    };
+    Ok(Opened {
+        grid,
+        path: path.to_path_buf(),
+        title,
+        sources: vec![path.to_path_buf()],
+        notes: [notes, decider.finish()?].concat(),
+        conversion: Conversion::new(path, options, said)?,
+        samples: Box::new(records),
+    })
 }
 
 /// The three headers of a file.
@@ -261,35 +272,52 @@ impl Cell {
         }
         Ok(())
     }
+}
 
-    /// Stored numbers line by line, the southernmost first.
-    fn samples(
-        &self,
-        path: &Path,
-        file: &mut BufReader<File>,
-        decider: &mut Decider,
-    ) -> Result<Vec<f64>, SurveyError> {
-        let mut samples = vec![f64::NAN; self.points * self.meridians];
-        let mut record = vec![0; self.record()];
-        let forgives = decider.forgives("checksum");
-        for meridian in 0..self.meridians {
-            file.read_exact(&mut record)
-                .map_err(|source| SurveyError::Read { path: path.to_path_buf(), source })?;
-            check_record(path, &record, meridian, forgives)?;
-            let heights = record[8..8 + 2 * self.points].chunks_exact(2);
-            for (point, bytes) in heights.enumerate() {
-                let height = sign_and_magnitude([bytes[0], bytes[1]]);
-                if height != VOID && !HEIGHTS.contains(&height) {
-                    let place = format!("record {meridian}, sample {point} (from 0)");
-                    let expected = "-12000 to 9000 m, as sign and magnitude";
-                    let advice =
-                        "the file counts in two's complement, or is damaged: convert it with gdal_translate";
-                    return Err(field(path, place, height.to_string(), expected, advice));
-                }
-                samples[point * self.meridians + meridian] = height;
+/// The records of a cell, one a meridian.
+struct Records {
+    path: PathBuf,
+    /// Byte of the first record.
+    first: u64,
+    /// Bytes of a record.
+    bytes: usize,
+    /// Whether wrong sums are let through.
+    forgives: bool,
+}
+
+impl Samples for Records {
+    /// Reads the records of the meridians that the window has; the southernmost line is the first.
+    fn read(&mut self, window: &Window, _: &mut Vec<String>) -> Result<Vec<f64>, SurveyError> {
+        let failed = |source| SurveyError::Read { path: self.path.clone(), source };
+        let mut file = BufReader::new(File::open(&self.path).map_err(failed)?);
+        let before = window.columns.start as u64 * self.bytes as u64;
+        file.seek(SeekFrom::Start(self.first + before)).map_err(failed)?;
+        let (mut record, columns) = (vec![0; self.bytes], window.columns.len());
+        let mut samples = vec![f64::NAN; window.count()];
+        for (across, meridian) in window.columns.clone().enumerate() {
+            file.read_exact(&mut record).map_err(failed)?;
+            check_record(&self.path, &record, meridian, self.forgives)?;
+            for (down, point) in window.lines.clone().enumerate() {
+                let at = 8 + 2 * point;
+                samples[down * columns + across] =
+                    self.height([record[at], record[at + 1]], meridian, point)?;
             }
         }
         Ok(samples)
+    }
+}
+
+impl Records {
+    /// The stored height of a sample, which must be one that the format allows.
+    fn height(&self, bytes: [u8; 2], meridian: usize, point: usize) -> Result<f64, SurveyError> {
+        let height = sign_and_magnitude(bytes);
+        if height == VOID || HEIGHTS.contains(&height) {
+            return Ok(height);
+        }
+        let place = format!("record {meridian}, sample {point} (from 0)");
+        let expected = "-12000 to 9000 m, as sign and magnitude";
+        let advice = "the file counts in two's complement, or is damaged: convert it with gdal_translate";
+        Err(field(&self.path, place, height.to_string(), expected, advice))
     }
 }
 

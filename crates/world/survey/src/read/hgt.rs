@@ -1,17 +1,18 @@
 //! SRTM tiles, `.hgt`: heights alone; the name of the file says where they lie (SRTM documentation, NASA/USGS, section 2).
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
 use quantities::radians;
 
 use super::earth;
+use super::kind::Kind;
+use super::opened::Opened;
 use super::options::ReadOptions;
+use super::raw::Raw;
 use super::refusal::field;
 use super::samples::{Conversion, Said};
 use super::words::{Decider, seen};
-use crate::elevation::{Affine, Elevation, Frame};
+use crate::elevation::{Affine, Frame, Grid};
 use crate::error::SurveyError;
 
 /// Lines and columns that a tile of one degree may have: samples stand on its edges too.
@@ -24,31 +25,29 @@ pub fn is_tile(path: &Path) -> bool {
     path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("hgt"))
 }
 
-/// Reads a tile: 16-bit integers, the highest byte first, the northernmost line first.
-pub fn read(path: &Path, options: &ReadOptions) -> Result<Elevation, SurveyError> {
+/// Opens a tile: 16-bit integers, the highest byte first, the northernmost line first.
+pub fn open(path: &Path, options: &ReadOptions) -> Result<Opened, SurveyError> {
     options.expect_no_place()?;
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     let corner = corner(&name).ok_or_else(|| {
         let advice = "name the file by its south-west corner";
         field(path, "name of the file", seen(&name), "N45E006.hgt or the like", advice)
     })?;
-    let failed = |source| SurveyError::Read { path: path.to_path_buf(), source };
-    let mut file = File::open(path).map_err(failed)?;
-    let found = file.metadata().map_err(failed)?.len();
-    let [lines, columns] = size(path, found)?;
-    let mut bytes = Vec::new();
-    file.by_ref().take(found).read_to_end(&mut bytes).map_err(failed)?;
-    let number = |pair: &[u8]| f64::from(i16::from_be_bytes([pair[0], pair[1]]));
-    let mut samples: Vec<f64> = bytes.chunks_exact(2).map(number).collect();
+    let found = path.metadata().map_err(|source| SurveyError::Read { path: path.to_path_buf(), source })?;
+    let [lines, columns] = size(path, found.len())?;
     let said = Said { voids: vec![[VOID; 2]], sphere: earth::RADIUS, ..Said::default() };
-    let notes = Conversion::new(path, options, said)?.convert(path, &mut samples, columns)?;
     let step = [lines, columns].map(|count| radians(1.0) / (count - 1) as f64);
-    let place = Affine { first: [radians(corner[0] + 1.0), radians(corner[1])], step: [-step[0], step[1]] };
+    let affine = Affine { first: [radians(corner[0] + 1.0), radians(corner[1])], step: [-step[0], step[1]] };
     let frame = Frame::Geographic { radius: earth::RADIUS };
-    let mut elevation = Elevation::new(lines, columns, samples, place, frame);
-    elevation.sources = vec![path.to_path_buf()];
-    elevation.notes = [notes, vec![earth::note()], Decider::new(path, options).finish()?].concat();
-    Ok(elevation)
+    Ok(Opened {
+        grid: Grid { lines, columns, affine, frame },
+        path: path.to_path_buf(),
+        title: String::new(),
+        sources: vec![path.to_path_buf()],
+        notes: [vec![earth::note()], Decider::new(path, options).finish()?].concat(),
+        conversion: Conversion::new(path, options, said)?,
+        samples: Box::new(Raw::lines_of(path, [lines, columns], Kind::integer(2, true, false), 0)),
+    })
 }
 
 /// Lines and columns of a tile of so many bytes.

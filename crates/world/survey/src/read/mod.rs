@@ -1,75 +1,112 @@
 //! Elevation files into memory.
 
+mod ascii;
+mod bands;
+mod beside;
 mod dted;
 mod earth;
+mod envi;
 mod geotiff;
 mod hgt;
+mod isis;
+mod kind;
+mod label;
+mod map;
 mod npy;
+mod opened;
 mod options;
 mod page;
 mod pds3;
+mod pds4;
+mod raw;
 mod refusal;
 mod samples;
 mod unit;
+mod wkt;
 mod words;
 
 use std::fs::File;
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use quantities::degrees;
 
 use self::refusal::{field, visible};
-use crate::elevation::{Elevation, Frame};
+use crate::elevation::{Elevation, Frame, Grid};
 use crate::error::SurveyError;
 
+pub use self::opened::{Opened, Window};
 pub use self::options::ReadOptions;
 pub use self::page::{VOCABULARIES, words_page};
 pub use self::words::{Fate, Vocabulary, Word};
 
-/// Reads a GeoTIFF, a PDS3 image (by image or label), a DTED cell, a `.npy` array or an SRTM tile. The ending `.hgt` makes a
-/// tile; else the first bytes decide.
+/// Reads a whole elevation file: [`open()`], then [`Opened::all`].
 ///
 /// # Errors
 /// If the file is missing, damaged, of another kind, without finite heights, or needs an option.
 pub fn read(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Elevation, SurveyError> {
+    open(path, options)?.all()
+}
+
+/// Opens a GeoTIFF, a PDS3 image or PDS4 array (by data or label), an ISIS cube, an ENVI raster (by header or samples), an Arc
+/// ASCII grid, a DTED cell, a `.npy` array or an SRTM tile. The ending `.hgt` makes a tile; else the first bytes decide.
+///
+/// # Errors
+/// If the file is missing, its header is damaged or of another kind, or an option is needed.
+pub fn open(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Opened, SurveyError> {
     let path = path.as_ref();
     options.check()?;
     let start = first_bytes(path)?;
-    let mut elevation = match start.as_slice() {
-        _ if hgt::is_tile(path) => hgt::read(path, options)?,
-        [b'I', b'I', 42 | 43, 0, ..] | [b'M', b'M', 0, 42 | 43, ..] => geotiff::read(path, options)?,
-        [0x93, b'N', b'U', b'M', b'P', b'Y', ..] => npy::read(path, options)?,
-        _ if dted::is_dted(&start) => dted::read(path, options)?,
-        _ if pds3::is_label(&start) => pds3::read(path, options)?,
-        _ => match pds3::label_beside(path)? {
-            Some(label) => pds3::read(&label, options)?,
-            None => return Err(unknown(path, &start)),
-        },
+    let mut opened = match start.as_slice() {
+        _ if hgt::is_tile(path) => hgt::open(path, options)?,
+        [b'I', b'I', 42 | 43, 0, ..] | [b'M', b'M', 0, 42 | 43, ..] => geotiff::open(path, options)?,
+        [0x93, b'N', b'U', b'M', b'P', b'Y', ..] => npy::open(path, options)?,
+        _ if dted::is_dted(&start) => dted::open(path, options)?,
+        _ if pds3::is_label(&start) => pds3::open(path, options)?,
+        _ if pds4::is_label(&start) => pds4::open(path, options)?,
+        _ if isis::is_cube(&start) => isis::open(path, options)?,
+        _ if envi::is_header(&start) => envi::open(path, None, options)?,
+        _ if ascii::is_grid(&start) => ascii::open(path, options)?,
+        _ => by_label(path, &start, options)?,
     };
-    check_globe(path, &elevation)?;
-    let seams = elevation.seams();
-    if seams > 0 {
-        elevation.notes.push(format!(
-            "the last column stands where the first does, and has other heights in {seams} lines: the first counts"
-        ));
-    }
+    check_globe(path, &opened.grid)?;
+    opened.notes.extend(other_metadata(&opened.sources));
     let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-    let title = if elevation.title.is_empty() { stem } else { format!("{stem}: {}", elevation.title) };
-    elevation.title = visible(&title);
-    elevation.notes.iter_mut().for_each(|note| *note = visible(note));
-    if elevation.range().is_none() {
-        let count = elevation.lines * elevation.columns;
-        return Err(SurveyError::AllVoid { what: path.display().to_string(), count });
+    let title = if opened.title.is_empty() { stem } else { format!("{stem}: {}", opened.title) };
+    opened.title = visible(&title);
+    opened.path = path.to_path_buf();
+    Ok(opened)
+}
+
+/// Opens samples that say nothing about themselves by the label or header beside them.
+fn by_label(path: &Path, start: &[u8], options: &ReadOptions) -> Result<Opened, SurveyError> {
+    if let Some(label) = beside::with_ending(path, "lbl")? {
+        let is_cube = isis::is_cube(&first_bytes(&label)?);
+        return if is_cube { isis::open(&label, options) } else { pds3::open(&label, options) };
     }
-    Ok(elevation)
+    if let Some(label) = beside::with_ending(path, "xml")?.filter(|label| label != path) {
+        return pds4::open(&label, options);
+    }
+    match envi::header_of(path)? {
+        Some(header) => envi::open(&header, Some(path), options),
+        None => Err(unknown(path, start)),
+    }
+}
+
+/// Notes on metadata of GDAL's beside the files, which are not read.
+fn other_metadata(sources: &[PathBuf]) -> Vec<String> {
+    let beside = sources.iter().map(|path| beside::going_on(path, ".aux.xml")).filter(|path| path.is_file());
+    let note = |path: PathBuf| {
+        format!("{} is not read: it may hold a no-data value, a scale or a place", path.display())
+    };
+    beside.map(note).collect()
 }
 
 /// Refuses places that are on no globe, as those of a file whose metres are said to be degrees.
-fn check_globe(path: &Path, elevation: &Elevation) -> Result<(), SurveyError> {
-    let ([south, west, north, east], step) = (elevation.extent(), elevation.affine.step.map(f64::abs));
+fn check_globe(path: &Path, grid: &Grid) -> Result<(), SurveyError> {
+    let ([south, west, north, east], step) = (grid.extent(), grid.affine.step.map(f64::abs));
     let reach = [south.abs().max(north.abs()) - step[0], east - west - step[1]].map(degrees);
-    let is_globe = matches!(elevation.frame, Frame::Geographic { .. });
+    let is_globe = matches!(grid.frame, Frame::Geographic { .. });
     if !is_globe || (reach[0] < 90.0 && reach[1] < 360.0) {
         return Ok(());
     }

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use landscape::LUNOID_RADIUS;
 
+use super::opened::Window;
 use super::options::ReadOptions;
 use super::refusal::field;
 use super::words::seen;
@@ -120,7 +121,7 @@ impl Conversion {
         Ok(Self { said, scale, offset })
     }
 
-    /// Stored numbers of a whole file into heights (m), NaN for a void. Radii become heights. What is left must lie within
+    /// Stored numbers of a window of the file into heights (m), NaN for a void. Radii become heights. What is left must lie within
     /// half a lunar radius of the sphere, so that no mark of a void that the file forgot to declare is taken as ground.
     /// The notes say what was assumed.
     ///
@@ -130,7 +131,7 @@ impl Conversion {
         &self,
         path: &Path,
         samples: &mut [f64],
-        columns: usize,
+        window: &Window,
     ) -> Result<Vec<String>, SurveyError> {
         let seen = self.look(samples);
         let are_radii = 2 * seen.radii > seen.heights;
@@ -142,7 +143,10 @@ impl Conversion {
                 false => height.abs() <= 0.5 * LUNOID_RADIUS,
             };
             if !height.is_nan() && !is_right {
-                return Err(self.no_height(path, index / columns, index % columns, *sample));
+                let columns = window.columns.len();
+                let (line, column) =
+                    (window.lines.start + index / columns, window.columns.start + index % columns);
+                return Err(self.no_height(path, line, column, *sample));
             }
             *sample = height - base;
         }
@@ -214,7 +218,7 @@ fn check_unit(path: &Path, options: &ReadOptions, said: &Said) -> Result<(), Sur
 mod tests {
     use std::path::Path;
 
-    use super::{Conversion, ReadOptions, Said};
+    use super::{Conversion, ReadOptions, Said, Window};
 
     fn said(void: f64, offset: f64) -> Said {
         Said { voids: vec![[void; 2]], scale: 0.5, offset, ..Said::default() }
@@ -223,7 +227,9 @@ mod tests {
     fn converted(said: Said, stored: &[f64]) -> Result<(Vec<f64>, Vec<String>), String> {
         let conversion = Conversion::new(Path::new("x"), &ReadOptions::default(), said).unwrap();
         let mut samples = stored.to_vec();
-        let notes = conversion.convert(Path::new("x"), &mut samples, 2).map_err(|error| error.to_string())?;
+        let window = Window { lines: 0..stored.len().div_ceil(2), columns: 0..2 };
+        let notes =
+            conversion.convert(Path::new("x"), &mut samples, &window).map_err(|error| error.to_string())?;
         Ok((samples, notes))
     }
 

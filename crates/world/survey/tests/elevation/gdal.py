@@ -1,8 +1,10 @@
 """GDAL through rasterio, for the tests in gdal.rs.
 
 gdal.py all FOLDER
-    Writes GeoTIFFs, and beside each what GDAL reads: heights in metres (.npy; the band with the scale, offset and unit
-    that GDAL reports, NaN for voids) and place (.json).
+    Writes files of every format, and beside each what GDAL reads: heights in metres (.npy; the band with the scale, offset
+    and unit that GDAL reports, NaN for voids) and place (.json). `list.json` has them all: a folder is a format.
+gdal.py tell FILE FOLDER
+    What GDAL reads of a file, into a folder.
 gdal.py translate FROM TO [NAME=VALUE]...
     What gdal_translate does: a copy by GDALCreateCopy with creation options. `ot=TYPE` and `a_ullr=X,Y,X,Y` are -ot and
     -a_ullr.
@@ -24,7 +26,10 @@ import rasterio.warp
 from rasterio.crs import CRS
 from rasterio.transform import Affine
 
-FOLDER = Path(sys.argv[2])
+import gdal_formats
+import gdal_hand
+
+FOLDER = Path(sys.argv[2]) / "geotiff"
 WIDTH, HEIGHT = 70, 50
 GROUND = np.add.outer(-7 * np.arange(HEIGHT), 3 * np.arange(WIDTH)).astype("f8")
 METRES = Affine(10, 0, 1000, 0, -10, 5000)
@@ -132,35 +137,63 @@ def write_all():
     write("overviews", "int16")
     with rasterio.open(FOLDER / "overviews.tif", "r+") as file:
         file.build_overviews([2, 4])
-    for name in ["mask", "void-real", "crs-degrees", "scaled", "type-int16", "unit-ft"]:
+    sources = ["mask", "void-real", "crs-degrees", "scaled", "unit-ft", "crs-pole", "crs-view", "alpha", "overviews"]
+    sources += [f"type-{kind}" for kind in ["uint8", "int8", "uint16", "int16", "uint32", "int32", "float32", "float64"]]
+    for name in sources:
         rasterio.shutil.copy(FOLDER / f"{name}.tif", FOLDER / f"cloud-{name}.tif", driver="COG")
+    # Large enough for copies of less detail and several tiles.
+    wide = np.add.outer(-7 * np.arange(700), 3 * np.arange(900)).astype("f8")
+    wide[wide % 13 == 0] = -32768
+    for name, kind, options in [
+        ("wide", "int16", dict(nodata=-32768)),
+        ("wide-real", "float32", dict(nodata=-32768)),
+        ("wide-mask", "int16", dict(env=inside, after=lambda file: file.write_mask(wide % 5 != 0))),
+    ]:
+        write(name, kind, data=wide, width=900, height=700, **options)
+        for packing in ["DEFLATE", "LZW"]:
+            target = FOLDER / f"cloud-{name}-{packing}.tif"
+            rasterio.shutil.copy(FOLDER / f"{name}.tif", target, driver="COG", BLOCKSIZE=256, COMPRESS=packing)
+    huge = dict(BIGTIFF="YES")
+    for name in ["void-real", "crs-degrees", "scaled", "unit-km", "crs-pole-70", "alpha", "packed-LZW-2", "wide", "wide-mask"]:
+        rasterio.shutil.copy(FOLDER / f"{name}.tif", FOLDER / f"big-{name}.tif", driver="GTiff", **huge)
 
 
 def write_cells():
     """Cells of one degree by other drivers, with heights of both signs and voids; posts stand on their edges."""
-    for name, driver, side, south, west, void in [
-        ("level-0.dt0", "DTED", 121, 45, 6, -32767),
-        ("level-1.dt1", "DTED", 1201, -44, -121, -32767),
-        ("S05W120.hgt", "SRTMHGT", 1201, -5, -120, -32768),
-        ("N61E010.hgt", "SRTMHGT", 1201, 61, 10, -32768),
-    ]:
+    (FOLDER.parent / "dted").mkdir()
+    (FOLDER.parent / "hgt").mkdir()
+    corners = [(45, 6), (-44, -121), (0, 0), (-1, -1), (20, -180), (-60, 179), (9, 99), (-12, 100), (33, -33), (-70, 40)]
+    cells = [(f"dted/level-0-{south}-{west}.dt0", "DTED", 121, south, west, -32767) for south, west in corners]
+    cells += [(f"dted/empty-{south}-{west}.dt0", "DTED", 121, south, west, None) for south, west in corners[:8]]
+    cells += [("dted/level-1.dt1", "DTED", 1201, -44, -121, -32767), ("dted/level-1-e.dt1", "DTED", 1201, 9, 99, -32767)]
+    cells += [("dted/level-2.dt2", "DTED", 3601, -44, 121, -32767)]
+    degrees = [(k * 5 - 50, k * 17 - 170) for k in range(19)]
+    for south, west in degrees:
+        name = f"{'S' if south < 0 else 'N'}{abs(south):02}{'W' if west < 0 else 'E'}{abs(west):03}"
+        cells.append((f"hgt/{name}.hgt", "SRTMHGT", 1201, south, west, -32768))
+    cells.append(("hgt/N61E010.hgt", "SRTMHGT", 3601, 61, 10, -32768))
+    for name, driver, side, south, west, void in cells:
         line, column = np.mgrid[0:side, 0:side]
-        data = (line * 3 - column * 2 - 50).astype("i2")
-        data[(line + column) % 13 == 0] = void
+        data = (line * 3 % 8000 - column * 2 - 50).astype("i2")
+        if void:
+            data[(line + column) % 13 == 0] = void
         step = 1 / (side - 1)
         corner = Affine(step, 0, west - step / 2, 0, -step, south + 1 + step / 2)
         plain = dict(driver="GTiff", dtype="int16", count=1, width=side, height=side, nodata=void)
-        with rasterio.open(FOLDER / "plain.tmp", "w", crs=CRS.from_epsg(4326), transform=corner, **plain) as file:
+        source = FOLDER.parent / "plain.tmp"
+        with rasterio.open(source, "w", crs=CRS.from_epsg(4326), transform=corner, **plain) as file:
             file.write(data, 1)
-        rasterio.shutil.copy(FOLDER / "plain.tmp", FOLDER / name, driver=driver)
+        rasterio.shutil.copy(source, FOLDER.parent / name, driver=driver)
 
 
-def tell(path):
-    """What GDAL reads."""
-    with rasterio.open(path) as file:
+def tell(path, target=None):
+    """What GDAL reads of a file: beside it, or in a folder."""
+    target = target / path.name if target else path
+    with rasterio.Env(AAIGRID_DATATYPE="Float64"), rasterio.open(path) as file:
         heights = file.read(1).astype("f8") * file.scales[0] + file.offsets[0]
         heights[file.read_masks(1) == 0] = np.nan
-        np.save(path.with_suffix(".npy"), heights * UNITS[file.units[0] or ""])
+        heights = heights * UNITS[file.units[0] or ""]
+        np.save(f"{target}.npy", heights.astype("f4") if file.dtypes[0] == "int16" and heights.size > 1e6 else heights)
         is_geographic = bool(file.crs and file.crs.is_geographic)
         unit = np.pi / 180 if is_geographic else (file.crs.linear_units_factor[1] if file.crs else 1.0)
         # GDAL leaves longitudes as they count from the file's own prime meridian.
@@ -170,7 +203,7 @@ def tell(path):
             x, y = file.xy(0, 0)
             longitude, latitude = rasterio.warp.transform(file.crs, moon("+proj=longlat"), [x], [y])
             place["first"] = [latitude[0], longitude[0]]
-        path.with_suffix(".json").write_text(json.dumps(place))
+        Path(f"{target}.json").write_text(json.dumps(place))
 
 
 def translate(source, target, options):
@@ -199,17 +232,36 @@ def warp(source, target, name):
             rasterio.shutil.copy(turned, target, driver="GTiff")
 
 
+# What is read of each format: a label or a header, or the file itself.
+PATTERNS = dict(
+    geotiff="*.tif", dted="*.dt?", hgt="*.hgt", pds3="*.lbl", pds4="*.xml", isis="*.[cl][ub][bl]", envi="*.hdr", ascii="*.asc"
+)
+
+
 def write_and_tell_all():
+    FOLDER.mkdir()
     write_all()
     write_cells()
-    for path in sorted(FOLDER.iterdir()):
-        if path.suffix in (".tif", ".dt0", ".dt1", ".hgt"):
-            tell(path)
+    gdal_formats.write_all(FOLDER)
+    gdal_hand.write_all(FOLDER.parent)
+    listed = []
+    for kind, pattern in PATTERNS.items():
+        for path in sorted((FOLDER.parent / kind).glob(pattern)) + sorted((FOLDER.parent / f"{kind}-hand").glob(pattern)):
+            if path.suffix == ".cub" and path.with_suffix(".lbl").exists():
+                continue  # samples of a label
+            if kind != "geotiff":
+                path.with_name(path.name + ".aux.xml").unlink(missing_ok=True)
+            # GDAL wants the samples of an ENVI header.
+            tell(gdal_formats.samples_of(path) if kind == "envi" else path, path.parent)
+            listed.append(str(path.relative_to(FOLDER.parent)))
+    (FOLDER.parent / "list.json").write_text(json.dumps(listed))
 
 
 match sys.argv[1:]:
     case ["all", _]:
         write_and_tell_all()
+    case ["tell", source, folder]:
+        tell(Path(source), Path(folder))
     case ["translate", source, target, *options]:
         translate(source, target, options)
     case ["warp", source, target, crs]:

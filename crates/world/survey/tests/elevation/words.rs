@@ -7,9 +7,9 @@ use survey::{Elevation, Fate, Frame, ReadOptions, VOCABULARIES, Vocabulary, word
 use crate::made::{Directory, Field, LABEL, Made, SIDE, floats, heights, quarters, words};
 
 /// Everything that a reader gives, or its error.
-type Outcome = Result<String, String>;
+pub type Outcome = Result<String, String>;
 
-fn outcome(made: &Made, options: &ReadOptions) -> Outcome {
+pub fn outcome(made: &Made, options: &ReadOptions) -> Outcome {
     let Elevation { affine, frame, title, notes, lines, columns, .. } = &made.read(options)?;
     let elevation = made.read(options)?;
     let samples: Vec<_> =
@@ -22,7 +22,7 @@ fn vocabulary(kind: &str) -> &'static Vocabulary {
 }
 
 /// Tries every row of a table. `files(word)` has pairs of files: without the name, and with it.
-fn every_row(kind: &str, files: impl Fn(u16, &str) -> Vec<[Outcome; 2]>) {
+pub fn every_row(kind: &str, files: impl Fn(u16, &str) -> Vec<[Outcome; 2]>) {
     for word in vocabulary(kind).words {
         let name = word.name.replace('*', "X");
         let pairs = files(word.number, &name);

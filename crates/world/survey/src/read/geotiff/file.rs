@@ -16,6 +16,9 @@ use crate::read::refusal::field;
 /// Most decoded bytes a byte of a compressed file; flat ground packs well, but not without limit.
 pub const MOST_EXPANSION: u64 = 4096;
 
+/// Most bytes of the values of a tag: the places of some ten million tiles.
+const MOST_VALUE: usize = 256 << 20;
+
 /// A TIFF file being read.
 pub type Tiff = Decoder<BufReader<File>>;
 
@@ -45,7 +48,7 @@ pub fn limits(bytes: u64) -> Limits {
     let mut limits = usual.clone();
     limits.decoding_buffer_size = most(bytes.saturating_mul(MOST_EXPANSION), usual.decoding_buffer_size);
     limits.intermediate_buffer_size = most(bytes, usual.intermediate_buffer_size);
-    limits.ifd_value_size = most(bytes, usual.ifd_value_size);
+    limits.ifd_value_size = most(bytes, MOST_VALUE);
     limits
 }
 

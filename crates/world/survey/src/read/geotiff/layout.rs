@@ -10,12 +10,14 @@ use super::block::{self, Stored};
 use super::file::{MOST_EXPANSION, Tiff};
 use super::tags;
 use crate::error::SurveyError;
+use crate::read::opened::Window;
 use crate::read::refusal::field;
 
 /// Most samples a byte of a file: each takes eight bytes of memory.
 const MOST_PIXELS: u64 = 1024;
 
 /// How the samples are stored.
+#[derive(Clone)]
 pub struct Layout {
     /// Lines of the picture.
     pub lines: usize,
@@ -37,7 +39,7 @@ pub struct Layout {
 
 /// The stored numbers of one band.
 pub struct Band {
-    /// Line by line; NaN where the file leaves a strip or tile out.
+    /// Of the window, line by line; NaN where the file leaves a strip or tile out.
     pub samples: Vec<f64>,
     /// Strips and tiles that the file leaves out.
     pub left_out: usize,
@@ -113,13 +115,19 @@ impl Layout {
         self.across() * self.lines.div_ceil(self.chunk[0])
     }
 
-    /// The stored numbers of `band`, from 0.
-    pub fn read(&self, path: &Path, tiff: &mut Tiff, band: usize) -> Result<Band, SurveyError> {
-        let mut out = Band { samples: vec![f64::NAN; self.lines * self.columns], left_out: 0 };
-        for chunk in 0..self.chunks() {
+    /// The stored numbers of `band`, from 0, in a window. Only the strips and tiles that it touches are read.
+    pub fn read(
+        &self,
+        path: &Path,
+        tiff: &mut Tiff,
+        band: usize,
+        window: &Window,
+    ) -> Result<Band, SurveyError> {
+        let mut out = Band { samples: vec![f64::NAN; window.count()], left_out: 0 };
+        for place in window.blocks(self.chunk) {
+            let chunk = place[0] * self.across() + place[1];
             let stored = if self.planar { chunk + band * self.chunks() } else { chunk };
-            let place = self.places.get(stored).filter(|place| is_held(place));
-            let Some(place) = place else {
+            let Some(held) = self.places.get(stored).filter(|place| is_held(place)) else {
                 out.left_out += 1;
                 continue;
             };
@@ -129,26 +137,11 @@ impl Layout {
                 source,
             };
             let index = u32::try_from(stored).map_err(|_| failed(TiffError::IntSizeError))?;
-            let values = block::read(tiff, index, *place, self.how, self.limits.clone()).map_err(failed)?;
-            self.put(chunk, &numbers(values), band, &mut out.samples);
+            let values = block::read(tiff, index, *held, self.how, self.limits.clone()).map_err(failed)?;
+            let numbers = numbers(values);
+            window.put(self.chunk, place, &mut out.samples, |sample| self.sample(&numbers, sample, band));
         }
         Ok(out)
-    }
-
-    /// Puts the numbers that a strip or tile stores into the picture.
-    fn put(&self, chunk: usize, numbers: &[f64], band: usize, samples: &mut [f64]) {
-        let (line, column) = (chunk / self.across() * self.chunk[0], chunk % self.across() * self.chunk[1]);
-        let width = self.chunk[1].min(self.columns - column);
-        let (pixel, first) = if self.planar { (1, 0) } else { (self.bands, band) };
-        let row = self.row(self.chunk[1] * pixel);
-        for (row, stored) in numbers.chunks(row).enumerate().take(self.lines - line) {
-            let start = (line + row) * self.columns + column;
-            for (k, sample) in samples[start..start + width].iter_mut().enumerate() {
-                if let Some(number) = self.sample(stored, first + k * pixel) {
-                    *sample = number;
-                }
-            }
-        }
     }
 
     /// Decoded numbers that a row of so many samples takes: samples below a byte come packed, each row from a byte on.
@@ -156,15 +149,19 @@ impl Layout {
         if self.bits < 8 { (samples * self.bits as usize).div_ceil(8) } else { samples }
     }
 
-    /// Sample `index` of a row. Samples below a byte begin at its highest bit (TIFF 6.0, FillOrder 1).
-    fn sample(&self, row: &[f64], index: usize) -> Option<f64> {
+    /// Sample `index` of a strip or tile, NaN where it ends early. Samples below a byte begin at its highest bit (TIFF 6.0,
+    /// FillOrder 1).
+    fn sample(&self, numbers: &[f64], index: usize, band: usize) -> f64 {
+        let (pixel, first) = if self.planar { (1, 0) } else { (self.bands, band) };
+        let (line, column) = (index / self.chunk[1], index % self.chunk[1]);
+        let (start, at) = (line * self.row(self.chunk[1] * pixel), column * pixel + first);
         if self.bits >= 8 {
-            return row.get(index).copied();
+            return numbers.get(start + at).copied().unwrap_or(f64::NAN);
         }
         let bits = self.bits as usize;
-        let byte = *row.get(index * bits / 8)? as u8;
-        let shift = 8 - bits - index * bits % 8;
-        Some(f64::from(byte >> shift & ((1 << bits) - 1)))
+        let byte = numbers.get(start + at * bits / 8).map(|byte| *byte as u8);
+        let shift = 8 - bits - at * bits % 8;
+        byte.map_or(f64::NAN, |byte| f64::from(byte >> shift & ((1 << bits) - 1)))
     }
 }
 

@@ -1,6 +1,5 @@
 //! Samples that a TIFF masks: by a picture of its own, by an alpha band, or by a file beside it.
 
-use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use tiff::tags::Tag;
@@ -10,6 +9,8 @@ use super::items::Items;
 use super::layout::Layout;
 use super::tags;
 use crate::error::SurveyError;
+use crate::read::beside::going_on;
+use crate::read::opened::Window;
 use crate::read::refusal::field;
 
 /// Bit of NewSubfileType: a copy of less detail.
@@ -17,17 +18,49 @@ const SMALLER: u32 = 1;
 /// Bit of NewSubfileType: a mask.
 const MASK: u32 = 4;
 
-/// Marks samples void that a later directory of the file, or a file beside it, masks. Notes tell of pictures that are not
-/// read.
-pub fn apply(
+/// A picture whose zeros are voids.
+pub struct Mask {
+    path: PathBuf,
+    tiff: Tiff,
+    layout: Layout,
+}
+
+impl Mask {
+    /// Of the directory that `tiff` stands at, which must have as many lines and columns as the heights.
+    fn of(
+        path: &Path,
+        mut tiff: Tiff,
+        bytes: u64,
+        size: [usize; 2],
+        place: &str,
+    ) -> Result<Self, SurveyError> {
+        let failed = |source| SurveyError::Tiff { path: path.to_path_buf(), place: place.to_owned(), source };
+        let layout = Layout::of(&mut tiff, limits(bytes)).map_err(failed)?;
+        if [layout.lines, layout.columns] != size {
+            let found = format!("a mask of {} x {} samples", layout.lines, layout.columns);
+            let expected = format!("{} x {}, as the heights have", size[0], size[1]);
+            return Err(field(path, place, found, expected, "write it again with gdal_translate"));
+        }
+        layout.check_samples(path)?;
+        Ok(Self { path: path.to_path_buf(), tiff, layout })
+    }
+
+    /// Marks samples of a window void where the mask is 0.
+    pub fn apply(&mut self, window: &Window, samples: &mut [f64]) -> Result<(), SurveyError> {
+        hide(samples, &self.layout.read(&self.path, &mut self.tiff, 0, window)?.samples);
+        Ok(())
+    }
+}
+
+/// The masks of a file: later directories of it, and a file beside it. Notes tell of pictures that are not read.
+pub fn masks(
     path: &Path,
     tiff: &mut Tiff,
     bytes: u64,
     size: [usize; 2],
-    samples: &mut [f64],
     notes: &mut Vec<String>,
-) -> Result<(), SurveyError> {
-    let mut directory = 1;
+) -> Result<Vec<Mask>, SurveyError> {
+    let (mut directory, mut masks) = (1, Vec::new());
     while tiff.more_images() {
         directory += 1;
         let place = format!("directory {directory}");
@@ -38,13 +71,15 @@ pub fn apply(
         match kind {
             kind if kind & SMALLER != 0 => {}
             kind if kind & MASK != 0 || shown == Some(4) => {
-                let mask = masked(path, tiff, bytes, size, &place)?;
-                hide(samples, &mask);
+                let (mut own, _) = open(path)?;
+                own.seek_to_image(directory - 1).map_err(failed)?;
+                masks.push(Mask::of(path, own, bytes, size, &place)?);
             }
             _ => notes.push(format!("{place} of the file is another picture, which is not read")),
         }
     }
-    beside(path, size, samples, notes)
+    masks.extend(beside(path, size, notes)?);
+    Ok(masks)
 }
 
 /// Marks samples void that are masked.
@@ -53,54 +88,15 @@ fn hide(samples: &mut [f64], mask: &[f64]) {
     masked.for_each(|(sample, _)| *sample = f64::NAN);
 }
 
-/// The numbers of a mask, 0 where samples are void.
-fn masked(
-    path: &Path,
-    tiff: &mut Tiff,
-    bytes: u64,
-    size: [usize; 2],
-    place: &str,
-) -> Result<Vec<f64>, SurveyError> {
-    let failed = |source| SurveyError::Tiff { path: path.to_path_buf(), place: place.to_owned(), source };
-    let layout = Layout::of(tiff, limits(bytes)).map_err(failed)?;
-    if [layout.lines, layout.columns] != size {
-        let found = format!("a mask of {} x {} samples", layout.lines, layout.columns);
-        let expected = format!("{} x {}, as the heights have", size[0], size[1]);
-        return Err(field(path, place, found, expected, "write it again with gdal_translate"));
-    }
-    layout.check_samples(path)?;
-    Ok(layout.read(path, tiff, 0)?.samples)
-}
-
-/// The path of a file beside another, whose name goes on with `ending`.
-fn next_to(path: &Path, ending: &str) -> PathBuf {
-    let mut name = OsString::from(path);
-    name.push(ending);
-    name.into()
-}
-
-/// A mask of GDAL's beside the file is read; other metadata of GDAL's are told.
-fn beside(
-    path: &Path,
-    size: [usize; 2],
-    samples: &mut [f64],
-    notes: &mut Vec<String>,
-) -> Result<(), SurveyError> {
-    let metadata = next_to(path, ".aux.xml");
-    if metadata.is_file() {
-        notes.push(format!(
-            "{} is not read: it may hold a no-data value, a scale or a place",
-            metadata.display()
-        ));
-    }
-    let file = next_to(path, ".msk");
+/// A mask of GDAL's beside the file.
+fn beside(path: &Path, size: [usize; 2], notes: &mut Vec<String>) -> Result<Option<Mask>, SurveyError> {
+    let file = going_on(path, ".msk");
     if !file.is_file() {
-        return Ok(());
+        return Ok(None);
     }
-    let (mut tiff, bytes) = open(&file)?;
-    hide(samples, &masked(&file, &mut tiff, bytes, size, "mask")?);
+    let (tiff, bytes) = open(&file)?;
     notes.push(format!("{} masks samples, which are voids", file.display()));
-    Ok(())
+    Mask::of(&file, tiff, bytes, size, "mask").map(Some)
 }
 
 /// Which bands are alpha, with whether heights are multiplied by it (TIFF 6.0, ExtraSamples 1).

@@ -13,30 +13,33 @@ mod place;
 pub mod tags;
 
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use landscape::LUNOID_RADIUS;
 use tiff::tags::Tag;
 
-use self::file::{Tiff, limits, open, text};
+use self::file::{Tiff, limits, text};
 use self::grid::GeoTags;
 use self::heights::Source;
 use self::items::Items;
 use self::keys::Keys;
 use self::layout::Layout;
+use self::mask::Mask;
+use super::bands;
+use super::opened::{Opened, Samples, Window};
 use super::options::ReadOptions;
-use super::refusal::{check_raster, field, visible};
+use super::refusal::{check_raster, field};
 use super::samples::{Conversion, Said};
 use super::words::Decider;
-use crate::elevation::{Affine, Elevation, Frame};
+use crate::elevation::{Affine, Frame, Grid};
 use crate::error::SurveyError;
 
-/// Reads one band of the first picture.
-pub fn read(path: &Path, options: &ReadOptions) -> Result<Elevation, SurveyError> {
+/// Opens one band of the first picture.
+pub fn open(path: &Path, options: &ReadOptions) -> Result<Opened, SurveyError> {
     let at = |place: &'static str| {
         move |source| SurveyError::Tiff { path: path.to_path_buf(), place: place.into(), source }
     };
-    let (mut tiff, bytes) = open(path)?;
+    let (mut tiff, bytes) = file::open(path)?;
     let (columns, lines) = tiff.dimensions().map_err(at("header"))?;
     check_raster(path, lines.into(), columns.into())?;
 
@@ -64,15 +67,18 @@ pub fn read(path: &Path, options: &ReadOptions) -> Result<Elevation, SurveyError
     let sphere = frame.sphere().unwrap_or(LUNOID_RADIUS);
     let conversion = Conversion::new(path, options, Said { sphere, is_f32: layout.is_f32(), ..said })?;
 
-    let mut heights = band.samples(path, &mut tiff, &layout, &mut notes)?;
     let size = [layout.lines, layout.columns];
-    mask::apply(path, &mut tiff, bytes, size, &mut heights, &mut notes)?;
-    notes.extend(conversion.convert(path, &mut heights, layout.columns)?);
-    let mut elevation = Elevation::new(layout.lines, layout.columns, heights, affine, frame);
-    elevation.title = items.get("DESCRIPTION", band.heights).unwrap_or_default().to_string();
-    elevation.sources = vec![path.to_path_buf()];
-    elevation.notes = notes;
-    Ok(elevation)
+    let masks = mask::masks(path, &mut tiff, bytes, size, &mut notes)?;
+    tiff.seek_to_image(0).map_err(at("header"))?;
+    Ok(Opened {
+        grid: Grid { lines: layout.lines, columns: layout.columns, affine, frame },
+        path: path.to_path_buf(),
+        title: items.get("DESCRIPTION", band.heights).unwrap_or_default().to_string(),
+        sources: vec![path.to_path_buf()],
+        notes,
+        conversion,
+        samples: Box::new(Picture { path: path.to_path_buf(), tiff, layout, band, masks }),
+    })
 }
 
 fn placed(
@@ -95,9 +101,6 @@ fn placed(
         }
     }
 }
-
-/// Most bands that a message lists.
-const MOST_LISTED: usize = 100;
 
 /// Which bands may hold heights, and which masks them.
 struct Bands {
@@ -125,42 +128,36 @@ impl Bands {
 
     /// The band that the user chose, or the only one that is no alpha band. An alpha band masks all but itself.
     fn chosen(&self, path: &Path, options: &ReadOptions, items: &Items) -> Result<Band, SurveyError> {
-        let list = || {
-            let name = |band| visible(items.get("DESCRIPTION", band).unwrap_or("no description"));
-            (0..self.count.min(MOST_LISTED))
-                .map(|band| format!("{} ({})", band + 1, name(band)))
-                .collect::<Vec<_>>()
-                .join(", ")
-        };
-        let (path, count) = (path.to_path_buf(), self.count);
-        let heights = match (options.band, self.heights.as_slice()) {
-            (Some(chosen), _) if (1..=count).contains(&chosen) => chosen - 1,
-            (Some(chosen), _) => return Err(SurveyError::NoSuchBand { path, chosen, count, list: list() }),
-            (None, &[only]) => only,
-            (None, _) => return Err(SurveyError::BandNotChosen { path, count, list: list() }),
-        };
+        let name = |band| Some(items.get("DESCRIPTION", band).unwrap_or("no description").to_owned());
+        let heights = bands::chosen(path, options, self.count, &self.heights, name)?;
         let alpha = self.alpha.first().copied().filter(|(band, _)| *band != heights);
         Ok(Band { heights, alpha })
     }
 }
 
-impl Band {
-    /// Stored numbers, NaN where the alpha band hides them or the file leaves them out.
-    fn samples(
-        &self,
-        path: &Path,
-        tiff: &mut Tiff,
-        layout: &Layout,
-        notes: &mut Vec<String>,
-    ) -> Result<Vec<f64>, SurveyError> {
-        let mut band = layout.read(path, tiff, self.heights)?;
+/// The picture of a band, with what masks it.
+struct Picture {
+    path: PathBuf,
+    tiff: Tiff,
+    layout: Layout,
+    band: Band,
+    masks: Vec<Mask>,
+}
+
+impl Samples for Picture {
+    /// Stored numbers, NaN where a mask or the alpha band hides them or the file leaves them out.
+    fn read(&mut self, window: &Window, notes: &mut Vec<String>) -> Result<Vec<f64>, SurveyError> {
+        let mut band = self.layout.read(&self.path, &mut self.tiff, self.band.heights, window)?;
         if band.left_out > 0 {
             let left_out = band.left_out;
             notes.push(format!("the file leaves {left_out} strips or tiles out: their samples are voids"));
         }
-        if let Some((alpha, is_multiplied)) = self.alpha {
-            let alpha = layout.read(path, tiff, alpha)?;
-            mask::apply_alpha(path, &mut band.samples, &alpha.samples, is_multiplied)?;
+        if let Some((alpha, is_multiplied)) = self.band.alpha {
+            let alpha = self.layout.read(&self.path, &mut self.tiff, alpha, window)?;
+            mask::apply_alpha(&self.path, &mut band.samples, &alpha.samples, is_multiplied)?;
+        }
+        for mask in &mut self.masks {
+            mask.apply(window, &mut band.samples)?;
         }
         Ok(band.samples)
     }

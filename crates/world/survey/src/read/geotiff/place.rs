@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use landscape::LUNOID_RADIUS;
-use quantities::radians;
 
 use super::grid::{GeoTags, grid};
 use super::keys::{self, Keys};
@@ -11,6 +10,7 @@ use crate::elevation::{Affine, Frame};
 use crate::error::SurveyError;
 use crate::projection::{Method, Projection};
 use crate::read::earth;
+use crate::read::map::{self, Map};
 use crate::read::refusal::field;
 
 const MODEL_TYPE: u16 = 1024;
@@ -134,11 +134,7 @@ impl Body<'_> {
             .map(|minor| minor / self.keys.get(SEMI_MAJOR_AXIS).unwrap_or(minor));
         let flattening = self.keys.get(INVERSE_FLATTENING).filter(|inverse| *inverse != 0.0).map(f64::recip);
         let flattened = minor.map(|minor| 1.0 - minor).or(flattening).unwrap_or(0.0);
-        if flattened.abs() > 1e-6 {
-            let share = 100.0 * flattened;
-            notes
-                .push(format!("the body is flattened by {share:.3} %: a sphere of {radius} m stands for it"));
-        }
+        notes.extend(map::flattened(radius, radius * (1.0 - flattened)));
         Ok(())
     }
 
@@ -186,26 +182,26 @@ impl Body<'_> {
     fn projection(&self, unit: f64) -> Result<Option<Projection>, SurveyError> {
         let angle = self.keys.unit_of_angles(self.path)?;
         let first = |keys: &[u16]| self.keys.first(keys).unwrap_or(0.0);
-        let parallel = self.keys.get(PARALLEL).map(|parallel| parallel * angle);
-        let latitude = first(&LATITUDES) * angle;
-        let Some(number) = self.keys.get(METHOD) else { return Ok(None) };
-        let (method, latitude) = match number as u16 {
-            14 if !is_pole(latitude) => return Ok(None),
-            14 | 15 => {
-                // A latitude other than the pole names the parallel of true scale.
-                let true_at = if is_pole(latitude) { parallel.unwrap_or(latitude) } else { latitude };
-                let scale = self.keys.first(&SCALES).unwrap_or(1.0);
-                let scale = scale * 0.5 * (1.0 + libm::sin(true_at.abs()));
-                (Method::PolarStereographic { scale }, radians(90.0_f64.copysign(true_at)))
-            }
-            17 => (Method::Equirectangular { parallel: parallel.unwrap_or(0.0) }, latitude),
-            21 => (Method::Orthographic, latitude),
+        let kind = match self.keys.get(METHOD).map(|number| number as u16) {
+            Some(14) => map::Kind::Stereographic,
+            Some(15) => map::Kind::Polar,
+            Some(17) => map::Kind::Equirectangular,
+            Some(21) => map::Kind::Orthographic,
             _ => return Ok(None),
         };
-        self.expect_no_more(method, parallel, angle)?;
-        let longitude = first(&LONGITUDES) * angle + self.meridian()?;
-        let offset = [first(&NORTHINGS), first(&EASTINGS)].map(|offset| offset * unit);
-        Ok(Some(Projection { method, latitude, longitude, radius: self.radius()?, offset }))
+        let map = Map {
+            latitude: Some(first(&LATITUDES) * angle),
+            longitude: first(&LONGITUDES) * angle + self.meridian()?,
+            parallel: self.keys.get(PARALLEL).map(|parallel| parallel * angle),
+            scale: self.keys.first(&SCALES).unwrap_or(1.0),
+            radius: self.radius()?,
+            offset: [first(&NORTHINGS), first(&EASTINGS)].map(|offset| offset * unit),
+        };
+        let projection = map.projection(kind);
+        if let Some(projection) = projection {
+            self.expect_no_more(projection.method, map.parallel, angle)?;
+        }
+        Ok(projection)
     }
 
     /// Refuses figures that a known projection does not have.
@@ -224,8 +220,4 @@ impl Body<'_> {
             None => Ok(()),
         }
     }
-}
-
-fn is_pole(latitude: f64) -> bool {
-    (latitude.abs() - radians(90.0)).abs() < 1e-9
 }

@@ -3,10 +3,11 @@
 use landscape::LUNOID_RADIUS;
 use quantities::radians;
 
-use super::statements::{Label, MAP, angles, kilometres, length_of_sample, pieces, samples_of_angle};
+use super::MAP;
 use crate::elevation::{Affine, Frame};
 use crate::error::SurveyError;
 use crate::projection::{Method, Projection};
+use crate::read::label::{Label, angles, kilometres, length_of_sample, pieces, samples_of_angle};
 use crate::read::options::ReadOptions;
 
 /// Relative difference above which the scale and the resolution of a map contradict one another.
@@ -65,9 +66,9 @@ impl Map {
             offset: [offset("LINE_PROJECTION_OFFSET")?, offset("SAMPLE_PROJECTION_OFFSET")?],
             latitude: angle("CENTER_LATITUDE")?,
             longitude: angle("CENTER_LONGITUDE")?,
-            radius: positive(label, "A_AXIS_RADIUS", kilometres)?.unwrap_or(LUNOID_RADIUS),
-            scale: positive(label, "MAP_SCALE", length_of_sample)?,
-            resolution: positive(label, "MAP_RESOLUTION", samples_of_angle)?,
+            radius: label.positive(MAP, "A_AXIS_RADIUS", kilometres)?.unwrap_or(LUNOID_RADIUS),
+            scale: label.positive(MAP, "MAP_SCALE", length_of_sample)?,
+            resolution: label.positive(MAP, "MAP_RESOLUTION", samples_of_angle)?,
         };
         map.expect_one_parallel(label)?;
         Ok(map)
@@ -132,7 +133,7 @@ impl Map {
             ));
         }
         for keyword in ["B_AXIS_RADIUS", "C_AXIS_RADIUS"] {
-            let axis = positive(label, keyword, kilometres)?;
+            let axis = label.positive(MAP, keyword, kilometres)?;
             if let Some(axis) = axis.filter(|axis| (axis / self.radius - 1.0).abs() > 1e-6) {
                 let radius = self.radius;
                 notes.push(format!("{keyword} is {axis} m: a sphere of {radius} m stands for the ellipsoid"));
@@ -156,19 +157,6 @@ impl Map {
 
 fn has(text: &str, part: &str) -> bool {
     text.to_ascii_uppercase().contains(part)
-}
-
-/// A number above 0, times its unit.
-fn positive(
-    label: &Label,
-    keyword: &str,
-    unit: impl Fn(&str) -> Option<f64>,
-) -> Result<Option<f64>, SurveyError> {
-    let found = label.number(MAP, keyword, unit)?;
-    match label.find(MAP, keyword).filter(|_| found.is_some_and(|number| number <= 0.0)) {
-        Some(statement) => Err(label.wrong(statement, "above 0")),
-        None => Ok(found),
-    }
 }
 
 /// Tells if the edges that the label states are not those of the offsets.

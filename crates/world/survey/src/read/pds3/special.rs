@@ -1,18 +1,17 @@
 //! Stored numbers that are no heights: nulls, saturations, numbers beyond the valid ones.
 
-use super::kind::{Kind, in_base};
-use super::label::{Statement, Value};
-use super::statements::{Label, is_nothing, place};
-use super::words::{is_void, vocabulary};
 use crate::error::SurveyError;
+use crate::read::kind::{Kind, in_base};
+use crate::read::label::{Label, Statement, Value, is_nothing, place};
+use crate::read::words::Fate;
 
 /// Ranges of stored numbers that mark voids, by every keyword of the table that does. A note tells of a mark that no sample
 /// can hold.
 pub fn voids(label: &Label, kind: Kind, notes: &mut Vec<String>) -> Result<Vec<[f64; 2]>, SurveyError> {
     let mut ranges = Vec::new();
     for statement in &label.statements {
-        let object = statement.blocks.last().map_or("", |block| block.name.as_str());
-        if !is_void(vocabulary(object).of_name(&statement.keyword)) {
+        let word = label.dialect.table_of(statement).of_name(&statement.keyword);
+        if !word.is_some_and(|word| matches!(word.fate, Fate::Void(_))) {
             continue;
         }
         for range in marks(label, statement, &statement.value, kind)? {

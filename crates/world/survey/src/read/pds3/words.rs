@@ -1,8 +1,9 @@
 //! Keywords and objects of PDS3 labels, and what becomes of each (Planetary Data System Data Dictionary; Standards
 //! Reference 3.8).
 
+use crate::read::label::Dialect;
 use crate::read::words::Fate::{Harmless, Only, Refused, Used, Void};
-use crate::read::words::{Vocabulary, Word, named};
+use crate::read::words::{Vocabulary, named};
 
 /// Text for a whole object that is not the image.
 const OTHER_DATA: &str = "another piece of data, with statements of its own";
@@ -268,16 +269,6 @@ pub const MAP: Vocabulary = Vocabulary {
     ],
 };
 
-/// The row of a statement outside of objects that are decided as a whole.
-pub fn vocabulary(object: &str) -> &'static Vocabulary {
-    match object {
-        "IMAGE" => &IMAGE,
-        "IMAGE_MAP_PROJECTION" => &MAP,
-        _ => &FILE,
-    }
-}
-
-/// Whether the values of a keyword mark voids.
-pub fn is_void(word: Option<&Word>) -> bool {
-    word.is_some_and(|word| matches!(word.fate, Void(_)))
-}
+/// The tables of a PDS3 label.
+pub const DIALECT: Dialect =
+    Dialect { objects: &OBJECTS, counting: &[(super::IMAGE, &IMAGE), (super::MAP, &MAP)], rest: &FILE };

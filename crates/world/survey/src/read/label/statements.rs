@@ -3,19 +3,39 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use super::label::{Statement, Value};
-use super::words::{OBJECTS, vocabulary};
+use super::parse::{Statement, Value, parse};
 use crate::error::SurveyError;
 use crate::read::refusal::field;
 use crate::read::unit;
-use crate::read::words::{Decider, Fate, Met, seen};
+use crate::read::words::{Decider, Fate, Met, Vocabulary, seen};
 
-/// The object of the samples.
-pub const IMAGE: &str = "IMAGE";
-/// The object of their place.
-pub const MAP: &str = "IMAGE_MAP_PROJECTION";
-/// Statements outside of both.
+/// Statements outside of the objects that have tables of their own.
 pub const FILE: &str = "";
+
+/// The tables of a kind of label.
+pub struct Dialect {
+    /// Objects and groups.
+    pub objects: &'static Vocabulary,
+    /// Keywords of the objects that count, by the name of the object in capitals. A label has one of each.
+    pub counting: &'static [(&'static str, &'static Vocabulary)],
+    /// Keywords outside of those objects.
+    pub rest: &'static Vocabulary,
+}
+
+impl Dialect {
+    /// Name of the innermost object of a statement, if it is one of those that count.
+    fn object_of(&self, statement: &Statement) -> &'static str {
+        let innermost = statement.blocks.last().map(|block| block.name.as_str());
+        let found = self.counting.iter().find(|(name, _)| innermost == Some(name));
+        found.map_or(FILE, |(name, _)| name)
+    }
+
+    /// The table that decides about a statement.
+    pub fn table_of(&self, statement: &Statement) -> &'static Vocabulary {
+        let object = self.object_of(statement);
+        self.counting.iter().find(|(name, _)| *name == object).map_or(self.rest, |(_, table)| table)
+    }
+}
 
 /// Words for "no value".
 const NOTHING: [&str; 6] = ["N/A", "NULL", "UNK", "UNKNOWN", "NONE", ""];
@@ -25,34 +45,33 @@ const NOTHING: [&str; 6] = ["N/A", "NULL", "UNK", "UNKNOWN", "NONE", ""];
 pub struct Label<'a> {
     /// Path of the file with the label.
     pub path: &'a Path,
+    /// Tables that decide about it.
+    pub dialect: &'static Dialect,
     /// Statements about the file, the image and its place.
     pub statements: Vec<Statement>,
 }
 
-/// Name of the innermost object of a statement, if it is one of the two that count.
-fn object_of(statement: &Statement) -> &'static str {
-    match statement.blocks.last().map(|block| block.name.as_str()) {
-        Some(IMAGE) => IMAGE,
-        Some(MAP) => MAP,
-        _ => FILE,
-    }
-}
-
 impl<'a> Label<'a> {
-    /// Decides every object and every keyword.
+    /// Reads a label at the beginning of a file, and decides every object and every keyword.
     ///
     /// # Errors
-    /// If one is refused or unknown, or stands there twice.
-    pub fn decided(
+    /// If the label is damaged, or one of its names is refused or unknown, or stands there twice.
+    pub fn of(
         path: &'a Path,
-        statements: Vec<Statement>,
+        dialect: &'static Dialect,
+        bytes: &[u8],
         decider: &mut Decider,
     ) -> Result<Self, SurveyError> {
-        let mut label = Self { path, statements: Vec::new() };
+        let statements = parse(bytes).map_err(|fault| {
+            let advice = "the label is damaged: correct it or fetch it again";
+            field(path, format!("label line {}", fault.line), fault.found, fault.expected, advice)
+        })?;
+        let mut label = Self { path, dialect, statements: Vec::new() };
         let (mut met, mut left_out) = (BTreeSet::new(), BTreeSet::new());
         for statement in statements {
             for block in &statement.blocks {
-                if met.insert((block.line, block.name.clone())) && !is_read(decider, block.line, &block.name)?
+                if met.insert((block.line, block.name.clone()))
+                    && !label.is_read(decider, block.line, &block.name)?
                 {
                     left_out.insert(block.line);
                 }
@@ -68,7 +87,7 @@ impl<'a> Label<'a> {
 
     /// Whether a keyword counts.
     fn decide(&self, decider: &mut Decider, statement: &Statement) -> Result<bool, SurveyError> {
-        let of = vocabulary(object_of(statement));
+        let of = self.dialect.table_of(statement);
         let value = match &statement.value {
             Value::Plain { text, .. } => text.clone(),
             list => list.text(),
@@ -78,8 +97,9 @@ impl<'a> Label<'a> {
         Ok(matches!(decider.decide(met)?, Some(Fate::Used(_) | Fate::Void(_))))
     }
 
-    /// Refuses a label with two images or two projections, and an object with two values of one keyword.
+    /// Refuses a label with two objects of one name that count, and an object with two values of one keyword.
     fn expect_one_of_each(&self) -> Result<(), SurveyError> {
+        let object_of = |statement: &Statement| self.dialect.object_of(statement);
         let mut begins: BTreeMap<&str, Option<usize>> = BTreeMap::new();
         let mut values: BTreeMap<(&str, &str), &Value> = BTreeMap::new();
         for statement in self.statements.iter().filter(|statement| object_of(statement) != FILE) {
@@ -93,16 +113,19 @@ impl<'a> Label<'a> {
                 return Err(self.wrong(statement, &format!("one {} in {object}", statement.keyword)));
             }
         }
-        let mut pointers = self.statements.iter().filter(|statement| statement.keyword == "^IMAGE");
-        match pointers.nth(1) {
-            Some(second) => Err(self.wrong(second, "one ^IMAGE in a label")),
-            None => Ok(()),
-        }
+        Ok(())
+    }
+
+    /// Whether the statements of an object count.
+    fn is_read(&self, decider: &mut Decider, line: usize, name: &str) -> Result<bool, SurveyError> {
+        let (of, place) = (self.dialect.objects, format!("label line {line}, OBJECT"));
+        let met = Met { of, word: of.of_name(name), place: &place, name, value: name };
+        Ok(matches!(decider.decide(met)?, Some(Fate::Used(_))))
     }
 
     /// The statement for `keyword` in `object`.
     pub fn find(&self, object: &str, keyword: &str) -> Option<&Statement> {
-        self.statements.iter().find(|s| s.keyword == keyword && object_of(s) == object)
+        self.statements.iter().find(|s| s.keyword == keyword && self.dialect.object_of(s) == object)
     }
 
     /// The statement for `keyword` in the nearest object around `inner`, or at the top.
@@ -135,11 +158,12 @@ impl<'a> Label<'a> {
     /// A number that may be a list with one number for each of `bands`, of which `band` counts.
     pub fn of_band(
         &self,
+        object: &str,
         keyword: &str,
         [band, bands]: [usize; 2],
         unit: impl Fn(&str) -> Option<f64>,
     ) -> Result<Option<f64>, SurveyError> {
-        let Some(statement) = self.find(IMAGE, keyword) else { return Ok(None) };
+        let Some(statement) = self.find(object, keyword) else { return Ok(None) };
         match &statement.value {
             Value::List(values) if values.len() == bands => self.number_of(statement, &values[band], unit),
             Value::List(_) => Err(self.wrong(statement, "one number, or one for each band")),
@@ -162,6 +186,20 @@ impl<'a> Label<'a> {
         let unit = unit.as_deref().unwrap_or_default().to_ascii_uppercase();
         let factor = factor(&unit).ok_or_else(|| self.wrong(statement, "a unit that is known here"))?;
         Ok(Some(number * factor))
+    }
+
+    /// A number above 0, times its unit.
+    pub fn positive(
+        &self,
+        object: &str,
+        keyword: &str,
+        unit: impl Fn(&str) -> Option<f64>,
+    ) -> Result<Option<f64>, SurveyError> {
+        let found = self.number(object, keyword, unit)?;
+        match self.find(object, keyword).filter(|_| found.is_some_and(|number| number <= 0.0)) {
+            Some(statement) => Err(self.wrong(statement, "above 0")),
+            None => Ok(found),
+        }
     }
 
     /// A whole number from 0 on, of bytes, bits, lines or samples.
@@ -191,13 +229,6 @@ impl<'a> Label<'a> {
         let advice = "the label is incomplete or of a kind not read here";
         field(self.path, format!("label, {keyword}"), "nothing", "a value", advice)
     }
-}
-
-/// Whether the statements of an object count.
-fn is_read(decider: &mut Decider, line: usize, name: &str) -> Result<bool, SurveyError> {
-    let place = format!("label line {line}, OBJECT");
-    let met = Met { of: &OBJECTS, word: OBJECTS.of_name(name), place: &place, name, value: name };
-    Ok(matches!(decider.decide(met)?, Some(Fate::Used(_))))
 }
 
 /// Where a statement stands, for messages.

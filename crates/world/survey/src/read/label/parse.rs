@@ -1,4 +1,4 @@
-//! PDS3 labels: keyword = value statements of the Object Description Language.
+//! Labels of PDS3 and ISIS: keyword = value statements of the Object Description Language.
 
 use crate::read::words::seen;
 
@@ -265,6 +265,11 @@ impl Reader<'_> {
                     let end = end.ok_or_else(|| fault(self.line, "a comment without end", "*/"))? + 4;
                     self.advance(end);
                 }
+                // ISIS writes comments to the end of a line.
+                Some(b'#') => {
+                    let rest = &self.bytes[self.at..];
+                    self.advance(rest.iter().position(|byte| *byte == b'\n').unwrap_or(rest.len()));
+                }
                 Some(byte) if byte.is_ascii_whitespace() || *byte == 0 => self.advance(1),
                 _ => return Ok(()),
             }
@@ -334,7 +339,8 @@ OBJECT = IMAGE\n LINES\n =\n 720\n SCALE = 4 <pix/deg>\nEND_OBJECT = IMAGE\nEND\
 
     #[test]
     fn archives_write_begin_units_behind_lists_and_nul_behind_end() {
-        let text = b"BEGIN_OBJECT = A\nB = (1.0, 2.0 <M>) <S>\nEND_OBJECT = A\nEND\0\0\0";
+        let text =
+            b"# a comment = of ISIS\nBEGIN_OBJECT = A\nB = (1.0, 2.0 <M>) <S>\nEND_OBJECT = A\nEND\0\0\0";
         let found = parse(text).unwrap();
         assert_eq!((inner(&found[0]), found.len()), ("A", 1));
         assert_eq!(found[0].value, Value::List(vec![plain("1.0", Some("S")), plain("2.0", Some("M"))]));
