@@ -47,7 +47,7 @@ pub fn build(scenario: &Scenario, settings: Settings) -> Result<MachineStage, St
 /// If something does not fit on the ground.
 pub fn over(bank: Bank, scenario: &Scenario, settings: Settings) -> Result<MachineStage, StageError> {
     let landscape = Arc::new(landscape(bank, scenario)?);
-    let scenery = Scenery::of(scenario, &landscape)?;
+    let scenery = Scenery::of(scenario, &landscape, settings.timebase.update)?;
     joined(landscape, scenery, scenario, settings)
 }
 

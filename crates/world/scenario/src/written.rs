@@ -12,6 +12,7 @@ mod path_csv;
 mod path_tum;
 mod reference;
 mod scenery;
+mod sun;
 
 use std::path::Path as FilePath;
 
@@ -98,7 +99,8 @@ fn scenario(root: &Reader, folder: &FilePath, others: &[&str], problems: &Proble
     let ground =
         root.table("landscape").map(|table| (ground::ground(&table, folder), albedo::albedo(&table, folder)));
     let features = features::features(&root.table_or_empty("features"), folder, problems);
-    let sun = root.table("sun").map(|table| light::sun(&table));
+    let is_generated = matches!(&ground, Some((Some((GroundSource::Generated(_), _)), _)));
+    let sun = root.table("sun").map(|table| sun::sun(&table, is_generated));
     let shadows = part(root, "shadows", light::shadows);
     let photometry = part(root, "photometry", light::photometry);
     let texture = part(root, "texture", light::texture);
@@ -134,7 +136,7 @@ fn scenario(root: &Reader, folder: &FilePath, others: &[&str], problems: &Proble
     check_own_shadow(root, &vehicle_table);
     root.finish();
     let ((ground, albedo), (path, path_file)) = (ground?, path??);
-    let ((ground, coarse), (sun, drift)) = (ground?, sun??);
+    let (ground, coarse) = ground?;
     let (albedo, albedo_map) = albedo?;
     let (vehicle, (vehicle_file, parts)) = (vehicle?, vehicle_shape?.unzip());
     let vehicle_shape = parts.map(|parts| VehicleShape { parts, eye_height: vehicle.eye_height });
@@ -151,8 +153,7 @@ fn scenario(root: &Reader, folder: &FilePath, others: &[&str], problems: &Proble
         photometry: photometry?.unwrap_or(Photometry::Lambert),
         texture: texture?,
         silhouettes: silhouettes?,
-        sun,
-        drift,
+        sun: sun??,
         shadows: shadows?.flatten(),
         rocks: rocks?,
         objects: objects?,
