@@ -22,4 +22,5 @@ mod shadow;
 mod side_by_side;
 mod stability;
 mod state;
+mod sun;
 mod timing;
