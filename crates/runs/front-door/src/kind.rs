@@ -10,6 +10,7 @@ use limits::Limit;
 use scenario::Scenario;
 
 use crate::OpenError;
+use crate::keys::of_scenario;
 
 /// What a TOML file is meant to be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -115,7 +116,17 @@ impl Kind {
 /// # Errors
 /// Every fault of the file, or one error if it is of another kind.
 pub fn read_scenario(path: &Path) -> Result<Scenario, OpenError> {
-    let read = Scenario::read_beside(path, &registry::parameter_tables());
+    read_scenario_over(path, &[])
+}
+
+/// Reads a scenario with those of `sets` over it that are keys of scenarios.
+///
+/// # Errors
+/// As [`read_scenario`], and every fault of the keys.
+pub(crate) fn read_scenario_over(path: &Path, sets: &[(String, String)]) -> Result<Scenario, OpenError> {
+    let sets = sets.iter().filter_map(|(key, value)| Some((of_scenario(key)?, value.as_str())));
+    let sets: Vec<(&str, &str)> = sets.collect();
+    let read = Scenario::read_over(path, &registry::parameter_tables(), &sets);
     read.or_else(|faults| Kind::Scenario.expect(path).and(Err(faults.into())))
 }
 

@@ -16,9 +16,13 @@ use crate::ground::landscape;
 /// # Errors
 /// If wishes and model do not fit together.
 pub fn settings(scenario: &Scenario, model: &HardwareModel) -> Result<Settings, SettingsError> {
+    let wishes = scenario.raster;
+    let columns = wishes.columns.or(wishes.sweeps).unwrap_or(model.raster.sweeps);
+    // A scenario of one angle names its lines.
+    let field = scenario.field.of_picture(columns, wishes.lines.unwrap_or(columns));
     let resolved = Settings::resolve(
         model,
-        scenario.field,
+        field,
         scenario.raster,
         scenario.range,
         scenario.laws,

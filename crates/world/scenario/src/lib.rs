@@ -55,7 +55,7 @@ pub use pose::Pose;
 pub use pose_problem::{PathProblem, PathProblems, PoseFault};
 pub use pose_table::{PoseRow, PoseTable, poses_csv};
 pub use range::{LevelSwitch, RangeLaw, RangeProgramme};
-pub use raster::{Display, FieldOfView, RasterWishes, Scalar};
+pub use raster::{Display, FieldOfView, FieldWish, RasterWishes, Scalar};
 pub use rocks::{RockArea, Rocks};
 pub use scenery::{Scenery, Standing, TrackPatch};
 pub use scenery_problem::{SceneryProblem, SceneryProblems};

@@ -7,7 +7,7 @@ use landscape::{Photometry, Silhouette};
 use quantities::Rate;
 
 use crate::{
-    AlbedoMapWish, CraterWishes, Display, Event, FieldOfView, Group, LawWishes, LevelSwitch, Object, Path,
+    AlbedoMapWish, CraterWishes, Display, Event, FieldWish, Group, LawWishes, LevelSwitch, Object, Path,
     RangeProgramme, RasterWishes, Rocks, RollDisplay, Scalar, ShadowFineness, Sunlight, TextureWish, Tracks,
     Vehicle, VehicleShape,
 };
@@ -66,7 +66,7 @@ pub struct Scenario {
     /// Raster that the scenario asks for.
     pub raster: RasterWishes,
     /// What the driver sees.
-    pub field: FieldOfView,
+    pub field: FieldWish,
     /// Ground-range programme asked for.
     pub range: Option<RangeProgramme>,
     /// Switch from the fine level of the ground to the coarse one.

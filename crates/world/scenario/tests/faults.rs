@@ -487,6 +487,61 @@ fn a_sun_has_angles_or_a_date() {
     }
 }
 
+#[test]
+fn a_field_of_view_has_two_angles_or_square_pixels() {
+    let of = |keys: &str| {
+        let text = format!("{GOOD}{keys}");
+        Scenario::parse("t.toml", &text)
+            .unwrap_or_else(|list| panic!("{keys}: {list}"))
+            .field
+            .of_picture(640, 480)
+    };
+    let square = of("field_of_view_deg = 60\nlines = 480");
+    assert!((square.tan_half_width - libm::tan(0.5 * quantities::radians(60.0))).abs() < 1e-15);
+    assert!((square.tan_half_height / square.tan_half_width - 0.75).abs() < 1e-15);
+    assert_eq!(of("field_of_view_deg = [50, 30]"), of(""));
+    for (keys, expected) in [
+        ("field_of_view_deg = 60", "is one angle, without `raster.lines`"),
+        ("field_of_view_deg = 0\nlines = 480", "from 0.1 to 170"),
+        (
+            "field_of_view_deg = [60]\nlines = 480",
+            "an array of 2 numbers, from 0.1 to 170 degrees, not 1 of them",
+        ),
+        ("field_of_view_deg = [60, 50, 40]", "not 3 of them"),
+        ("field_of_view_deg = '60'\nlines = 480", "must be a number"),
+        ("field_of_view_deg = [60, 171]", "from 0.1 to 170"),
+    ] {
+        let found = faults(&format!("{GOOD}{keys}\n"));
+        assert!(found.len() == 1 && found[0].1.contains(expected), "{keys}: {found:?}");
+    }
+}
+
+#[test]
+fn single_keys_go_over_those_of_the_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("s.toml");
+    fs::write(&path, GOOD).unwrap();
+    let read = |sets: &[(&str, &str)]| Scenario::read_over(&path, &[], sets);
+    let over = read(&[("frames", "7"), ("raster.columns", "33"), ("title", "\"over\"")]).unwrap();
+    assert_eq!(
+        (over.length, over.raster.columns, over.title.as_str()),
+        (Length::Frames(7), Some(33), "over")
+    );
+    assert_eq!(over.path.waypoints().len(), 2);
+    for (key, value, expected) in [
+        ("raster.colums", "33", "unknown key `raster.colums`"),
+        ("raster.columns", "0", "must be a whole number from 1 to 8192"),
+        ("raster.columns", "", "not valid TOML"),
+        ("", "3", "not valid TOML"),
+        ("raster", "3", "must be a table"),
+        ("sun.at", "'1972-12-11T22:00:00Z'", "generated ground lies nowhere"),
+    ] {
+        let list = read(&[(key, value)]).unwrap_err();
+        let first = list.iter().next().unwrap();
+        assert!(first.title.contains(expected), "{key} = {value}: {}", first.title);
+    }
+}
+
 const FULL: &str = include_str!("../../../../docs/scenario-format.md");
 
 proptest! {

@@ -111,8 +111,9 @@ fn a_scenario_reads_as_it_is_meant() {
     let scenario = parse(examples().0[0]);
     assert_eq!(scenario.sun.first().unwrap().azimuth, 110f64.to_radians());
     assert_eq!(scenario.vehicle, scenario::Vehicle::default());
-    assert!((scenario.field.tan_half_width - 0.466307658).abs() < 1e-9);
-    assert!((scenario.field.tan_half_height - 0.267949192).abs() < 1e-9);
+    let field = scenario.field.of_picture(525, 315);
+    assert!((field.tan_half_width - 0.466307658).abs() < 1e-9);
+    assert!((field.tan_half_height - 0.267949192).abs() < 1e-9);
     assert_eq!(scenario.raster.refresh.unwrap().to_string(), "60 Hz");
     let GroundSource::Generated(relief) = &scenario.ground else { panic!("{:?}", scenario.ground) };
     assert_eq!((relief.seed, relief.extent, relief.region_size), (7, [6000.0, 6000.0], 40.0));

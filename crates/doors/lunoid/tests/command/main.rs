@@ -24,3 +24,4 @@ mod stability;
 mod state;
 mod sun;
 mod timing;
+mod wishes;

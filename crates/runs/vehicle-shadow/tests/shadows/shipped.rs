@@ -31,7 +31,7 @@ fn read(frames: &[u64]) -> (Scenario, TrueGround, Vec<Shot>) {
             height: scenario.vehicle.eye_height,
             vehicle: pose.attitude,
             camera: landscape::Attitude { roll: 0.0, ..pose.attitude },
-            field: scenario.field,
+            field: stage.settings.raster.field,
         }
     };
     let shots = frames.iter().map(shot).collect();

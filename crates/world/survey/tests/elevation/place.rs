@@ -120,7 +120,9 @@ fn a_bank_keeps_the_direction_of_true_north() {
         radius: MOON,
         offset: [0.0; 2],
     };
-    for (longitude, first) in [(90.0, [0.0, 50_000.0]), (-90.0, [0.0, -50_000.0]), (45.0, [40_000.0, 40_000.0])] {
+    for (longitude, first) in
+        [(90.0, [0.0, 50_000.0]), (-90.0, [0.0, -50_000.0]), (45.0, [40_000.0, 40_000.0])]
+    {
         let affine = Affine { first, step: [-10.0, 10.0] };
         let read = Elevation::new(20, 20, vec![0.0; 400], affine, Frame::Plane(Some(south)));
         let found = survey(&read, &SurveyOptions::new(50.0), &mut |_| {}).unwrap();
