@@ -86,6 +86,18 @@ fn a_date_lights_as_its_angles_do_and_stands_in_the_record() {
         scene.expect(0, &["replay", &format!("{name}.toml"), "-q", "--out", name]);
     }
     scene.expect(0, &["compare", "dated", "angles", "--max-rmse", "1e-6"]);
+    let bare = format!("scenario.sun.at={AT}");
+    let more = [
+        "--set",
+        &bare,
+        "--set",
+        "scenario.sun.place.longitude_deg=30.77",
+        "--set",
+        "scenario.sun.place.latitude_deg=20.19",
+    ];
+    under(&scene, "open.toml", "");
+    scene.expect(0, &[&["replay", "open.toml", "-q", "--no-page", "--out", "set"][..], &more].concat());
+    scene.expect(0, &["compare", "dated", "set", "--max-rmse", "0"]);
     let record = |run: &str| -> Value {
         serde_json::from_str(&std::fs::read_to_string(scene.join(&format!("{run}/run.json"))).unwrap())
             .unwrap()

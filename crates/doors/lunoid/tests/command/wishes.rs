@@ -12,12 +12,17 @@ fn keys_of_the_scenario_are_set_by_the_command() {
     scene.expect(0, &[&arguments[..], &["set", "--set", "scenario.landscape.albedo=0.3"]].concat());
     let (_, err) = scene.expect(1, &["compare", "file", "set", "--max-rmse", "0"]);
     assert!(!err.contains("error"), "{err}");
+    // Words need no quotes.
+    scene.expect(0, &[&arguments[..], &["word", "--set", "scenario.title=Other ground"]].concat());
+    assert!(std::fs::read_to_string(scene.join("word/run.json")).unwrap().contains("Other ground"));
     let record = std::fs::read_to_string(scene.join("set/run.json")).unwrap();
     assert!(record.contains("\"albedo\": 0.3"), "{record}");
     for (set, said) in [
         ("scenario.landscape.albdo=0.3", "did you mean `albedo`?"),
         ("scenario.landscape.albedo=3", "--set:1"),
         ("scenario.lunsim.grid=64", "expected --set lunsim.grid"),
+        ("scenario.title=a\nframes = 1", "no key with a value in one line"),
+        ("scenario.=a", "no key with a value in one line"),
     ] {
         let output = scene.run(&[&arguments[..], &["no", "--set", set]].concat());
         let err = String::from_utf8_lossy(&output.stderr);
