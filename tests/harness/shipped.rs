@@ -144,7 +144,8 @@ impl Shipped {
 
     /// What changes over time, by the scenario as it is now.
     fn scenery(&self) -> Scenery {
-        let scenery = Scenery::of(&self.scenario, &self.landscape).expect("a shipped scenery");
+        let scenery = Scenery::of(&self.scenario, &self.landscape, self.settings.timebase.update)
+            .expect("a shipped scenery");
         scenery.with_course(self.course.clone())
     }
 

@@ -143,7 +143,7 @@ fn cell() -> Vec<u8> {
 
 fn banks() -> Vec<Vec<u8>> {
     let level = |corners| level_of(40.0, [0.0, 10.0], [corners; 2], plane(40.0, 3.0, [0.1, -0.2]));
-    let place = Some(Georeference { latitude: 0.1, longitude: 0.2, at: [50.0, 60.0] });
+    let place = Some(Georeference { latitude: 0.1, longitude: 0.2, at: [50.0, 60.0], true_north: None });
     let one = Bank::new("One", vec![level(3)], None).expect("a bank");
     let two = Bank::new("Placed", vec![level(4)], place).expect("a bank");
     [one, two].iter().map(written).collect()

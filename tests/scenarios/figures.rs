@@ -2,10 +2,11 @@
 
 use compare::compare;
 use hardware_model::LatePolicy;
+use landscape::Sun;
 use lunoid_tests::Shipped;
 use lunoid_tests::shipped::Shown;
 use quantities::radians;
-use scenario::{Curvature, RangeLaw};
+use scenario::{Curvature, RangeLaw, Sunlight};
 
 fn rmse(a: &Shown, b: &Shown) -> f64 {
     compare(&a.picture, &b.picture, None, &[]).unwrap().rmse
@@ -64,7 +65,8 @@ fn low_sun_leaves_faces_in_local_shadow() {
     let mut shipped = Shipped::read("low-sun", None);
     let shadow = |shipped: &Shipped| share(&shipped.waveform(0, 300, "tg.reflectivity"), |&r| r == 0.0);
     assert_figure(shadow(&shipped), 0.261, 0.001);
-    shipped.scenario.sun.elevation = radians(60.0);
+    let first = Sun { azimuth: radians(255.0), elevation: radians(60.0) };
+    shipped.scenario.sun = Sunlight::Angles { first, drift: None };
     assert_eq!(shadow(&shipped), 0.0);
 }
 

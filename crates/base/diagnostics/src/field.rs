@@ -308,6 +308,20 @@ impl<'a> Reader<'a> {
         })
     }
 
+    /// One finite number, or two in an array: `50`, `[50, 30]`.
+    pub fn f64_or_pair(&self, key: &str) -> Field<'a, Vec<f64>> {
+        self.field(key, "a number, or an array of 2 numbers,", |node| {
+            let numbers = match node.value {
+                Value::Array(_) => elements(node, finite_number)?,
+                _ => return finite_number(node).map(|number| vec![number]),
+            };
+            match numbers.len() {
+                2 => Ok(numbers),
+                wrong => Err(Fault { found: format!("{wrong} of them"), ..Fault::of(node) }),
+            }
+        })
+    }
+
     /// Any number of finite numbers.
     pub fn f64_list(&self, key: &str) -> Field<'a, Vec<f64>> {
         self.field(key, ("an array of numbers", array(ShapeKind::Number, None)), |node| {

@@ -45,6 +45,20 @@ impl TomlFile {
         }
     }
 
+    /// The table under `key` as a file of its own, whose values keep their places. Nothing, and a problem, where it is no
+    /// table.
+    pub fn below(self, key: &str, problems: &Problems) -> Option<Self> {
+        let Self { source, mut root } = self;
+        root.take(key)
+            .filter(|node| node.as_table().is_some())
+            .map(|root| Self { source: source.clone(), root })
+            .or_else(|| {
+                let place = Place { source, span: 0..0 };
+                problems.push(Problem::at(&place, format!("expected a key below `{key}`")));
+                None
+            })
+    }
+
     /// The path as the user gave it, and the text.
     pub fn source(&self) -> &Arc<Source> {
         &self.source

@@ -53,6 +53,14 @@ impl Node {
         }
     }
 
+    /// The value under `key` of a table, taken out of it.
+    pub fn take(&mut self, key: &str) -> Option<Self> {
+        match &mut self.value {
+            Value::Table(table) => table.entries.remove(key),
+            _ => None,
+        }
+    }
+
     /// The value in words, for "not ..." at the end of a sentence.
     pub fn found(&self) -> String {
         match &self.value {

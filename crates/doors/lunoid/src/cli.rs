@@ -4,7 +4,7 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::commands::{
     augment, bank, cartridge, check, compare, completions, explain, info, list, lockstep, man, model,
-    netlist, page, probe, replay, schema, sizing, state, study, survey, timing, trace, trigger,
+    netlist, page, probe, replay, schema, sizing, state, study, sun, survey, timing, trace, trigger,
 };
 use crate::output::Colour;
 
@@ -94,6 +94,8 @@ pub enum Command {
     Bank(bank::BankCommand),
     /// Fit a bank to an elevation file.
     Survey(survey::SurveyCommand),
+    /// Say where Sun and Earth stand over a place on the Moon.
+    Sun(sun::SunCommand),
     /// Show, check and list hardware models.
     Model(model::ModelCommand),
     /// Show the timing of the digital side, record it, and hold it to a record.

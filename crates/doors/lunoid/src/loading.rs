@@ -30,8 +30,8 @@ fn set_help() -> String {
     let tables = ROWS.iter().flat_map(|row| row.tables()).map(|table| format!("`{table}`"));
     let tables = tables.collect::<Vec<_>>().join(", ");
     format!(
-        "Set one key of the hardware model, or of the tables {tables} of a generator, over the wishes of the scenario; may \
-         be given several times"
+        "Set one key of the hardware model, of the tables {tables} of a generator, or of the scenario (`scenario.KEY`), over \
+         the wishes of the scenario; may be given several times"
     )
 }
 

@@ -18,6 +18,11 @@ pub fn bank_text(bank: &Bank) -> String {
             shortened(north, 3),
             shortened(east, 3)
         );
+        let north = place.true_north.map(|north| shortened(degrees(north), 3));
+        text += &match north {
+            Some(north) => format!("  true north: {north} deg clockwise from the x axis\n"),
+            None => "  true north: not kept in this bank\n".into(),
+        };
     }
     let heading = ["level", "regions", "region size", "south, west", "north, east", "corner heights"];
     let rows = bank.levels().iter().enumerate().map(|(index, level)| {
@@ -40,7 +45,7 @@ pub fn bank_text(bank: &Bank) -> String {
 pub fn bank_document(path: &Path, bank: &Bank) -> Value {
     let place = bank.georeference().map(|place| {
         json!({ "latitude_deg": degrees(place.latitude), "longitude_deg": degrees(place.longitude),
-                "at_m": place.at })
+                "at_m": place.at, "true_north_deg": place.true_north.map(degrees) })
     });
     let levels = bank.levels().iter().map(|level| {
         json!({ "region_size_m": level.region_size(), "origin_m": level.origin(), "corners": level.corners(),

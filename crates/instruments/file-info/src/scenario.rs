@@ -4,7 +4,7 @@ use std::path::Path;
 
 use front_door::read_scenario;
 use quantities::degrees;
-use scenario::{GroundSource, Length, Scenario};
+use scenario::{GroundSource, Length, Scenario, Sunlight};
 use serde_json::{Value, json};
 
 use crate::{Held, InfoError};
@@ -19,7 +19,7 @@ pub fn scenario(path: &Path) -> Result<Held, InfoError> {
         Length::Frames(frames) => format!("{frames} frames"),
         Length::Seconds(seconds) => format!("{seconds} s"),
     };
-    let (azimuth, elevation) = (degrees(scenario.sun.azimuth), degrees(scenario.sun.elevation));
+    let (sun, angles) = sun(&scenario.sun);
     let waypoints = scenario.path.waypoints().len();
     let document = json!({
         "schema": "lunoid.info.scenario/1",
@@ -29,14 +29,14 @@ pub fn scenario(path: &Path) -> Result<Held, InfoError> {
         "machine": scenario.machine,
         "length": length,
         "ground": ground,
-        "sun_deg": [azimuth, elevation],
+        "sun": sun,
+        "sun_deg": angles,
         "waypoints": waypoints,
         "contents": contents(&scenario),
         "files": scenario.files().iter().map(|file| file.display().to_string()).collect::<Vec<_>>(),
     });
     let text = format!(
-        "{}: {}\n  {}\n  {length} by machine {}; ground {ground}; sun at azimuth {azimuth:.1}, elevation \
-         {elevation:.1} deg; {waypoints} waypoints\n{}",
+        "{}: {}\n  {}\n  {length} by machine {}; ground {ground}; {sun}; {waypoints} waypoints\n{}",
         path.display(),
         scenario.title,
         scenario.shows,
@@ -44,6 +44,17 @@ pub fn scenario(path: &Path) -> Result<Held, InfoError> {
         contained(&contents(&scenario)),
     );
     Ok(Held { document, text })
+}
+
+/// The sun in words, and its angles (deg) at the start where the scenario gives them.
+fn sun(light: &Sunlight) -> (String, Option<[f64; 2]>) {
+    match light {
+        Sunlight::Angles { first, .. } => {
+            let [azimuth, elevation] = [first.azimuth, first.elevation].map(degrees);
+            (format!("sun at azimuth {azimuth:.1}, elevation {elevation:.1} deg"), Some([azimuth, elevation]))
+        }
+        Sunlight::Dated(date) => (format!("sun of {}", date.at), None),
+    }
 }
 
 /// What a scenario has beside terrain, one sun and a path.
@@ -56,7 +67,7 @@ fn contents(scenario: &Scenario) -> Value {
         "events": scenario.events.len(),
         "tracks": scenario.tracks.is_some(),
         "remote_shadow": scenario.shadows.is_some(),
-        "moving_sun": scenario.drift.is_some(),
+        "moving_sun": scenario.sun.moves(),
         "texture": scenario.texture.is_some(),
         "silhouettes": scenario.silhouettes.len(),
         "coarse_ground": scenario.coarse.is_some(),

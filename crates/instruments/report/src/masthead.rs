@@ -44,6 +44,7 @@ fn facts(run: &Run) -> Vec<(&'static str, String)> {
         let [sweeps, samples] = machine.raster.counts().map(grouped);
         ("Raster", format!("{sweeps} sweeps of {samples} samples"))
     });
+    let date = run.sky.as_ref().map(|sky| ("Date", sky.at.clone()));
     let facts = [
         ("Scenario", file),
         ("Machine", machine),
@@ -56,7 +57,7 @@ fn facts(run: &Run) -> Vec<(&'static str, String)> {
         ("Ground", ground),
         ("Sun", format!("azimuth {azimuth}°, elevation {elevation}°")),
     ];
-    facts.into_iter().chain(raster).collect()
+    facts.into_iter().chain(date).chain(raster).collect()
 }
 
 /// Where the vehicle does more than it can.

@@ -12,6 +12,16 @@ pub enum Decides {
     View,
     /// A part of the hybrid machine; no scenario wishes it.
     Model,
+    /// A key of the scenario itself, over what its file says.
+    Scenario,
+}
+
+/// What stands before a key of the scenario.
+const SCENARIO: &str = "scenario.";
+
+/// The key in the scenario's file that `key` sets, if it sets one.
+pub(crate) fn of_scenario(key: &str) -> Option<&str> {
+    key.strip_prefix(SCENARIO)
 }
 
 /// A key that a scenario may wish, and how it wishes it no longer.
@@ -37,9 +47,10 @@ const WISHED: [Wished; 13] = [
 /// Poses go by the yoke, whatever draws; no scenario wishes its keys.
 const YOKE: &str = "yoke.";
 
-/// Returns what decides `key`: a generator, the view or the hardware model.
+/// Returns what decides `key`: a generator, the view, the hardware model or the scenario.
 pub fn decides(key: &str) -> Decides {
     match registry::owner(key) {
+        _ if of_scenario(key).is_some() => Decides::Scenario,
         Some(row) => Decides::Generator(row),
         None if wished(key).is_some() || key.starts_with(YOKE) => Decides::View,
         None => Decides::Model,
@@ -122,5 +133,6 @@ pixel_rule = "centre"
         assert!(matches!(decides("loader.access_ns"), Decides::Model));
         assert!(matches!(decides("recorders.points_s"), Decides::Model));
         assert!(matches!(decides("computer"), Decides::Model));
+        assert!(matches!(decides("scenario.raster.sweeps"), Decides::Scenario));
     }
 }

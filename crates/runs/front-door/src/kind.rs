@@ -11,6 +11,7 @@ use scenario::Scenario;
 
 use crate::OpenError;
 use crate::expect_drawable;
+use crate::keys::of_scenario;
 
 /// What a TOML file is meant to be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -116,8 +117,39 @@ impl Kind {
 /// # Errors
 /// Every fault of the file, or one error if it is of another kind.
 pub fn read_scenario(path: &Path) -> Result<Scenario, OpenError> {
-    let read = Scenario::read_beside(path, &registry::parameter_tables());
+    read_scenario_over(path, &[])
+}
+
+/// Reads a scenario with those of `sets` over it that are keys of scenarios.
+///
+/// # Errors
+/// As [`read_scenario`], and every fault of the keys.
+pub(crate) fn read_scenario_over(path: &Path, sets: &[(String, String)]) -> Result<Scenario, OpenError> {
+    let sets = sets.iter().filter_map(|(key, value)| Some((of_scenario(key)?, value)));
+    let sets =
+        sets.map(|(key, value)| Ok((key, as_toml(key, value)?))).collect::<Result<Vec<_>, OpenError>>()?;
+    let sets: Vec<(&str, &str)> = sets.iter().map(|(key, value)| (*key, value.as_str())).collect();
+    let read = Scenario::read_over(path, &registry::parameter_tables(), &sets);
     read.or_else(|faults| Kind::Scenario.expect(path).and(Err(faults.into())))
+}
+
+/// A value of the command line as TOML in one line: one that is no TOML is a word, so that words need no quotes.
+fn as_toml(key: &str, value: &str) -> Result<String, OpenError> {
+    let is_bare = |part: &str| {
+        !part.is_empty() && part.chars().all(|c| c.is_ascii_alphanumeric() || c == '_' || c == '-')
+    };
+    if !key.split('.').all(is_bare) || value.contains(char::is_control) {
+        let set = format!("--set scenario.{key}={value}").escape_debug().to_string();
+        return Err(OpenError::Wish(format!(
+            "{set}: this is no key with a value in one line; expected one such as scenario.raster.columns=640"
+        )));
+    }
+    // Scenarios have dates in quotes.
+    let is_toml = |table: toml::Table| !table.values().any(toml::Value::is_datetime);
+    match format!("value = {value}").parse().is_ok_and(is_toml) {
+        true => Ok(value.to_owned()),
+        false => Ok(toml::Value::from(value).to_string()),
+    }
 }
 
 /// Reads a hardware model, by name or path, with differences over it.

@@ -13,8 +13,9 @@ use machine::HybridMachine;
 use run_record::{FileRecord, Inputs};
 use scenario::{GroundSource, RasterWishes, Scenario};
 
-use crate::keys::{Decides, decides, drop_wish};
-use crate::{OpenError, Opened, Wishes, read_model, read_scenario};
+use crate::keys::{Decides, decides, drop_wish, of_scenario};
+use crate::kind::read_scenario_over;
+use crate::{OpenError, Opened, Wishes, read_model};
 
 /// The hardware model of a scenario whose `machine` is `named`: raster, range and laws under a generator that has no
 /// hardware model are over those of the ideal machine.
@@ -27,7 +28,8 @@ pub fn base_model(named: &str) -> &str {
 /// # Errors
 /// Everything that is wrong in files and wishes, before any ground is made.
 pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
-    let mut scenario = read_scenario(path)?;
+    expect_tables_of_scenarios(&wishes.set)?;
+    let mut scenario = read_scenario_over(path, &wishes.set)?;
     if let Some(bank) = &wishes.bank {
         scenario.ground = GroundSource::Bank(bank.clone());
     }
@@ -67,6 +69,18 @@ pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
     })
 }
 
+/// A generator reads its table from the file alone; its keys are set by their own names.
+fn expect_tables_of_scenarios(sets: &[(String, String)]) -> Result<(), OpenError> {
+    let tables = registry::parameter_tables();
+    let is_of_generator = |key: &str| tables.iter().any(|table| key.split('.').next() == Some(*table));
+    match sets.iter().find_map(|(key, _)| of_scenario(key).filter(|key| is_of_generator(key))) {
+        None => Ok(()),
+        Some(key) => Err(OpenError::Wish(format!(
+            "--set scenario.{key}: a generator reads this table; expected --set {key}"
+        ))),
+    }
+}
+
 /// Banks are made and not kept with the scenarios, so a first replay may find none.
 fn expect_bank(path: &Path, scenario: &Scenario, wishes: &Wishes) -> Result<(), OpenError> {
     match &scenario.ground {
@@ -98,6 +112,7 @@ pub(crate) fn model(
         // Run parameters are known whatever draws; gear is only the drawing generator's own.
         Decides::Generator(own) => !is_parameter(own, key) && row != Some(own),
         Decides::View | Decides::Model => true,
+        Decides::Scenario => false,
     };
     let of_model: Vec<_> = wishes.set.iter().filter(|(key, _)| is_of_model(key)).cloned().collect();
     if let Some(row) = row {

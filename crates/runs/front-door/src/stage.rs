@@ -16,9 +16,13 @@ use crate::ground::landscape;
 /// # Errors
 /// If wishes and model do not fit together.
 pub fn settings(scenario: &Scenario, model: &HardwareModel) -> Result<Settings, SettingsError> {
+    let wishes = scenario.raster;
+    let columns = wishes.columns.or(wishes.sweeps).unwrap_or(model.raster.sweeps);
+    // A scenario of one angle names its lines.
+    let field = scenario.field.of_picture(columns, wishes.lines.unwrap_or(columns));
     let resolved = Settings::resolve(
         model,
-        scenario.field,
+        field,
         scenario.raster,
         scenario.range,
         scenario.laws,
@@ -47,7 +51,7 @@ pub fn build(scenario: &Scenario, settings: Settings) -> Result<MachineStage, St
 /// If something does not fit on the ground.
 pub fn over(bank: Bank, scenario: &Scenario, settings: Settings) -> Result<MachineStage, StageError> {
     let landscape = Arc::new(landscape(bank, scenario)?);
-    let scenery = Scenery::of(scenario, &landscape)?;
+    let scenery = Scenery::of(scenario, &landscape, settings.timebase.update)?;
     joined(landscape, scenery, scenario, settings)
 }
 

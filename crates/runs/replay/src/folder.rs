@@ -233,11 +233,11 @@ fn scope_frame(name: &str) -> Option<u64> {
 
 /// Name of the truth of a frame, from the folder of the truth.
 pub(crate) fn truth_name(frame: u64) -> String {
-    format!("frame_{frame:06}.npz")
+    format!("frame-{frame:06}.npz")
 }
 
 fn truth_index(name: &str) -> Option<u64> {
-    let frame = name.strip_prefix("frame_")?.strip_suffix(".npz")?.parse().ok()?;
+    let frame = name.strip_prefix("frame-")?.strip_suffix(".npz")?.parse().ok()?;
     (truth_name(frame) == name).then_some(frame)
 }
 
@@ -273,7 +273,7 @@ mod tests {
             assert_eq!(scope_frame(foreign), None, "{foreign}");
         }
         assert_eq!(truth_index(&truth_name(12)), Some(12));
-        for foreign in ["frame_12.npz", "frame_000012.npy", "frame-000012.npz", "frame_+00012.npz"] {
+        for foreign in ["frame-12.npz", "frame-000012.npy", "frame_000012.npz", "frame-+00012.npz"] {
             assert_eq!(truth_index(foreign), None, "{foreign}");
         }
     }

@@ -3,7 +3,7 @@
 use generator::Omission;
 use run_record::{
     FileRecord, FrameRecord, LimitRecord, ModelRecord, OmissionRecord, PathRecord, PicturesRecord,
-    RUN_SCHEMA, RunRecord, ScenarioRecord, SunRecord, VehicleRecord, total_work,
+    RUN_SCHEMA, RunRecord, ScenarioRecord, SkyRecord, SunRecord, VehicleRecord, total_work,
 };
 use scenario::LimitReport;
 
@@ -39,6 +39,7 @@ pub(crate) fn run_record(job: &Job, finished: Finished<'_>) -> RunRecord {
         ground,
         scenery,
         sun: SunRecord::from(&job.stage.scenery.sun(0.0)),
+        sky: job.stage.scenery.sky().map(SkyRecord::from),
         vehicle: VehicleRecord::from(&job.scenario.vehicle),
         path: PathRecord::from(&job.scenario.path),
         view,

@@ -22,6 +22,7 @@ mod mission;
 mod omission;
 mod run;
 mod scenery;
+mod sky;
 mod truth;
 mod view;
 
@@ -37,5 +38,6 @@ pub use run::{
     ScenarioRecord,
 };
 pub use scenery::{SceneryRecord, hash_of};
+pub use sky::{PhaseRecord, PlaceRecord, SeenRecord, SkyRecord};
 pub use truth::{TRUTH_SCHEMA, TruthFrame, TruthRecord};
 pub use view::{DisplayRecord, LevelsRecord, ShadowsRecord, ViewRecord, YokeRecord};

@@ -10,7 +10,7 @@ use serde_json::Value;
 
 use crate::{
     FileRecord, FrameRecord, GroundRecord, LimitRecord, ModelRecord, OmissionRecord, PathRecord,
-    SceneryRecord, SunRecord, VehicleRecord, ViewRecord, stays_inside,
+    SceneryRecord, SkyRecord, SunRecord, VehicleRecord, ViewRecord, stays_inside,
 };
 
 /// Schema of the record.
@@ -54,6 +54,9 @@ pub struct RunRecord {
     pub scenery: SceneryRecord,
     /// The sun at the start of the mission.
     pub sun: SunRecord,
+    /// Sun and Earth at the start of a mission with a date.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sky: Option<SkyRecord>,
     /// Size and limits of the vehicle.
     pub vehicle: VehicleRecord,
     /// Path that the vehicle takes.

@@ -229,6 +229,8 @@ pub struct Georeference {
     pub longitude: f64,
     /// Place of the tangent point in the bank's axes: north, east (m).
     pub at: [f64; 2],
+    /// Direction of true north there, clockwise from the bank's north axis (rad); `None` in banks made before it was kept.
+    pub true_north: Option<f64>,
 }
 
 /// All terrain of a problem area: levels from the finest to the coarsest.

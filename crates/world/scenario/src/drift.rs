@@ -1,6 +1,7 @@
 //! A sun that moves: its light and shadows are renewed step by step.
 
 use landscape::Sun;
+use quantities::wrap_heading;
 
 use crate::path::shortest_turn;
 
@@ -15,7 +16,7 @@ pub struct Drift {
 
 impl Drift {
     /// Every sun of a mission that starts with `first`, with the time from which on it holds (s): straight in azimuth
-    /// (the shorter way) and elevation from station to station, sampled at the begin of each step.
+    /// (the shorter way) and elevation from station to station, sampled at the begin of each step. Azimuths are 0 to 2 pi.
     pub fn suns(&self, first: Sun) -> Vec<(f64, Sun)> {
         let steps = self.steps();
         let at = |step: usize| {
@@ -38,10 +39,12 @@ impl Drift {
             0 => (0.0, first),
             _ => self.stations[after - 1],
         };
-        let Some(&(to, next)) = self.stations.get(after) else { return before };
+        let Some(&(to, next)) = self.stations.get(after) else {
+            return Sun { azimuth: wrap_heading(before.azimuth), ..before };
+        };
         let share = (time - from) / (to - from);
         Sun {
-            azimuth: before.azimuth + share * shortest_turn(before.azimuth, next.azimuth),
+            azimuth: wrap_heading(before.azimuth + share * shortest_turn(before.azimuth, next.azimuth)),
             elevation: before.elevation + share * (next.elevation - before.elevation),
         }
     }
@@ -50,7 +53,9 @@ impl Drift {
 #[cfg(test)]
 mod tests {
     use super::Drift;
+    use crate::path::shortest_turn;
     use landscape::Sun;
+    use proptest::prelude::{prop_assert, prop_assert_eq, proptest};
     use quantities::{degrees, radians};
 
     fn sun(azimuth: f64, elevation: f64) -> Sun {
@@ -90,5 +95,25 @@ mod tests {
         let suns = drift.suns(sun(0.0, 6.0));
         assert_eq!(suns.len(), 5);
         assert_eq!(suns[4].1, sun(0.0, 5.0));
+    }
+
+    proptest! {
+        /// From any azimuth to any other, over 0 and 360 or not: equal steps, together half a turn at most.
+        #[test]
+        fn there_is_no_seam(from in -360.0..360.0f64, to in -360.0..360.0f64, steps in 1..40usize) {
+            let drift = Drift { stations: vec![(steps as f64, sun(to, 4.0))], step: 1.0 };
+            let suns = drift.suns(sun(from, 4.0));
+            prop_assert_eq!(suns.len(), steps + 1);
+            let whole = degrees(shortest_turn(radians(from), radians(to)));
+            for pair in suns.windows(2) {
+                let turn = degrees(shortest_turn(pair[0].1.azimuth, pair[1].1.azimuth));
+                prop_assert!((turn - whole / steps as f64).abs() < 1e-9, "{} {}", turn, whole);
+            }
+            for (_, sun) in &suns {
+                prop_assert!((0.0..std::f64::consts::TAU).contains(&sun.azimuth));
+            }
+            let off = degrees(suns[steps].1.azimuth) - to;
+            prop_assert!((off - 360.0 * (off / 360.0).round()).abs() < 1e-9);
+        }
     }
 }

@@ -7,7 +7,7 @@
 //! - [`Path`]: waypoints joined by smooth curves in time. [`Vehicle`]: how it stands on the ground.
 //! - [`PoseTable`]: eye and attitude of each frame, with [`LimitReport`]s of what the vehicle cannot do.
 //! - [`Scenery`]: light, bodies and tracks over time: [`Object`]s and their [`Event`]s, [`Rocks`], [`Tracks`], a sun
-//!   that may [`Drift`].
+//!   that may [`Drift`] or have a date ([`Sunlight`]).
 //! - [`words`]: keys that scenarios and hardware models share.
 
 mod craters;
@@ -30,6 +30,7 @@ mod ride;
 mod rocks;
 mod scenery;
 mod scenery_problem;
+mod sunlight;
 mod tracks;
 mod vehicle;
 mod vehicle_shape;
@@ -54,10 +55,11 @@ pub use pose::Pose;
 pub use pose_problem::{PathProblem, PathProblems, PoseFault};
 pub use pose_table::{PoseRow, PoseTable, poses_csv};
 pub use range::{LevelSwitch, RangeLaw, RangeProgramme};
-pub use raster::{Display, FieldOfView, RasterWishes, Scalar};
+pub use raster::{Display, FieldOfView, FieldWish, RasterWishes, Scalar};
 pub use rocks::{RockArea, Rocks};
 pub use scenery::{Scenery, Standing, TrackPatch};
 pub use scenery_problem::{SceneryProblem, SceneryProblems};
+pub use sunlight::{DatedSky, SunDate, Sunlight};
 pub use tracks::Tracks;
 pub use vehicle::{Stand, Vehicle};
 pub use vehicle_shape::VehicleShape;

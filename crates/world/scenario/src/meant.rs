@@ -3,12 +3,12 @@
 use std::path::{Path as FilePath, PathBuf};
 
 use landscape::relief::Relief;
-use landscape::{Photometry, Silhouette, Sun};
+use landscape::{Photometry, Silhouette};
 use quantities::Rate;
 
 use crate::{
-    AlbedoMapWish, CraterWishes, Display, Drift, Event, FieldOfView, Group, LawWishes, LevelSwitch, Object,
-    Path, RangeProgramme, RasterWishes, Rocks, RollDisplay, Scalar, ShadowFineness, TextureWish, Tracks,
+    AlbedoMapWish, CraterWishes, Display, Event, FieldWish, Group, LawWishes, LevelSwitch, Object, Path,
+    RangeProgramme, RasterWishes, Rocks, RollDisplay, Scalar, ShadowFineness, Sunlight, TextureWish, Tracks,
     Vehicle, VehicleShape,
 };
 
@@ -39,10 +39,8 @@ pub struct Scenario {
     pub texture: Option<TextureWish>,
     /// Mountains beyond the ground.
     pub silhouettes: Vec<Silhouette>,
-    /// Direction of the light at the start.
-    pub sun: Sun,
-    /// Where the light goes from there.
-    pub drift: Option<Drift>,
+    /// Where the light comes from.
+    pub sun: Sunlight,
     /// Remote shadow, where it is drawn.
     pub shadows: Option<ShadowFineness>,
     /// Rocks on the ground.
@@ -68,7 +66,7 @@ pub struct Scenario {
     /// Raster that the scenario asks for.
     pub raster: RasterWishes,
     /// What the driver sees.
-    pub field: FieldOfView,
+    pub field: FieldWish,
     /// Ground-range programme asked for.
     pub range: Option<RangeProgramme>,
     /// Switch from the fine level of the ground to the coarse one.

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use landscape::Landscape;
+use quantities::Rate;
 use solids::{Body, Kind, Solid};
 
 use crate::objects::{Event, Object, Stay, stays};
@@ -11,14 +12,16 @@ use crate::rocks::Clear;
 use crate::{Frame, Guest, MoveStation, Scenario, Scenery, SceneryProblem, SceneryProblems, Standing};
 
 impl Scenery {
-    /// Light, bodies and tracks of `scenario` on its ground. Objects have the numbers of their order in the file,
-    /// rocks those after them.
+    /// Light, bodies and tracks of `scenario` on its ground, at `update` frames a second. Objects have the numbers of their
+    /// order in the file, rocks those after them.
     ///
     /// # Errors
-    /// Everything that has no place on the ground.
-    pub fn of(scenario: &Scenario, landscape: &Landscape) -> Result<Self, SceneryProblems> {
+    /// Everything that has no place on the ground, and a date without a sun.
+    pub fn of(scenario: &Scenario, landscape: &Landscape, update: Rate) -> Result<Self, SceneryProblems> {
         let mut problems = Vec::new();
         let mut keep = |problem| problems.push(problem);
+        let length = scenario.frames(update) as f64 / update.hertz();
+        let light = scenario.sun.suns(landscape.bank(), length).map_err(&mut keep).ok();
         let culture = culture(scenario, landscape, &mut keep);
         let guests = guests(scenario, landscape, &mut keep);
         let clear =
@@ -28,26 +31,20 @@ impl Scenery {
         let rocks = rocks.map_err(&mut keep).ok().flatten().unwrap_or_default();
         let tracks = scenario.tracks.map(|tracks| tracks.lay(&scenario.path, &scenario.vehicle, landscape));
         let patches = tracks.transpose().map_err(&mut keep).ok().flatten().unwrap_or_default();
-        if !problems.is_empty() {
+        let (Some((suns, sky)), true) = (light, problems.is_empty()) else {
             return Err(SceneryProblems(problems));
-        }
+        };
         // Tens of thousands of rocks stay where they are in memory.
         let mut standing = rocks;
         standing.splice(0..0, culture);
         standing.shrink_to_fit();
-        Ok(Self::under(suns(scenario))
+        Ok(Self::under(suns)
+            .with_sky(sky)
             .with_bodies(standing)
             .with_guests(guests)
             .with_groups(scenario.groups.clone())
             .with_patches(patches)
             .with_vehicle(scenario.vehicle_shape.clone()))
-    }
-}
-
-fn suns(scenario: &Scenario) -> Vec<(f64, landscape::Sun)> {
-    match &scenario.drift {
-        None => vec![(0.0, scenario.sun)],
-        Some(drift) => drift.suns(scenario.sun),
     }
 }
 

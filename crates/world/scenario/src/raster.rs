@@ -11,6 +11,28 @@ pub struct FieldOfView {
     pub tan_half_height: f64,
 }
 
+/// The field of view that a scenario asks for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FieldWish {
+    /// Both angles.
+    Both(FieldOfView),
+    /// Tangent of half the horizontal angle; pixels are square.
+    Across(f64),
+}
+
+impl FieldWish {
+    /// The field of a picture of `columns` x `lines` pixels.
+    pub fn of_picture(self, columns: u32, lines: u32) -> FieldOfView {
+        match self {
+            Self::Both(field) => field,
+            Self::Across(tan_half_width) => {
+                let tan_half_height = tan_half_width * f64::from(lines) / f64::from(columns);
+                FieldOfView { tan_half_width, tan_half_height }
+            }
+        }
+    }
+}
+
 /// The raster that a scenario or a command asks for; what is left open is the model's.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct RasterWishes {

@@ -5,7 +5,7 @@ use std::num::NonZeroU16;
 use landscape::{Attitude, Sun};
 use solids::Body;
 
-use crate::{Group, Guest, Pose, VehicleShape};
+use crate::{DatedSky, Group, Guest, Pose, VehicleShape};
 
 /// A body that stands from one time to another.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,6 +31,7 @@ pub struct TrackPatch {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scenery {
     suns: Vec<(f64, Sun)>,
+    sky: Option<DatedSky>,
     standing: Vec<Standing>,
     guests: Vec<Guest>,
     groups: Vec<Group>,
@@ -48,7 +49,12 @@ impl Scenery {
     /// Suns that follow one another, each with the time (s, ascending) from which on it holds; nothing on the ground.
     pub(crate) fn under(suns: Vec<(f64, Sun)>) -> Self {
         let (standing, guests, groups, patches) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Self { suns, standing, guests, groups, patches, course: Vec::new(), vehicle: None }
+        Self { suns, sky: None, standing, guests, groups, patches, course: Vec::new(), vehicle: None }
+    }
+
+    /// The same with the sky that the first sun is of, where it has a date.
+    pub(crate) fn with_sky(self, sky: Option<DatedSky>) -> Self {
+        Self { sky, ..self }
     }
 
     /// The same with bodies.
@@ -90,6 +96,11 @@ impl Scenery {
     pub fn sun(&self, time: f64) -> Sun {
         let next = self.suns.partition_point(|(from, _)| *from <= time);
         self.suns[next.saturating_sub(1)].1
+    }
+
+    /// Sun and Earth at the start, where the mission has a date.
+    pub fn sky(&self) -> Option<&DatedSky> {
+        self.sky.as_ref()
     }
 
     /// The sun of a group at `time` (s), if it has one of its own.

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use ephemeris::Instant;
 use limits::Limit;
 use solids::{RockFieldError, SolidError};
 
@@ -51,6 +52,42 @@ pub enum SceneryProblem {
     TooManyPatches {
         /// Spacing of the patches that was asked for (m).
         spacing: f64,
+    },
+    /// A date without a place on the Moon.
+    #[error(
+        "[sun]: `at` needs a place on the Moon, and the bank knows none (imported words, a file without a projection, or ground \
+         of another body); add place = {{ longitude_deg = ..., latitude_deg = ... }} to [sun]"
+    )]
+    SunWithoutPlace,
+    /// A bank that was made before banks had their true north.
+    #[error(
+        "[sun]: `at` needs the direction of true north, and the bank was made without it; make it again with `lunoid survey`"
+    )]
+    SunWithoutNorth,
+    /// The sun of a date is below the horizon.
+    #[error(
+        "[sun]: at {at}, t = {time} s, the sun stands at an elevation of {elevation_deg:.2} deg, expected above 0; choose \
+         another time: `lunoid sun` with --until and --step lists the elevations of a span"
+    )]
+    SunDown {
+        /// Date and time with the sun down.
+        at: Instant,
+        /// The same from the start of the mission (s).
+        time: f64,
+        /// Elevation of the sun (deg).
+        elevation_deg: f64,
+    },
+    /// More suns than can be kept.
+    #[error(
+        "[sun]: {found:.0} steps of {step} s, expected at most {limit}; raise step_s; {advice}",
+        limit = Limit::SunSteps.value(),
+        advice = Limit::SunSteps
+    )]
+    TooManySuns {
+        /// How many there would be.
+        found: f64,
+        /// Time from one to the next (s).
+        step: f64,
     },
     /// A path too long to be walked along.
     #[error(

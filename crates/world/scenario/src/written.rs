@@ -10,12 +10,14 @@ mod light;
 mod number_table;
 mod path_csv;
 mod path_tum;
+mod raster;
 mod reference;
 mod scenery;
+mod sun;
 
 use std::path::Path as FilePath;
 
-use diagnostics::{Problem, ProblemList, Problems, Reader, TomlFile, similar_file};
+use diagnostics::{Layers, Problem, ProblemList, Problems, Reader, TomlFile, similar_file};
 use files::FileError;
 use landscape::Photometry;
 use landscape::relief::Relief;
@@ -23,8 +25,8 @@ use limits::Limit;
 use quantities::radians;
 
 use crate::{
-    Display, FieldOfView, GroundSource, LawWishes, Length, LevelSwitch, RasterWishes, RollDisplay, Scalar,
-    Scenario, Vehicle, VehicleShape, words,
+    Display, GroundSource, LawWishes, Length, LevelSwitch, RollDisplay, Scalar, Scenario, Vehicle,
+    VehicleShape, words,
 };
 
 /// Format of scenario files that this program reads.
@@ -44,12 +46,32 @@ impl Scenario {
     /// # Errors
     /// Every fault of both files.
     pub fn read_beside(path: impl AsRef<FilePath>, others: &[&str]) -> Result<Self, ProblemList> {
+        Self::read_over(path, others, &[])
+    }
+
+    /// The same with single keys and their values as TOML over those of the file: `raster.columns` and `640`.
+    ///
+    /// # Errors
+    /// Every fault of both files and of the keys.
+    pub fn read_over(
+        path: impl AsRef<FilePath>,
+        others: &[&str],
+        sets: &[(&str, &str)],
+    ) -> Result<Self, ProblemList> {
         let name = path.as_ref().display().to_string();
         let bytes = files::read_all(path.as_ref(), Limit::TextBytes)
             .map_err(|error| not_read(path.as_ref(), &name, &error))?;
         let problems = Problems::new();
-        let scenario = TomlFile::parse_bytes(&name, &bytes, &problems)
-            .and_then(|file| scenario(&file.root(&problems), folder_of(path.as_ref()), others, &problems));
+        let set = |(key, value): &(&str, &str)| {
+            TomlFile::parse("--set", &format!("scenario.{key} = {value}"), &problems)
+                .and_then(|file| file.below("scenario", &problems))
+        };
+        let sets: Option<Vec<TomlFile>> = sets.iter().map(set).collect();
+        let file = TomlFile::parse_bytes(&name, &bytes, &problems);
+        let scenario = file.zip(sets).and_then(|(file, sets)| {
+            let layers = Layers::new([file].into_iter().chain(sets));
+            scenario(&layers.root(&problems), folder_of(path.as_ref()), others, &problems)
+        });
         problems.resolve(scenario)
     }
 
@@ -116,7 +138,8 @@ fn scenario(root: &Reader, folder: &FilePath, others: &[&str], problems: &Proble
     let ground =
         root.table("landscape").map(|table| (ground::ground(&table, folder), albedo::albedo(&table, folder)));
     let features = features::features(&root.table_or_empty("features"), folder, problems);
-    let sun = root.table("sun").map(|table| light::sun(&table));
+    let is_generated = matches!(&ground, Some((Some((GroundSource::Generated(_), _)), _)));
+    let sun = root.table("sun").map(|table| sun::sun(&table, is_generated));
     let shadows = part(root, "shadows", light::shadows);
     let photometry = part(root, "photometry", light::photometry);
     let texture = part(root, "texture", light::texture);
@@ -139,7 +162,7 @@ fn scenario(root: &Reader, folder: &FilePath, others: &[&str], problems: &Proble
     let vehicle = vehicle(&vehicle_table);
     let path = root.table("path").map(|table| course::course(&table, folder, problems));
     let raster = root.table_or_empty("raster");
-    let (wishes, field) = (raster_wishes(&raster), field_of_view(&raster));
+    let (wishes, field) = (raster::wishes(&raster), raster::field_of_view(&raster));
     let levels = part(root, "levels", levels);
     let roll = roll(&root.table_or_empty("roll"));
     let range = root.optional_table("range").map(|table| words::range(&table));
@@ -152,7 +175,7 @@ fn scenario(root: &Reader, folder: &FilePath, others: &[&str], problems: &Proble
     check_own_shadow(root, &vehicle_table);
     root.finish();
     let ((ground, albedo), (path, path_file)) = (ground?, path??);
-    let ((ground, coarse), (sun, drift)) = (ground?, sun??);
+    let (ground, coarse) = ground?;
     let (albedo, albedo_map) = albedo?;
     let (vehicle, (vehicle_file, parts)) = (vehicle?, vehicle_shape?.unzip());
     let vehicle_shape = parts.map(|parts| VehicleShape { parts, eye_height: vehicle.eye_height });
@@ -169,8 +192,7 @@ fn scenario(root: &Reader, folder: &FilePath, others: &[&str], problems: &Proble
         photometry: photometry?.unwrap_or(Photometry::Lambert),
         texture: texture?,
         silhouettes: silhouettes?,
-        sun,
-        drift,
+        sun: sun??,
         shadows: shadows?.flatten(),
         rocks: rocks?,
         objects: objects?,
@@ -304,29 +326,6 @@ fn vehicle(table: &Reader) -> Option<Vehicle> {
         max_speed: max_speed?,
         max_turn: max_turn?,
         max_slope: max_slope?,
-    })
-}
-
-fn raster_wishes(table: &Reader) -> RasterWishes {
-    let count = |key: &str, least: u32, most: u32| table.u32(key).between(least, most).optional();
-    let update = words::rate(table, "update_hz", 1).optional();
-    let refresh = words::rate(table, "refresh_hz", 1).optional();
-    words::check_refresh(table, update, refresh);
-    RasterWishes {
-        sweeps: count("sweeps", 1, 8192),
-        samples: count("samples_per_sweep", 2, 65_536),
-        columns: count("columns", 1, 8192),
-        lines: count("lines", 1, 8192),
-        update,
-        refresh,
-    }
-}
-
-fn field_of_view(table: &Reader) -> Option<FieldOfView> {
-    let angles = table.f64_array::<2>("field_of_view_deg").between(0.1, 170.0).unit("degrees");
-    angles.default([50.0, 30.0]).map(|[width, height]| FieldOfView {
-        tan_half_width: libm::tan(radians(0.5 * width)),
-        tan_half_height: libm::tan(radians(0.5 * height)),
     })
 }
 

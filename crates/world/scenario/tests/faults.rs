@@ -448,6 +448,100 @@ fn parts_of_the_landscape_that_cannot_be() {
     }
 }
 
+/// A `[sun]` with `keys` for the good scenario.
+fn sun(keys: &str) -> String {
+    GOOD.replace("azimuth_deg = 10\nelevation_deg = 12", keys)
+}
+
+const PLACE: &str = "place = { longitude_deg = 30.77, latitude_deg = 20.19 }";
+const AT: &str = "at = '1972-12-11T22:00:00Z'";
+
+#[test]
+fn a_sun_has_angles_or_a_date() {
+    for good in [format!("{AT}\n{PLACE}"), format!("{AT}\n{PLACE}\nstep_s = 5")] {
+        assert_eq!(faults(&sun(&good)), [], "{good}");
+    }
+    for (keys, line, expected) in [
+        (String::new(), 9, "missing keys `sun.azimuth_deg` and `sun.elevation_deg`, or `sun.at`"),
+        (AT.into(), 10, "generated ground lies nowhere on the Moon"),
+        (format!("{AT}\n{PLACE}\nazimuth_deg = 10"), 12, "`sun.azimuth_deg` beside `sun.at`"),
+        (format!("{AT}\n{PLACE}\nelevation_deg = 10"), 12, "`sun.elevation_deg` beside `sun.at`"),
+        (format!("{AT}\n{PLACE}\ndrift = [{{ t_s = 5 }}]"), 12, "`sun.drift` beside `sun.at`"),
+        (format!("azimuth_deg = 1\nelevation_deg = 2\n{PLACE}"), 12, "`sun.place` without `sun.at`"),
+        (format!("at = '1972-12-11'\n{PLACE}"), 10, "expected a date and time such as 1972-12-11T22:00:00Z"),
+        (format!("at = '1972-12-11T22:00:00'\n{PLACE}"), 10, "the time zone is missing"),
+        (format!("at = '1959-12-11T22:00:00Z'\n{PLACE}"), 10, "expected a year from 1960 to 2050"),
+        (format!("at = '1972-12-32T22:00:00Z'\n{PLACE}"), 10, "no day 32"),
+        (format!("at = 1972-12-11T22:00:00Z\n{PLACE}"), 10, "must be one line of text in quotes, not a date"),
+        (format!("{AT}\n{PLACE}").replace("30.77", "361"), 11, "from -360 to 360"),
+        (format!("{AT}\n{PLACE}").replace("20.19", "-91"), 11, "from -90 to 90"),
+        (format!("{AT}\nplace = {{ longitude_deg = 1 }}"), 11, "missing key `sun.place.latitude_deg`"),
+        (format!("{AT}\n{PLACE}").replace("latitude_deg", "lattitude_deg"), 11, ""),
+        (format!("{AT}\nplace = [30, 20]"), 11, "must be a table"),
+        (format!("{AT}\n{PLACE}\nstep_s = 0"), 12, "above 0"),
+    ] {
+        let found = faults(&sun(&keys));
+        assert!(found.iter().all(|fault| fault.0 == Some(line)), "{keys}: {found:?}");
+        assert!(!found.is_empty() && found[0].1.contains(expected), "{keys}: {found:?}");
+        assert!(found.len() == 1 || expected.is_empty(), "{keys}: {found:?}");
+    }
+}
+
+#[test]
+fn a_field_of_view_has_two_angles_or_square_pixels() {
+    let of = |keys: &str| {
+        let text = format!("{GOOD}{keys}");
+        Scenario::parse("t.toml", &text)
+            .unwrap_or_else(|list| panic!("{keys}: {list}"))
+            .field
+            .of_picture(640, 480)
+    };
+    let square = of("field_of_view_deg = 60\nlines = 480");
+    assert!((square.tan_half_width - libm::tan(0.5 * quantities::radians(60.0))).abs() < 1e-15);
+    assert!((square.tan_half_height / square.tan_half_width - 0.75).abs() < 1e-15);
+    assert_eq!(of("field_of_view_deg = [50, 30]"), of(""));
+    for (keys, expected) in [
+        ("field_of_view_deg = 60", "is one angle, without `raster.lines`"),
+        ("field_of_view_deg = 0\nlines = 480", "from 0.1 to 170"),
+        (
+            "field_of_view_deg = [60]\nlines = 480",
+            "an array of 2 numbers, from 0.1 to 170 degrees, not 1 of them",
+        ),
+        ("field_of_view_deg = [60, 50, 40]", "not 3 of them"),
+        ("field_of_view_deg = '60'\nlines = 480", "must be a number"),
+        ("field_of_view_deg = [60, 171]", "from 0.1 to 170"),
+    ] {
+        let found = faults(&format!("{GOOD}{keys}\n"));
+        assert!(found.len() == 1 && found[0].1.contains(expected), "{keys}: {found:?}");
+    }
+}
+
+#[test]
+fn single_keys_go_over_those_of_the_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("s.toml");
+    fs::write(&path, GOOD).unwrap();
+    let read = |sets: &[(&str, &str)]| Scenario::read_over(&path, &[], sets);
+    let over = read(&[("frames", "7"), ("raster.columns", "33"), ("title", "\"over\"")]).unwrap();
+    assert_eq!(
+        (over.length, over.raster.columns, over.title.as_str()),
+        (Length::Frames(7), Some(33), "over")
+    );
+    assert_eq!(over.path.waypoints().len(), 2);
+    for (key, value, expected) in [
+        ("raster.colums", "33", "unknown key `raster.colums`"),
+        ("raster.columns", "0", "must be a whole number from 1 to 8192"),
+        ("raster.columns", "", "not valid TOML"),
+        ("", "3", "not valid TOML"),
+        ("raster", "3", "must be a table"),
+        ("sun.at", "'1972-12-11T22:00:00Z'", "generated ground lies nowhere"),
+    ] {
+        let list = read(&[(key, value)]).unwrap_err();
+        let first = list.iter().next().unwrap();
+        assert!(first.title.contains(expected), "{key} = {value}: {}", first.title);
+    }
+}
+
 const FULL: &str = include_str!("../../../../docs/scenario-format.md");
 
 proptest! {

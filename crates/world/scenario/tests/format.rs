@@ -5,7 +5,7 @@ use std::fs;
 
 use landscape::Photometry;
 use quantities::radians;
-use scenario::{GroundSource, LevelSwitch, RockArea, RollDisplay, Scenario, ShadowFineness};
+use scenario::{GroundSource, LevelSwitch, RockArea, RollDisplay, Scenario, ShadowFineness, Sunlight};
 
 const DOC: &str = include_str!("../../../../docs/scenario-format.md");
 
@@ -63,7 +63,7 @@ fn parse(text: &str) -> Scenario {
 #[test]
 fn all_examples_are_read() {
     let (examples, pieces) = examples();
-    assert_eq!((examples.len(), pieces.len()), (4, 5));
+    assert_eq!((examples.len(), pieces.len()), (5, 5));
     let drive = parse(examples[1]);
     assert_eq!(drive.path.waypoints().len(), 3);
     let tum = parse(&examples[1].replace("drive.csv", "drive.tum"));
@@ -91,7 +91,8 @@ fn the_full_landscape_reads_as_it_is_meant() {
     assert_eq!(scenario.features.populations[1].area, Some([400.0, 600.0, 1600.0, 1800.0]));
     assert_eq!(scenario.photometry, Photometry::Specular { strength: 0.5, exponent: 8 });
     assert_eq!(scenario.silhouettes[0].outline()[1][1], libm::tan(radians(1.4)));
-    assert_eq!(scenario.drift.as_ref().unwrap().stations[0].0, 10.0);
+    let Sunlight::Angles { drift: Some(drift), .. } = &scenario.sun else { panic!("{:?}", scenario.sun) };
+    assert_eq!(drift.stations[0].0, 10.0);
     let shadows = ShadowFineness { finest: 0.2, angle: 0.8e-3, reach: Some(3000.0) };
     assert_eq!(scenario.shadows, Some(shadows));
     assert_eq!(scenario.rocks.unwrap().area, RockArea::AlongPath(60.0));
@@ -108,10 +109,11 @@ fn the_full_landscape_reads_as_it_is_meant() {
 #[test]
 fn a_scenario_reads_as_it_is_meant() {
     let scenario = parse(examples().0[0]);
-    assert_eq!(scenario.sun.azimuth, 110f64.to_radians());
+    assert_eq!(scenario.sun.first().unwrap().azimuth, 110f64.to_radians());
     assert_eq!(scenario.vehicle, scenario::Vehicle::default());
-    assert!((scenario.field.tan_half_width - 0.466307658).abs() < 1e-9);
-    assert!((scenario.field.tan_half_height - 0.267949192).abs() < 1e-9);
+    let field = scenario.field.of_picture(525, 315);
+    assert!((field.tan_half_width - 0.466307658).abs() < 1e-9);
+    assert!((field.tan_half_height - 0.267949192).abs() < 1e-9);
     assert_eq!(scenario.raster.refresh.unwrap().to_string(), "60 Hz");
     let GroundSource::Generated(relief) = &scenario.ground else { panic!("{:?}", scenario.ground) };
     assert_eq!((relief.seed, relief.extent, relief.region_size), (7, [6000.0, 6000.0], 40.0));
@@ -248,6 +250,9 @@ const CHANGES: &[(&str, usize, &str, &str)] = &[
     ("sun.drift.azimuth_deg", 2, "110.5", "110.6"),
     ("sun.drift.elevation_deg", 2, "elevation_deg = 6.5", "elevation_deg = 6.6"),
     ("sun.step_s", 2, "step_s = 2", "step_s = 3"),
+    ("sun.at", 4, "22:00:00Z", "22:00:01Z"),
+    ("sun.place.longitude_deg", 4, "longitude_deg = 30.77", "longitude_deg = 30.78"),
+    ("sun.place.latitude_deg", 4, "latitude_deg = 20.19", "latitude_deg = 20.18"),
     ("shadows.enabled", 2, "enabled = true", "enabled = false"),
     ("shadows.finest_m", 2, "finest_m = 0.2", "finest_m = 0.3"),
     ("shadows.angle_mrad", 2, "angle_mrad = 0.8", "angle_mrad = 0.9"),

@@ -2,7 +2,9 @@
 
 use std::collections::BTreeSet;
 
-use landscape::{Bank, Landscape, Level};
+use ephemeris::{Instant, MOON_RADIUS, Place, Sky};
+use landscape::{Bank, Georeference, Landscape, Level};
+use quantities::{Rate, degrees, radians};
 use scenario::{GroundSource, Scenario, Scenery, SceneryProblem, SceneryProblems};
 use solids::Kind;
 
@@ -29,8 +31,12 @@ fn scenery(tables: &str) -> Result<(Scenario, Scenery), SceneryProblems> {
         Scenario::parse("t.toml", &format!("{GOOD}\n{tables}")).unwrap_or_else(|list| panic!("{list}"));
     let GroundSource::Generated(relief) = &scenario.ground else { panic!("generated") };
     let bank = Bank::new("t", vec![relief.build().unwrap()], None).unwrap();
-    let scenery = Scenery::of(&scenario, &Landscape::new(bank, 1.0))?;
+    let scenery = Scenery::of(&scenario, &Landscape::new(bank, 1.0), rate())?;
     Ok((scenario, scenery))
+}
+
+fn rate() -> Rate {
+    Rate::new(30, 1).unwrap()
 }
 
 fn made(tables: &str) -> Scenery {
@@ -44,7 +50,7 @@ fn object(id: &str, x: f64, y: f64) -> String {
 #[test]
 fn a_plain_scenario_has_nothing_on_the_ground() {
     let (scenario, plain) = scenery("").unwrap();
-    assert_eq!(plain, Scenery::still(scenario.sun));
+    assert_eq!(plain, Scenery::still(scenario.sun.first().unwrap()));
 }
 
 #[test]
@@ -128,7 +134,7 @@ fn what_moves_is_between_its_stations() {
         (5.0, [325.0, 380.0, 45.0], 17.0, 4.5, -3.0),
         (99.0, [400.0, 380.0, 90.0], 8.0, 0.0, 0.0),
     ] {
-        let [heading, pitch, roll] = [heading, pitch, roll].map(quantities::radians);
+        let [heading, pitch, roll] = [heading, pitch, roll].map(radians);
         let attitude = landscape::Attitude { heading, pitch, roll };
         let turn = scenario::Stance { at: [0.0; 2], attitude }.to_ground();
         for body in scenery.guests(time) {
@@ -200,12 +206,90 @@ fn the_sun_goes_step_by_step() {
     let scenario = Scenario::parse("t.toml", &text).unwrap_or_else(|list| panic!("{list}"));
     let level = Level::new(600.0, [0.0; 2], [2, 2], vec![[0.0; 9]; 4]).unwrap();
     let landscape = Landscape::new(Bank::new("", vec![level], None).unwrap(), 1.0);
-    let scenery = Scenery::of(&scenario, &landscape).unwrap();
+    let scenery = Scenery::of(&scenario, &landscape, rate()).unwrap();
     for (time, elevation) in [(0.0, 12.0), (1.9, 12.0), (2.0, 11.0), (5.0, 10.0), (8.0, 8.0), (80.0, 8.0)] {
-        let found = quantities::degrees(scenery.sun(time).elevation);
+        let found = degrees(scenery.sun(time).elevation);
         assert!((found - elevation).abs() < 1e-12, "t = {time}: {found}");
     }
     assert_eq!(scenery.suns().len(), 5);
+}
+
+/// Level ground with its middle at the landing site of Apollo 17, true north so far (rad) from its x axis.
+fn valley(true_north: Option<f64>) -> Landscape {
+    let level = Level::new(600.0, [0.0; 2], [2, 2], vec![[0.0; 9]; 4]).unwrap();
+    let [latitude, longitude] = [20.19, 30.77].map(radians);
+    let place = Georeference { latitude, longitude, at: [300.0; 2], true_north };
+    Landscape::new(Bank::new("", vec![level], Some(place)).unwrap(), 1.0)
+}
+
+fn dated(keys: &str) -> Scenario {
+    let ground = "[landscape.generated]\nseed = 1\nextent_m = [600, 640]\nregion_size_m = 40\ntilt_m_per_m = [0.1, 0.0]";
+    let text = GOOD.replace(ground, "[landscape]\nbank = 'valley.bank'");
+    let text =
+        text.replace("azimuth_deg = 10\nelevation_deg = 12", keys).replace("frames = 90", "duration_s = 150");
+    Scenario::parse("t.toml", &text).unwrap_or_else(|list| panic!("{list}"))
+}
+
+const AT: &str = "at = '1972-12-11T22:00:00Z'";
+
+#[test]
+fn a_date_has_the_sun_of_its_place() {
+    let of = |keys: &str, north: f64| Scenery::of(&dated(keys), &valley(Some(north)), rate()).unwrap();
+    let scenery = of(AT, 0.0);
+    let sky = scenery.sky().unwrap();
+    assert_eq!(sky.at.to_string(), "1972-12-11T22:00:00Z");
+    // Elevation about 14.3 degrees two hours after the landing at 13.3, in the east.
+    let sun = scenery.sun(0.0);
+    assert!((degrees(sun.elevation) - 14.3).abs() < 0.3, "{}", degrees(sun.elevation));
+    assert!((degrees(sun.azimuth) - 95.0).abs() < 3.0, "{}", degrees(sun.azimuth));
+    assert_eq!((sun.azimuth, sun.elevation), (sky.sky.sun.azimuth, sky.sky.sun.elevation));
+    // 150 s are three steps of 60 s; the sun climbs half a degree an hour.
+    assert_eq!(scenery.suns().iter().map(|sun| sun.0).collect::<Vec<_>>(), [0.0, 60.0, 120.0]);
+    let climbed = degrees(scenery.sun(149.0).elevation - sun.elevation);
+    assert!((climbed - 0.48 * 120.0 / 3600.0).abs() < 1e-3, "{climbed}");
+    assert_eq!(of(&format!("{AT}\nstep_s = 200"), 0.0).suns().len(), 1);
+    // A place of the scenario is over that of the bank.
+    let other = of(&format!("{AT}\nplace = {{ longitude_deg = 60, latitude_deg = 0 }}"), 0.0);
+    assert!(degrees(other.sun(0.0).elevation) > 40.0);
+    // Where true north is 30 degrees to the right of the x axis, so is everything else; across 360 too.
+    for north in [30.0, -100.0, 359.0] {
+        let turned = of(AT, radians(north)).sun(0.0);
+        let turn = degrees(turned.azimuth - sun.azimuth) - north;
+        assert!(
+            (turn - 360.0 * (turn / 360.0).round()).abs() < 1e-9 && turned.elevation == sun.elevation,
+            "{north}"
+        );
+        assert!((0.0..std::f64::consts::TAU).contains(&turned.azimuth));
+    }
+}
+
+#[test]
+fn dates_without_a_sun_are_refused() {
+    let said = |keys: &str, ground: &Landscape| match Scenery::of(&dated(keys), ground, rate()) {
+        Ok(_) => panic!("{keys}"),
+        Err(problems) => problems.to_string(),
+    };
+    let plain = Landscape::new(Bank::new("", valley(None).bank().levels().to_vec(), None).unwrap(), 1.0);
+    assert!(said(AT, &plain).contains("`at` needs a place on the Moon"));
+    assert!(said(AT, &valley(None)).contains("make it again with `lunoid survey`"));
+    let night = said("at = '1972-12-25T22:00:00Z'", &valley(Some(0.0)));
+    assert!(
+        night.contains("at 1972-12-25T22:00:00Z, t = 0 s") && night.contains("expected above 0"),
+        "{night}"
+    );
+    // The sun sets while the mission lasts: at its last step.
+    let place = Place { longitude: radians(30.77), latitude: radians(20.19), radius: MOON_RADIUS };
+    let noon: Instant = "1972-12-17T12:00:00Z".parse().unwrap();
+    let minute = (0..20_000)
+        .find(|minute| Sky::over(place, noon.later(60.0 * f64::from(*minute))).sun.elevation < 0.0);
+    let before = noon.later(60.0 * f64::from(minute.unwrap() - 2));
+    let evening = said(&format!("at = '{before}'"), &valley(Some(0.0)));
+    assert!(evening.contains("t = 120 s, the sun stands at an elevation of -0.0"), "{evening}");
+    let steps = said(&format!("{AT}\nstep_s = 1e-3"), &valley(Some(0.0)));
+    assert!(steps.contains("150000 steps of 0.001 s") && steps.contains("sun-steps"), "{steps}");
+    // Imported ground has its x axis to the north.
+    let placed = dated(&format!("{AT}\nplace = {{ longitude_deg = 30.77, latitude_deg = 20.19 }}"));
+    assert_eq!(Scenery::of(&placed, &plain, rate()).unwrap().sky().unwrap().true_north, 0.0);
 }
 
 #[test]
@@ -237,5 +321,5 @@ fn there_and_back(tables: &str, length: f64) -> Result<Scenery, SceneryProblems>
     let wishes = Scenario::parse("t.toml", &format!("{GOOD}{tables}")).unwrap();
     let GroundSource::Generated(relief) = &wishes.ground else { panic!("generated") };
     let bank = Bank::new("t", vec![relief.build().unwrap()], None).unwrap();
-    Scenery::of(&Scenario { path, ..wishes }, &Landscape::new(bank, 1.0))
+    Scenery::of(&Scenario { path, ..wishes }, &Landscape::new(bank, 1.0), rate())
 }

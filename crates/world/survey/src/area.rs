@@ -121,8 +121,10 @@ pub fn cut(
         }
     }
     let at = size.map(|length| 0.5 * length);
-    let georeference = placed.centre.map(|[latitude, longitude]| Georeference { latitude, longitude, at });
-    Ok(Cut { patch, area: placed.area, georeference, true_north: placed.true_north, warnings })
+    let true_north = placed.true_north;
+    let georeference =
+        placed.centre.map(|[latitude, longitude]| Georeference { latitude, longitude, at, true_north });
+    Ok(Cut { patch, area: placed.area, georeference, true_north, warnings })
 }
 
 pub(crate) fn place(elevation: &Grid, area: Area) -> Result<Placed, SurveyError> {
@@ -183,7 +185,7 @@ pub(crate) fn place(elevation: &Grid, area: Area) -> Result<Placed, SurveyError>
 
 fn in_plane(area: [f64; 4], projection: Option<Projection>) -> Placed {
     let middle = [0.5 * (area[0] + area[2]), 0.5 * (area[1] + area[3])];
-    let on_moon = projection.filter(|p| (p.radius - LUNOID_RADIUS).abs() < 1000.0);
+    let on_moon = projection.filter(|p| is_moon(p.radius));
     Placed {
         area,
         metres: [1.0; 2],
@@ -197,10 +199,15 @@ fn on_sphere(radius: f64, latitude: f64, longitude: f64, area: [f64; 4]) -> Plac
     Placed {
         area,
         metres: [radius, radius * libm::cos(latitude)],
-        centre: Some([latitude, wrap(longitude)]),
+        centre: is_moon(radius).then_some([latitude, wrap(longitude)]),
         true_north: Some(0.0),
         resampled: None,
     }
+}
+
+/// Whether a sphere of that radius (m) is the Moon: a bank has a place there only.
+fn is_moon(radius: f64) -> bool {
+    (radius - LUNOID_RADIUS).abs() < 1000.0
 }
 
 pub(crate) fn check_inside(elevation: &Grid, area: [f64; 4]) -> Result<(), SurveyError> {
@@ -347,7 +354,7 @@ fn between(elevation: &Elevation, [latitude, longitude]: [f64; 2]) -> Option<f64
 }
 
 fn warn_of_sphere(radius: f64, warnings: &mut Vec<String>) {
-    if (radius - LUNOID_RADIUS).abs() > 1000.0 {
+    if !is_moon(radius) {
         warnings.push(format!("the file lies on a sphere of radius {radius:.0} m, which is not the Moon"));
     }
 }

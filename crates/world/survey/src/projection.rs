@@ -218,5 +218,28 @@ mod tests {
                 }
             }
         }
+
+        /// A short way along a true azimuth lies on the map along that azimuth plus the direction of true north: to the north
+        /// in every projection, any way where the projection is conformal.
+        #[test]
+        fn azimuths_turn_with_true_north(
+            projection in any_projection(), latitude in -88.0..88.0f64, longitude in -179.0..179.0f64, azimuth in 0.0..360.0f64,
+        ) {
+            let (latitude, longitude) = (radians(latitude), radians(longitude));
+            let is_conformal = matches!(projection.method, Method::PolarStereographic { .. });
+            let azimuth = if is_conformal { radians(azimuth) } else { 0.0 };
+            let Some(place) = projection.forward(latitude, longitude) else { return Ok(()) };
+            let short = 1e-5;
+            let [north, east] = [short * libm::cos(azimuth), short * libm::sin(azimuth) / libm::cos(latitude)];
+            let Some(there) = projection.forward_near(latitude + north, longitude + east, place) else { return Ok(()) };
+            let Some(turn) = projection.true_north(place) else { return Ok(()) };
+            let way = [there[0] - place[0], there[1] - place[1]];
+            // At the edge of an orthographic map a way has no length.
+            if way[0].abs() + way[1].abs() < 0.1 * short * R {
+                return Ok(());
+            }
+            let off = libm::atan2(way[1], way[0]) - azimuth - turn;
+            prop_assert!(degrees(super::wrap(off)).abs() < 0.02, "{:?} {}", projection, degrees(super::wrap(off)));
+        }
     }
 }

@@ -24,6 +24,7 @@ mod scope;
 pub mod sizing;
 pub mod state;
 pub mod study;
+pub mod sun;
 pub mod survey;
 pub mod timing;
 pub mod trace;
@@ -53,6 +54,7 @@ pub fn run(cli: &Cli) -> Result<Verdict, Failure> {
         Command::Trace(trace) => trace.run(),
         Command::Bank(bank) => bank.run(),
         Command::Survey(survey) => survey.run(),
+        Command::Sun(sun) => sun.run(),
         Command::Model(model) => model.run(),
         Command::Timing(timing) => timing.run(),
         Command::Sizing(sizing) => sizing.run(),

@@ -23,4 +23,6 @@ mod shadow;
 mod side_by_side;
 mod stability;
 mod state;
+mod sun;
 mod timing;
+mod wishes;

@@ -160,7 +160,7 @@ fn ground_truth_comes_with_any_machine() {
         let (said, _) = scene.expect(0, &[&base[..], &truth].concat());
         assert!(said.contains("ground truth of 2 frames, 2 made now"), "{said}");
     }
-    let files = ["frame_000000.npz", "frame_000001.npz", "poses.csv", "poses.json", "truth.json"];
+    let files = ["frame-000000.npz", "frame-000001.npz", "poses.csv", "poses.json", "truth.json"];
     assert_eq!(scene.list("a/truth"), files);
     for file in &files[..4] {
         let read = |run: &str| fs::read(scene.join(run).join("truth").join(file)).unwrap();

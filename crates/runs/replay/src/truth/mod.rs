@@ -1,7 +1,7 @@
 //! Ground truth: what each pixel of a run shows, from `exact` at the pixel's centre.
 //!
 //! ```text
-//! truth/frame_000000.npz        one array for each kind that was asked for
+//! truth/frame-000000.npz        one array for each kind that was asked for
 //! truth/poses.csv  poses.json   time, eye, attitude, rotation, sun
 //! truth/truth.json              units, codes, conventions, error, what it was made from, a hash of every file
 //! ```

@@ -121,7 +121,7 @@ fn every_array_is_what_exact_says() {
     assert_eq!(wish.write(at.path()).unwrap(), done(2, 2));
     let record = document(at.path(), "truth.json");
     for (row, planes) in wish.asked_directly(&PlaneKind::ALL) {
-        let held = arrays(&content(at.path())[&format!("frame_{:06}.npz", row.frame)]);
+        let held = arrays(&content(at.path())[&format!("frame-{:06}.npz", row.frame)]);
         let names: Vec<&str> = held.keys().map(String::as_str).collect();
         assert_eq!(names, ["distance", "height", "label", "normal", "range", "reflectivity", "shadow"]);
         let plane = |kind| planes.get(kind).unwrap().to_vec();
@@ -161,7 +161,7 @@ fn points(out: &Path) -> Vec<(u64, u8, [f64; 3])> {
     let mut found = Vec::new();
     for frame in poses["frames"].as_array().unwrap() {
         let number = frame["frame"].as_u64().unwrap();
-        let held = arrays(&content(out)[&format!("frame_{number:06}.npz")]);
+        let held = arrays(&content(out)[&format!("frame-{number:06}.npz")]);
         let [lines, columns] = *held["range"].shape() else { panic!("two dimensions") };
         let eye = numbers(&frame["eye_m"]);
         let rotation: Vec<Vec<f64>> = frame["rotation"].as_array().unwrap().iter().map(numbers).collect();
@@ -204,7 +204,7 @@ fn distance_is_range_along_the_ray() {
     let poses = document(at.path(), "poses.json");
     let (mut worst, mut seen) = (0.0_f64, 0);
     for frame in poses["frames"].as_array().unwrap() {
-        let held = arrays(&content(at.path())[&format!("frame_{:06}.npz", frame["frame"].as_u64().unwrap())]);
+        let held = arrays(&content(at.path())[&format!("frame-{:06}.npz", frame["frame"].as_u64().unwrap())]);
         let (ranges, distances) = (held["range"].data().to_f64(), held["distance"].data().to_f64());
         for (index, (range, distance)) in ranges.into_iter().zip(distances).enumerate() {
             let columns = held["range"].shape()[1];
@@ -285,7 +285,7 @@ fn the_example_of_the_page() {
     wish.write(at.path()).unwrap();
     let page = include_str!("../../../../../docs/truth-format.md");
     let poses = document(at.path(), "poses.json");
-    let range = &arrays(&content(at.path())["frame_000000.npz"])["range"];
+    let range = &arrays(&content(at.path())["frame-000000.npz"])["range"];
     let columns = range.shape()[1];
     let found = range.data().to_f64()[10 * columns + 20];
     let point = EXAMPLE.point(&poses, found, range.shape());
@@ -349,9 +349,9 @@ fn a_resumed_truth_is_the_uninterrupted_one() {
         assert_eq!(cut, TruthOutcome { frames: 6, done: after, made: after });
         assert!(!out.join("truth/truth.json").exists());
         // As after kill -9: half a file, and one that the journal does not know.
-        fs::write(out.join("truth/.frame_000005.npz.77-1.tmp"), "half").unwrap();
-        fs::write(out.join("truth/frame_000005.npz"), "stale").unwrap();
-        fs::write(out.join("truth/frame_000050.npz"), "stray").unwrap();
+        fs::write(out.join("truth/.frame-000005.npz.77-1.tmp"), "half").unwrap();
+        fs::write(out.join("truth/frame-000005.npz"), "stale").unwrap();
+        fs::write(out.join("truth/frame-000050.npz"), "stray").unwrap();
         assert_eq!(Wish::default().write(&out).unwrap(), done(6, 6 - after));
         assert_eq!(content(&whole), content(&out));
     }
@@ -362,10 +362,10 @@ fn missing_and_damaged_truth_is_made_again() {
     let at = tempdir().unwrap();
     Wish::default().write(at.path()).unwrap();
     let before = content(at.path());
-    fs::remove_file(at.path().join("truth/frame_000002.npz")).unwrap();
-    let mut bytes = before["frame_000004.npz"].clone();
+    fs::remove_file(at.path().join("truth/frame-000002.npz")).unwrap();
+    let mut bytes = before["frame-000004.npz"].clone();
     bytes[700] ^= 1;
-    fs::write(at.path().join("truth/frame_000004.npz"), bytes).unwrap();
+    fs::write(at.path().join("truth/frame-000004.npz"), bytes).unwrap();
     fs::write(at.path().join("truth/poses.csv"), "").unwrap();
     assert_eq!(Wish::default().write(at.path()).unwrap(), done(6, 2));
     assert_eq!(content(at.path()), before);

@@ -31,7 +31,7 @@ fn read(frames: &[u64]) -> (Scenario, TrueGround, Vec<Shot>) {
             height: scenario.vehicle.eye_height,
             vehicle: pose.attitude,
             camera: landscape::Attitude { roll: 0.0, ..pose.attitude },
-            field: scenario.field,
+            field: stage.settings.raster.field,
         }
     };
     let shots = frames.iter().map(shot).collect();
@@ -43,7 +43,7 @@ fn augmentation(scenario: &Scenario, ground: GroundLaw) -> Augmentation {
         inputs: String::new(),
         shape: Shape::new(culture::model("rover").unwrap(), scenario.vehicle.eye_height),
         eye_height: scenario.vehicle.eye_height,
-        sun: Some(scenario.sun),
+        sun: scenario.sun.first(),
         penumbra: false,
         ground,
         method: Method::Synchronised { dac_bits: 10 },
@@ -57,7 +57,7 @@ fn assert_figure(found: f64, table: f64, digit: f64) {
 #[test]
 fn the_figures_of_the_scenario() {
     let (scenario, ground, shots) = read(&[33, 119]);
-    assert_eq!(degrees(scenario.sun.elevation), 9.0);
+    assert_eq!(degrees(scenario.sun.first().unwrap().elevation), 9.0);
     let tracks = USUAL_TRACKS.lay(&scenario.path, &scenario.vehicle, &ground.stage().landscape).unwrap();
     let of =
         |law: GroundLaw, frame: usize| augmentation(&scenario, law).shade(0, &shots[frame], SIZE).unwrap();

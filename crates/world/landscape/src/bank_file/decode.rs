@@ -5,7 +5,8 @@ use files::{Pieces, PiecesError};
 
 use super::error::{BankFormatError, SectionName};
 use super::layout::{
-    BLOCK, FILE_LENGTH_AT, FORMAT, HASH, LEVEL, MAGIC, PLACE, SECTION_HASH_AT, TABLE_HASH_AT, TITLE, VOIDS,
+    BLOCK, FILE_LENGTH_AT, FORMAT, HASH, LEVEL, MAGIC, NORTH, PLACE, SECTION_HASH_AT, TABLE_HASH_AT, TITLE,
+    VOIDS,
 };
 use crate::{Bank, BankError, CornerWords, Georeference, Level, WORDS};
 use std::f64::consts::PI;
@@ -64,16 +65,21 @@ pub(super) fn decode_pieces<B: Pieces>(
     check_overlap(&sections)?;
     let sections = sections.into_iter().map(|section| section.read(bytes, &table));
     let sections = sections.collect::<Result<Vec<_>, _>>()?;
-    let (mut levels, mut title, mut place, mut voids) = (vec![], None, None, None);
+    let (mut levels, mut title, mut place, mut north, mut voids) = (vec![], None, None, None, None);
     for mut section in sections {
         match section.kind {
             LEVEL => levels.push(section.level()?),
             TITLE => section.only(&mut title, section.title()?)?,
             PLACE => section.only(&mut place, section.place()?)?,
+            NORTH => section.only(&mut north, section.north()?)?,
             VOIDS => section.only(&mut voids, section.voids()?)?,
             _ => {}
         }
     }
+    if place.is_none() && north.is_some() {
+        return Err(BankFormatError::NorthWithoutPlace.into());
+    }
+    let place = place.map(|place| Georeference { true_north: north, ..place });
     Ok(Bank::new(title.unwrap_or_default(), levels, place)?.with_voids(voids.unwrap_or_default())?)
 }
 
@@ -243,7 +249,17 @@ impl Section<Payload> {
             }
         }
         let [latitude, longitude, north, east] = [0, 8, 16, 24].map(|at| f64_at(self.bytes(), at));
-        Ok(Georeference { latitude, longitude, at: [north, east] })
+        Ok(Georeference { latitude, longitude, at: [north, east], true_north: None })
+    }
+
+    fn north(&self) -> Result<f64, BankFormatError> {
+        if self.bytes().len() != 8 {
+            return Err(self.wrong_length("8"));
+        }
+        match f64_at(self.bytes(), 0) {
+            north if (-2.0 * PI..=2.0 * PI).contains(&north) => Ok(north),
+            north => Err(self.value(0, north, &format!("true north within -{0} to {0}", 2.0 * PI))),
+        }
     }
 
     fn voids(&self) -> Result<Vec<[u32; 2]>, BankFormatError> {

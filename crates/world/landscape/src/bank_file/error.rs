@@ -147,6 +147,9 @@ pub enum BankFormatError {
         /// Byte of the file at which the second section begins.
         offset: u64,
     },
+    /// True north of a bank that has no place.
+    #[error("section north without a section place, expected both or neither")]
+    NorthWithoutPlace,
     /// A level that cannot be.
     #[error("{section}, byte {offset}: {source}")]
     Level {

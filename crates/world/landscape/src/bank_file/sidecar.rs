@@ -29,12 +29,14 @@ pub fn describe(bank: &Bank) -> String {
 }
 
 fn describe_place(place: &Georeference) -> String {
+    let north = place.true_north.map(|north| ("true_north_deg", degrees(north)));
     let keys = [
         ("latitude_deg", degrees(place.latitude)),
         ("longitude_deg", degrees(place.longitude)),
         ("tangent_north_m", place.at[0]),
         ("tangent_east_m", place.at[1]),
     ];
+    let keys: Vec<_> = keys.into_iter().chain(north).collect();
     table("\n[place]\n", &keys)
 }
 

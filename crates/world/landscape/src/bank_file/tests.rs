@@ -1,4 +1,4 @@
-use super::layout::{BLOCK, SECTION_HASH_AT, TABLE_HASH_AT};
+use super::layout::{BLOCK, PLACE, SECTION_HASH_AT, TABLE_HASH_AT};
 use super::{
     BankFileError, BankFormatError, CornersError, content_hash, decode, describe, encode, export_corners,
     import_corners, read, write,
@@ -15,7 +15,7 @@ fn ramp() -> Bank {
 }
 
 fn two_levels() -> Bank {
-    let place = Georeference { latitude: 0.45, longitude: -0.06, at: [100.0, 200.0] };
+    let place = Georeference { latitude: 0.45, longitude: -0.06, at: [100.0, 200.0], true_north: None };
     let words = |count: usize, seed: f64| {
         (0..count).map(|i| std::array::from_fn(|w| seed * (i * 9 + w) as f64 - 7.0)).collect()
     };
@@ -285,10 +285,28 @@ fn banks() -> impl Strategy<Value = Bank> {
     let level = (2usize..5, 2usize..5, 1e-3..1e3, proptest::collection::vec(finite, 9 * 16));
     (level, ".*", any::<bool>()).prop_map(|((rows, columns, size, values), title, placed)| {
         let words = values.as_chunks::<9>().0[..rows * columns].to_vec();
-        let place = Georeference { latitude: -1.5, longitude: 3.0, at: [1.0, -2.0] };
+        let place = Georeference { latitude: -1.5, longitude: 3.0, at: [1.0, -2.0], true_north: Some(-0.1) };
         let level = Level::new(size, [size, -size], [rows, columns], words).unwrap();
         Bank::new(title, vec![level], placed.then_some(place)).unwrap()
     })
+}
+
+#[test]
+fn true_north_needs_a_place_and_a_range() {
+    let of = |place: [u8; 8], north: f64| {
+        let georeference =
+            Georeference { latitude: 0.5, longitude: 0.1, at: [0.0; 2], true_north: Some(north) };
+        let level = Level::new(1.0, [0.0; 2], [2, 2], vec![[0.0; 9]; 4]).unwrap();
+        let mut bytes = encode(&Bank::new("", vec![level], Some(georeference)).unwrap());
+        // Table: level, place, north, title.
+        bytes[2 * BLOCK..2 * BLOCK + 8].copy_from_slice(&place);
+        decode(&sealed(bytes)).map(|bank| bank.georeference().and_then(|place| place.true_north))
+    };
+    let said = |result: Result<_, BankFormatError>| result.unwrap_err().to_string();
+    assert_eq!(of(PLACE, -0.25), Ok(Some(-0.25)));
+    assert_eq!(of(*b"other\0\0\0", 0.0), Err(BankFormatError::NorthWithoutPlace));
+    assert!(said(of(PLACE, 7.0)).contains("true north within"));
+    assert!(said(of(PLACE, f64::NAN)).contains("NaN, expected true north"));
 }
 
 proptest! {

@@ -1,69 +1,11 @@
-//! What is lit and how: `[sun]`, `[shadows]`, `[photometry]`, `[texture]`, `[[silhouette]]`.
+//! What is lit and how: `[shadows]`, `[photometry]`, `[texture]`, `[[silhouette]]`.
 
-use diagnostics::{Placed, Problem, Reader};
-use landscape::{Layer, Photometry, Silhouette, Source, Sun};
-use limits::Limit;
+use diagnostics::Reader;
+use landscape::{Layer, Photometry, Silhouette, Source};
 use quantities::radians;
 
 use super::all;
-use crate::{Drift, ShadowFineness, TextureWish};
-
-/// The sun at the start, and where it goes from there.
-pub(super) fn sun(table: &Reader) -> Option<(Sun, Option<Drift>)> {
-    let first = direction(table);
-    let stations = table.tables("drift");
-    let step = table.f64("step_s").above(0.0).at_most(1e6).unit("s").placed();
-    if !table.has("drift") {
-        return refuse_lone_step(table, step.optional()).and(first).map(|sun| (sun, None));
-    }
-    let step = step.help("the sun, its light and its shadows are renewed every step").required();
-    let stations = ascending(table, all(stations.iter().map(station)));
-    let drift = Drift { stations: stations?, step: step.as_ref()?.value };
-    check_steps(table, &drift, &step?)?;
-    Some((first?, Some(drift)))
-}
-
-fn direction(table: &Reader) -> Option<Sun> {
-    let azimuth = table.f64("azimuth_deg").between(-360.0, 360.0).unit("degrees").required();
-    let elevation = table.f64("elevation_deg").above(0.0).at_most(90.0).unit("degrees").required();
-    Some(Sun { azimuth: radians(azimuth?), elevation: radians(elevation?) })
-}
-
-fn station(table: &Reader) -> Option<Placed<(f64, Sun)>> {
-    let time = table.f64("t_s").above(0.0).at_most(1e6).unit("s").placed().required();
-    let sun = direction(table);
-    let Placed { value: time, place, key } = time?;
-    Some(Placed { value: (time, sun?), place, key })
-}
-
-fn ascending(table: &Reader, stations: Option<Vec<Placed<(f64, Sun)>>>) -> Option<Vec<(f64, Sun)>> {
-    let stations = stations?;
-    let falls = |pair: &&[Placed<(f64, Sun)>]| pair[1].value.0 <= pair[0].value.0;
-    let falling: Vec<_> = stations.windows(2).filter(falls).collect();
-    for pair in &falling {
-        let (before, time) = (pair[0].value.0, pair[1].value.0);
-        let title = format!("t = {time} s after t = {before} s: times must ascend");
-        table.report(Problem::of(&pair[1], title).expected(format!("more than {before}")));
-    }
-    falling.is_empty().then(|| stations.into_iter().map(|station| station.value).collect())
-}
-
-fn refuse_lone_step(table: &Reader, step: Option<Placed<f64>>) -> Option<()> {
-    let Some(step) = step else { return (!table.has("step_s")).then_some(()) };
-    let title = format!("`{}` without `{}`", step.key, table.path("drift"));
-    table.report(Problem::of(&step, title).expected("a `drift` beside it, or neither of the two"));
-    None
-}
-
-fn check_steps(table: &Reader, drift: &Drift, step: &Placed<f64>) -> Option<()> {
-    let steps = drift.steps();
-    if Limit::SunSteps.allows(steps as u64) {
-        return Some(());
-    }
-    let title = format!("{steps} steps of {} s: the sun can take {}", step.value, Limit::SunSteps.value());
-    table.report(Problem::of(step, title).expected("a longer step").help(Limit::SunSteps.to_string()));
-    None
-}
+use crate::{ShadowFineness, TextureWish};
 
 /// Remote shadow; nothing where the table is missing or says that it is not drawn.
 pub(super) fn shadows(table: &Reader) -> Option<Option<ShadowFineness>> {

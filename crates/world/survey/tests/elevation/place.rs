@@ -1,7 +1,7 @@
 //! Longitudes of every kind, seams, and maps that count past half a turn.
 
 use quantities::{degrees, radians};
-use survey::{Affine, Area, Elevation, Frame, Plane, SurveyOptions, survey};
+use survey::{Affine, Area, Elevation, Frame, Method, Plane, Projection, SurveyOptions, survey};
 
 use crate::made::{Directory, Field, Made, quarters, words};
 
@@ -28,6 +28,7 @@ fn maps_count_longitudes_from_0_to_360() {
         let whole = survey(&read, &SurveyOptions::new(40.0), &mut |_| {}).unwrap();
         assert!(whole.report.true_north.unwrap().abs() < 1e-9, "{edge}: {:?}", whole.report.true_north);
         let place = whole.bank.georeference().unwrap();
+        assert_eq!(place.true_north, whole.report.true_north);
         let off = degrees(place.longitude) - edge - 0.004;
         assert!((off - 360.0 * (off / 360.0).round()).abs() < 1e-3, "{edge}: {off}");
         // The same place by either of its longitudes.
@@ -107,4 +108,39 @@ fn a_plane_of_another_body_is_told() {
     let warnings = found.report.warnings.join("\n");
     assert!(warnings.contains("sphere of radius 6378137 m, which is not the Moon"), "{warnings}");
     assert!(found.bank.georeference().is_none());
+}
+
+/// Near the south pole the x axis of a map points along the meridian of its projection, and the bank knows by how much.
+#[test]
+fn a_bank_keeps_the_direction_of_true_north() {
+    let south = Projection {
+        method: Method::PolarStereographic { scale: 1.0 },
+        latitude: -radians(90.0),
+        longitude: 0.0,
+        radius: MOON,
+        offset: [0.0; 2],
+    };
+    for (longitude, first) in
+        [(90.0, [0.0, 50_000.0]), (-90.0, [0.0, -50_000.0]), (45.0, [40_000.0, 40_000.0])]
+    {
+        let affine = Affine { first, step: [-10.0, 10.0] };
+        let read = Elevation::new(20, 20, vec![0.0; 400], affine, Frame::Plane(Some(south)));
+        let found = survey(&read, &SurveyOptions::new(50.0), &mut |_| {}).unwrap();
+        let place = found.bank.georeference().unwrap();
+        // The pole lies behind: away from it is north.
+        let [latitude, turn] = [place.latitude, place.true_north.unwrap()].map(degrees);
+        assert!(latitude < -87.0 && (turn - longitude).abs() < 0.3, "{longitude}: {turn}");
+        let read = landscape::bank_file::decode(&landscape::bank_file::encode(&found.bank)).unwrap();
+        assert_eq!(read.georeference(), found.bank.georeference());
+    }
+}
+
+#[test]
+fn ground_of_the_earth_has_no_place_on_the_moon() {
+    let step = radians(0.001);
+    let affine = Affine { first: [radians(45.0), radians(7.0)], step: [-step, step] };
+    let read = Elevation::new(20, 20, vec![100.0; 400], affine, Frame::Geographic { radius: 6_371_000.0 });
+    let found = survey(&read, &SurveyOptions::new(400.0), &mut |_| {}).unwrap();
+    assert!(found.bank.georeference().is_none());
+    assert!(found.report.warnings.join("\n").contains("which is not the Moon"));
 }

@@ -93,6 +93,9 @@ pub struct Replay {
     #[arg(long, value_name = "N", default_value = "0", hide_default_value = true,
           value_parser = values::at_least(0_u32))]
     check: u32,
+    /// Write no page: frames, records and what else is asked for.
+    #[arg(long, conflicts_with = "probe")]
+    no_page: bool,
     /// Remove the run that the folder holds, and nothing else, and start anew.
     #[arg(long)]
     fresh: bool,
@@ -199,7 +202,7 @@ impl Replay {
         control: &Control,
     ) -> Result<(Outcome, Option<TruthOutcome>), Failure> {
         let outcome = run(job, folder, control)?;
-        if matches!(outcome, Outcome::Finished { .. }) {
+        if matches!(outcome, Outcome::Finished { .. }) && !self.no_page {
             let (words, requests) = (words(stage), &self.probe);
             Making { job, words, opened, requests, pool: control.pool }.write(folder)?;
         }

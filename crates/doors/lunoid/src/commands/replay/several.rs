@@ -107,6 +107,7 @@ impl Replay {
             (self.truth.is_some(), "--truth"),
             (!self.probe.is_empty(), "--probe"),
             (self.check > 0, "--check"),
+            (self.no_page, "--no-page"),
         ];
         match given.iter().find(|(is_given, _)| *is_given) {
             Some((_, option)) => Err(Failure::usage(format!(

@@ -1,0 +1,133 @@
+//! Where the light of a mission comes from: angles, or the true sun of a date.
+
+use ephemeris::{Instant, Place, Sky};
+use landscape::{Bank, Georeference, LUNOID_RADIUS, Sun};
+use limits::Limit;
+use quantities::{degrees, wrap_heading};
+
+use crate::{Drift, SceneryProblem};
+
+/// Where the light of a mission comes from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Sunlight {
+    /// Angles in the axes of the ground.
+    Angles {
+        /// The sun at the start.
+        first: Sun,
+        /// Where it goes from there.
+        drift: Option<Drift>,
+    },
+    /// The true sun of a date.
+    Dated(SunDate),
+}
+
+/// A date that says where the sun stands.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SunDate {
+    /// Date and time of the start of the mission.
+    pub at: Instant,
+    /// Place on the Moon; that of the bank if the scenario names none.
+    pub place: Option<Place>,
+    /// Time from one sun to the next (s).
+    pub step: f64,
+}
+
+/// What stood over the ground at the start of a mission with a date.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DatedSky {
+    /// Date and time of the start.
+    pub at: Instant,
+    /// Place on the Moon that the sky is of.
+    pub place: Place,
+    /// Direction of true north, clockwise from the north of the ground (rad).
+    pub true_north: f64,
+    /// Sun and Earth; azimuths from true north.
+    pub sky: Sky,
+}
+
+impl DatedSky {
+    /// Sky over the ground of `bank`, or over `place` if one is given.
+    ///
+    /// # Errors
+    /// If there is no place, or the bank knows its place but not where north is there.
+    pub fn over(bank: &Bank, at: Instant, place: Option<Place>) -> Result<Self, SceneryProblem> {
+        let own = bank.georeference();
+        let place = place.or(own.as_ref().map(place_of)).ok_or(SceneryProblem::SunWithoutPlace)?;
+        let true_north = match own {
+            Some(own) => own.true_north.ok_or(SceneryProblem::SunWithoutNorth)?,
+            // Axes of a bank: x is north.
+            None => 0.0,
+        };
+        Ok(Self { at, place, true_north, sky: Sky::over(place, at) })
+    }
+
+    /// The sun in the axes of the ground.
+    pub fn sun(&self) -> Sun {
+        Sun { azimuth: self.on_ground(self.sky.sun.azimuth), elevation: self.sky.sun.elevation }
+    }
+
+    /// An azimuth from true north (rad) as an azimuth from the north of the ground, 0 to 2 pi.
+    pub fn on_ground(&self, azimuth: f64) -> f64 {
+        wrap_heading(azimuth + self.true_north)
+    }
+}
+
+/// The place of a bank as the ephemeris wants it: on the sphere that heights refer to.
+fn place_of(own: &Georeference) -> Place {
+    Place { longitude: own.longitude, latitude: own.latitude, radius: LUNOID_RADIUS }
+}
+
+/// Each sun of a mission with the time (s) from which on it holds; never empty.
+type Suns = Vec<(f64, Sun)>;
+
+impl Sunlight {
+    /// The sun at the start, where the scenario gives its angles.
+    pub fn first(&self) -> Option<Sun> {
+        match self {
+            Self::Angles { first, .. } => Some(*first),
+            Self::Dated(_) => None,
+        }
+    }
+
+    /// Whether it moves.
+    pub fn moves(&self) -> bool {
+        match self {
+            Self::Angles { drift, .. } => drift.is_some(),
+            Self::Dated(_) => true,
+        }
+    }
+
+    /// Every sun of a mission of `length` (s) over the ground of `bank`, and the sky of its start where it has a date.
+    ///
+    /// # Errors
+    /// If the date comes to no sun above the horizon, or to too many steps.
+    pub(crate) fn suns(&self, bank: &Bank, length: f64) -> Result<(Suns, Option<DatedSky>), SceneryProblem> {
+        match self {
+            Self::Angles { first, drift: None } => Ok((vec![(0.0, *first)], None)),
+            Self::Angles { first, drift: Some(drift) } => Ok((drift.suns(*first), None)),
+            Self::Dated(date) => date.suns(bank, length).map(|(suns, sky)| (suns, Some(sky))),
+        }
+    }
+}
+
+impl SunDate {
+    fn suns(&self, bank: &Bank, length: f64) -> Result<(Suns, DatedSky), SceneryProblem> {
+        let start = DatedSky::over(bank, self.at, self.place)?;
+        // A step that begins with the end of the mission lights nothing.
+        let steps = (length / self.step - 1e-9).ceil().max(1.0);
+        if steps > Limit::SunSteps.value() as f64 {
+            return Err(SceneryProblem::TooManySuns { found: steps, step: self.step });
+        }
+        let sun = |step: u64| {
+            let time = step as f64 * self.step;
+            let at = self.at.later(time);
+            let sky = DatedSky { at, sky: Sky::over(start.place, at), ..start };
+            match sky.sun() {
+                sun if sun.elevation > 0.0 => Ok((time, sun)),
+                sun => Err(SceneryProblem::SunDown { at, time, elevation_deg: degrees(sun.elevation) }),
+            }
+        };
+        let suns = (0..steps as u64).map(sun).collect::<Result<Suns, _>>()?;
+        Ok((suns, start))
+    }
+}

@@ -1,0 +1,163 @@
+//! `[sun]`: angles, or a date.
+
+use diagnostics::{Placed, Problem, Reader};
+use ephemeris::{Instant, MOON_RADIUS, Place};
+use landscape::Sun;
+use limits::Limit;
+use quantities::radians;
+
+use super::all;
+use crate::{Drift, SunDate, Sunlight};
+
+/// A date as the help of messages has it.
+const EXAMPLE: &str = "`at = \"1972-12-11T22:00:00Z\"`";
+
+/// Time from one sun of a date to the next (s) unless the scenario says: the sun goes less than 0.01 degrees meanwhile.
+const DATE_STEP: f64 = 60.0;
+
+/// Angles at the start and where the sun goes from there, or a date. Ground that `is_generated` lies nowhere on the Moon.
+pub(super) fn sun(table: &Reader, is_generated: bool) -> Option<Sunlight> {
+    if table.has("at") { dated(table, is_generated).map(Sunlight::Dated) } else { angles(table) }
+}
+
+fn dated(table: &Reader, is_generated: bool) -> Option<SunDate> {
+    let at = instant(table);
+    let is_nowhere = is_generated && !table.has("place");
+    if is_nowhere {
+        let title = format!(
+            "`{}` without `{}`: generated ground lies nowhere on the Moon",
+            table.path("at"),
+            table.path("place")
+        );
+        let problem = table.problem("at", title).expected("a place on the Moon");
+        table.report(problem.help(
+            "add `place = { longitude_deg = 30.77, latitude_deg = 20.19 }`, or use a bank of surveyed ground",
+        ));
+    }
+    let place = match table.optional_table("place") {
+        Some(place) => self::place(&place).map(Some),
+        None => (!table.has("place")).then_some(None),
+    };
+    let step = table.f64("step_s").above(0.0).at_most(1e6).unit("s").default(DATE_STEP);
+    let beside = ["azimuth_deg", "elevation_deg", "drift"].into_iter().filter(|key| table.has(key));
+    let beside: Vec<&str> = beside.collect();
+    for key in &beside {
+        let title = format!(
+            "`{}` beside `{}`: the date says where the sun stands",
+            table.path(key),
+            table.path("at")
+        );
+        table.report(table.problem(key, title).expected("a date, or angles, and not both"));
+    }
+    // What is beside the date is known, and has been refused.
+    table.f64("azimuth_deg").optional();
+    table.f64("elevation_deg").optional();
+    table.tables("drift").iter().for_each(Reader::ignore_rest);
+    let date = SunDate { at: at?, place: place?, step: step? };
+    (beside.is_empty() && !is_nowhere).then_some(date)
+}
+
+fn instant(table: &Reader) -> Option<Instant> {
+    let text = table.string("at").help(format!("write {EXAMPLE}")).placed().required()?;
+    let read = text.value.parse::<Instant>();
+    let refuse = |error: ephemeris::InstantError| {
+        table.report(
+            Problem::of(&text, format!("`{}` = {:?}: {error}", text.key, text.value)).found(&text.value),
+        );
+    };
+    read.map_err(refuse).ok()
+}
+
+fn place(table: &Reader) -> Option<Place> {
+    let longitude = table.f64("longitude_deg").between(-360.0, 360.0).unit("degrees").map(radians).required();
+    let latitude = table.f64("latitude_deg").between(-90.0, 90.0).unit("degrees").map(radians).required();
+    Some(Place { longitude: longitude?, latitude: latitude?, radius: MOON_RADIUS })
+}
+
+fn angles(table: &Reader) -> Option<Sunlight> {
+    // Asked for, so that a message about an unknown key names it.
+    table.string("at").optional();
+    let lone_place = table.has("place");
+    if let Some(place) = table.optional_table("place").filter(|_| lone_place) {
+        place.ignore_rest();
+        let title = format!("`{}` without `{}`", table.path("place"), table.path("at"));
+        let problem = table.problem("place", title);
+        table.report(
+            problem
+                .expected("a date, which the place belongs to")
+                .help(format!("add {EXAMPLE}, or take the place out")),
+        );
+    }
+    let first = first(table);
+    let stations = table.tables("drift");
+    let step = table.f64("step_s").above(0.0).at_most(1e6).unit("s").placed();
+    if !table.has("drift") {
+        let first = refuse_lone_step(table, step.optional()).and(first)?;
+        return (!lone_place).then_some(Sunlight::Angles { first, drift: None });
+    }
+    let step = step.help("the sun, its light and its shadows are renewed every step").required();
+    let stations = ascending(table, all(stations.iter().map(station)));
+    let drift = Drift { stations: stations?, step: step.as_ref()?.value };
+    check_steps(table, &drift, &step?)?;
+    let first = first?;
+    (!lone_place).then_some(Sunlight::Angles { first, drift: Some(drift) })
+}
+
+/// The sun at the start; one message where nothing says where it stands.
+fn first(table: &Reader) -> Option<Sun> {
+    let keys = ["azimuth_deg", "elevation_deg"];
+    if keys.iter().any(|key| table.has(key)) {
+        return direction(table);
+    }
+    // Known, so that a message about an unknown key names them.
+    keys.iter().for_each(|key| {
+        table.f64(key).optional();
+    });
+    let [azimuth, elevation] = keys.map(|key| table.path(key));
+    let title = format!("missing keys `{azimuth}` and `{elevation}`, or `{}`", table.path("at"));
+    let problem = table.problem("at", title).expected("angles, or a date");
+    table.report(problem.help(format!("a date is written {EXAMPLE}")));
+    None
+}
+
+fn direction(table: &Reader) -> Option<Sun> {
+    let azimuth = table.f64("azimuth_deg").between(-360.0, 360.0).unit("degrees").required();
+    let elevation = table.f64("elevation_deg").above(0.0).at_most(90.0).unit("degrees").required();
+    Some(Sun { azimuth: radians(azimuth?), elevation: radians(elevation?) })
+}
+
+fn station(table: &Reader) -> Option<Placed<(f64, Sun)>> {
+    let time = table.f64("t_s").above(0.0).at_most(1e6).unit("s").placed().required();
+    let sun = direction(table);
+    let Placed { value: time, place, key } = time?;
+    Some(Placed { value: (time, sun?), place, key })
+}
+
+fn ascending(table: &Reader, stations: Option<Vec<Placed<(f64, Sun)>>>) -> Option<Vec<(f64, Sun)>> {
+    let stations = stations?;
+    let falls = |pair: &&[Placed<(f64, Sun)>]| pair[1].value.0 <= pair[0].value.0;
+    let falling: Vec<_> = stations.windows(2).filter(falls).collect();
+    for pair in &falling {
+        let (before, time) = (pair[0].value.0, pair[1].value.0);
+        let title = format!("t = {time} s after t = {before} s: times must ascend");
+        table.report(Problem::of(&pair[1], title).expected(format!("more than {before}")));
+    }
+    falling.is_empty().then(|| stations.into_iter().map(|station| station.value).collect())
+}
+
+fn refuse_lone_step(table: &Reader, step: Option<Placed<f64>>) -> Option<()> {
+    let Some(step) = step else { return (!table.has("step_s")).then_some(()) };
+    let title = format!("`{}` without `{}`", step.key, table.path("drift"));
+    table.report(Problem::of(&step, title).expected("a `drift` beside it, or neither of the two"));
+    None
+}
+
+fn check_steps(table: &Reader, drift: &Drift, step: &Placed<f64>) -> Option<()> {
+    let steps = drift.steps();
+    if Limit::SunSteps.allows(steps as u64) {
+        return Some(());
+    }
+    let title = format!("{steps} steps of {} s: the sun can take {}", step.value, Limit::SunSteps.value());
+    table.report(Problem::of(step, title).expected("a longer step").help(Limit::SunSteps.to_string()));
+    None
+}
