@@ -49,6 +49,8 @@ pub enum ShapeKind {
     Words(Vec<String>),
     /// An array of values of one type; the count, where it is fixed.
     Array(Box<ShapeKind>, Option<usize>),
+    /// One number, or an array of so many.
+    NumberOrArray(usize),
     /// A table.
     Table,
     /// An array of tables.

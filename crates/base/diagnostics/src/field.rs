@@ -310,7 +310,7 @@ impl<'a> Reader<'a> {
 
     /// One finite number, or two in an array: `50`, `[50, 30]`.
     pub fn f64_or_pair(&self, key: &str) -> Field<'a, Vec<f64>> {
-        self.field(key, "a number, or an array of 2 numbers,", |node| {
+        self.field(key, ("a number, or an array of 2 numbers,", ShapeKind::NumberOrArray(2)), |node| {
             let numbers = match node.value {
                 Value::Array(_) => elements(node, finite_number)?,
                 _ => return finite_number(node).map(|number| vec![number]),

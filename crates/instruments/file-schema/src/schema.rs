@@ -102,6 +102,10 @@ fn simple(kind: &ShapeKind, shape: &Shape) -> Value {
         ShapeKind::Count => {
             bounded("integer", &Shape { low: shape.low.or(Some((0.0, true))), ..shape.clone() })
         }
+        ShapeKind::NumberOrArray(count) => {
+            let array = ShapeKind::Array(Box::new(ShapeKind::Number), Some(*count));
+            json!({ "anyOf": [bounded("number", shape), simple(&array, shape)] })
+        }
         ShapeKind::Boolean => json!({ "type": "boolean" }),
         ShapeKind::Words(words) => json!({ "type": "string", "enum": words }),
         ShapeKind::Array(of, count) => {
