@@ -104,10 +104,12 @@ pub struct ProblemRecord {
     pub help: Option<String>,
 }
 
-/// Collects problems. Readers share it by `&`, so tables can be read side by side.
+/// Collects problems, and notes about what was read otherwise than it may be meant. Readers share it by `&`, so tables can be
+/// read side by side.
 #[derive(Debug, Default)]
 pub struct Problems {
     list: RefCell<Vec<Problem>>,
+    notes: RefCell<Vec<String>>,
 }
 
 impl Problems {
@@ -119,6 +121,16 @@ impl Problems {
     /// Adds a problem to the list.
     pub fn push(&self, problem: Problem) {
         self.list.borrow_mut().push(problem);
+    }
+
+    /// Adds a sentence that the user should know although nothing is wrong.
+    pub fn note(&self, note: String) {
+        self.notes.borrow_mut().push(note);
+    }
+
+    /// Takes the notes so far, in the order in which they were made.
+    pub fn take_notes(&self) -> Vec<String> {
+        self.notes.take()
     }
 
     /// True while nothing is wrong.

@@ -30,7 +30,10 @@ fn the_schema_is_that_of_the_structs() {
         return;
     }
     let other = SCHEMA.lines().zip(schema.lines()).find(|(committed, made)| committed != made);
-    assert!(SCHEMA == schema, "tests/cartridges/cartridge.schema.json is of other structs; first of its lines: {other:?}");
+    assert!(
+        SCHEMA == schema,
+        "tests/cartridges/cartridge.schema.json is of other structs; first of its lines: {other:?}"
+    );
 }
 
 /// As much of JSON schema as the schema uses; what is wrong, with its place.

@@ -3,7 +3,7 @@
 use std::hint::select_unpredictable;
 use std::ops::RangeInclusive;
 
-use crate::basis;
+use crate::{MapFrame, basis};
 
 /// Words a corner: height and its derivatives to order 2 in u and in v.
 pub const WORDS: usize = 9;
@@ -238,6 +238,7 @@ pub struct Bank {
     levels: Vec<Level>,
     georeference: Option<Georeference>,
     voids: Vec<[u32; 2]>,
+    map: Option<MapFrame>,
 }
 
 impl Bank {
@@ -256,7 +257,7 @@ impl Bank {
         if let Some(at) = levels.windows(2).position(|pair| pair[1].region_size <= pair[0].region_size) {
             return Err(BankError::LevelOrder(at + 1));
         }
-        Ok(Self { title: title.into(), levels, georeference, voids: Vec::new() })
+        Ok(Self { title: title.into(), levels, georeference, voids: Vec::new(), map: None })
     }
 
     /// The same bank, with the regions (north, east) of its finest level for which the survey had no data: the
@@ -273,6 +274,16 @@ impl Bank {
         voids.dedup();
         self.voids = voids;
         Ok(self)
+    }
+
+    /// The same bank, with how its axes lie in the map of its elevation file.
+    pub fn with_map(self, map: Option<MapFrame>) -> Self {
+        Self { map, ..self }
+    }
+
+    /// How its axes lie in the map of its elevation file, if that is known.
+    pub fn map(&self) -> Option<&MapFrame> {
+        self.map.as_ref()
     }
 
     /// Regions of the finest level without data, ascending.

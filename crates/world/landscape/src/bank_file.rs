@@ -20,6 +20,7 @@ mod decode;
 mod encode;
 mod error;
 mod layout;
+mod map;
 mod sidecar;
 
 pub use corners::{CornersError, export_corners, import_corners};
@@ -32,11 +33,11 @@ pub use sidecar::{describe, sidecar_path};
 use std::io::Write;
 use std::path::Path;
 
-use files::{FilePieces, PiecesError};
+use files::{FileError, FilePieces, PiecesError};
 use limits::Limit;
 
-use crate::Bank;
-use decode::decode_pieces;
+use crate::{Bank, MapFrame};
+use decode::{decode_map, decode_pieces};
 
 /// Writes `bank` to `path` and its description to [`sidecar_path`], each whole or not at all.
 ///
@@ -57,10 +58,23 @@ pub fn write(path: impl AsRef<Path>, bank: &Bank) -> Result<(), BankFileError> {
 /// If the file cannot be read, or is damaged: which section, at which byte, what was found and expected.
 pub fn read(path: impl AsRef<Path>) -> Result<Bank, BankFileError> {
     let path = path.as_ref();
-    decode_pieces(&mut FilePieces::open(path, Limit::BankBytes)?).map_err(|fault| match fault {
+    decode_pieces(&mut FilePieces::open(path, Limit::BankBytes)?).map_err(|fault| of_file(path, fault))
+}
+
+/// How the axes of the bank in the file `path` lie in the map of its elevation file, if it says. The ground is not read.
+///
+/// # Errors
+/// If the file cannot be read, or its table or its section `map` is damaged.
+pub fn read_map(path: impl AsRef<Path>) -> Result<Option<MapFrame>, BankFileError> {
+    let path = path.as_ref();
+    decode_map(&mut FilePieces::open(path, Limit::BankBytes)?).map_err(|fault| of_file(path, fault))
+}
+
+fn of_file(path: &Path, fault: PiecesError<FileError, BankFormatError>) -> BankFileError {
+    match fault {
         PiecesError::Read(error) => BankFileError::File(error),
         PiecesError::Format(source) => BankFileError::Format { path: path.to_owned(), source },
-    })
+    }
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::projection::Projection;
+use landscape::projection::Projection;
 
 /// How grid coordinates are meant.
 #[derive(Debug, Clone, Copy, PartialEq)]

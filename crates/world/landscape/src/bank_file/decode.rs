@@ -5,9 +5,11 @@ use files::{Pieces, PiecesError};
 
 use super::error::{BankFormatError, SectionName};
 use super::layout::{
-    BLOCK, FILE_LENGTH_AT, FORMAT, HASH, LEVEL, MAGIC, PLACE, SECTION_HASH_AT, TABLE_HASH_AT, TITLE, VOIDS,
+    BLOCK, FILE_LENGTH_AT, FORMAT, HASH, LEVEL, MAGIC, MAP, PLACE, SECTION_HASH_AT, TABLE_HASH_AT, TITLE,
+    VOIDS,
 };
-use crate::{Bank, BankError, CornerWords, Georeference, Level, WORDS};
+use super::map;
+use crate::{Bank, BankError, CornerWords, Georeference, Level, MapFrame, WORDS};
 use std::f64::consts::PI;
 use std::mem;
 
@@ -64,17 +66,35 @@ pub(super) fn decode_pieces<B: Pieces>(
     check_overlap(&sections)?;
     let sections = sections.into_iter().map(|section| section.read(bytes, &table));
     let sections = sections.collect::<Result<Vec<_>, _>>()?;
-    let (mut levels, mut title, mut place, mut voids) = (vec![], None, None, None);
+    let (mut levels, mut title, mut place, mut voids, mut map) = (vec![], None, None, None, None);
     for mut section in sections {
         match section.kind {
             LEVEL => levels.push(section.level()?),
             TITLE => section.only(&mut title, section.title()?)?,
             PLACE => section.only(&mut place, section.place()?)?,
             VOIDS => section.only(&mut voids, section.voids()?)?,
+            MAP => section.only(&mut map, section.map()?)?,
             _ => {}
         }
     }
-    Ok(Bank::new(title.unwrap_or_default(), levels, place)?.with_voids(voids.unwrap_or_default())?)
+    let bank = Bank::new(title.unwrap_or_default(), levels, place)?;
+    Ok(bank.with_voids(voids.unwrap_or_default())?.with_map(map))
+}
+
+/// How the axes of a bank file lie in the map of its elevation file, if it says; the ground itself is not read.
+pub(super) fn decode_map<B: Pieces>(
+    bytes: &mut B,
+) -> Result<Option<MapFrame>, PiecesError<B::Error, BankFormatError>> {
+    let table = table(bytes)?;
+    let mut map = None;
+    for (index, entry) in table.chunks_exact(BLOCK).enumerate() {
+        let section = section(bytes.length(), &table, index, entry)?;
+        if section.kind == MAP {
+            let section = section.read(bytes, &table)?;
+            section.only(&mut map, section.map()?)?;
+        }
+    }
+    Ok(map)
 }
 
 /// The section table, after the header is checked.
@@ -244,6 +264,11 @@ impl Section<Payload> {
         }
         let [latitude, longitude, north, east] = [0, 8, 16, 24].map(|at| f64_at(self.bytes(), at));
         Ok(Georeference { latitude, longitude, at: [north, east] })
+    }
+
+    fn map(&self) -> Result<MapFrame, BankFormatError> {
+        let bytes = self.bytes().try_into().map_err(|_| self.wrong_length(&map::LENGTH.to_string()))?;
+        map::read(bytes).map_err(|fault| self.value(fault.at, fault.found, &fault.expected))
     }
 
     fn voids(&self) -> Result<Vec<[u32; 2]>, BankFormatError> {

@@ -1,6 +1,7 @@
 //! From a bank to bytes.
 
-use super::layout::{BLOCK, FORMAT, LEVEL, MAGIC, PLACE, TITLE, VOIDS, aligned};
+use super::layout::{BLOCK, FORMAT, LEVEL, MAGIC, MAP, PLACE, TITLE, VOIDS, aligned};
+use super::map;
 use crate::{Bank, Georeference, Level, WORDS};
 
 struct Section {
@@ -11,6 +12,7 @@ struct Section {
 /// The bytes of a bank file: the same bank gives the same bytes.
 pub fn encode(bank: &Bank) -> Vec<u8> {
     let mut sections = defining_sections(bank);
+    sections.extend(bank.map().map(|frame| Section { kind: MAP, payload: map::payload(frame) }));
     sections.push(Section { kind: TITLE, payload: bank.title().as_bytes().to_vec() });
     let table_end = BLOCK * (1 + sections.len());
     let mut end = table_end;
@@ -31,7 +33,7 @@ pub fn encode(bank: &Bank) -> Vec<u8> {
 
 /// BLAKE3 of what makes the ground: kind, length and payload of each level, of the place and of the voids, in file order.
 ///
-/// The title is not part of it: the same ground under another name has the same hash.
+/// Title and map are not part of it: the same ground under another name, or from another file, has the same hash.
 pub fn content_hash(bank: &Bank) -> [u8; 32] {
     let mut hasher = blake3::Hasher::new();
     for section in defining_sections(bank) {

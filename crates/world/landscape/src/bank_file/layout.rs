@@ -13,6 +13,8 @@ pub(super) const HASH: usize = 32;
 pub(super) const LEVEL: [u8; 8] = *b"level\0\0\0";
 /// Kind of the section that holds the place on the Moon.
 pub(super) const PLACE: [u8; 8] = *b"place\0\0\0";
+/// Kind of the section that says how the axes lie in the map of the elevation file.
+pub(super) const MAP: [u8; 8] = *b"map\0\0\0\0\0";
 /// Kind of the section that holds the regions without data.
 pub(super) const VOIDS: [u8; 8] = *b"voids\0\0\0";
 /// Kind of the section that holds the title.
