@@ -75,13 +75,13 @@ impl Clock {
     }
 
     /// What the user should know of the origin, if times were moved to the first row because of their size or kind.
-    pub fn note(&self, file: &str) -> Option<String> {
+    pub fn note(&self) -> Option<String> {
         let start = self.start.filter(|start| start.first.is_absolute())?;
         let first = match start.first {
             Time::Seconds(seconds) => format!("which is at {seconds} s"),
             Time::Date(_) => "since they are dates".into(),
         };
-        Some(format!("{file}: times count from the first row, {first}"))
+        Some(format!("times count from the first row, {first}"))
     }
 }
 
@@ -132,10 +132,10 @@ mod tests {
         assert_eq!(clock.count(date("2023-11-14T23:13:21+01:00")), Ok(1.0));
         assert!(clock.count(date("2023-11-14T22:13:22")).is_err());
         assert!(clock.count(Time::Seconds(2.0)).is_err());
-        assert!(clock.note("p.csv").is_some_and(|note| note.contains("dates")));
+        assert!(clock.note().is_some_and(|note| note.contains("dates")));
         let mut clock = Clock::from_zero();
         assert_eq!(clock.count(Time::Seconds(2.0)), Ok(2.0));
         assert!(clock.count(date("2023-11-14T22:13:22Z")).is_err());
-        assert_eq!(clock.note("p.csv"), None);
+        assert_eq!(clock.note(), None);
     }
 }

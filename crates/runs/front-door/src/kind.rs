@@ -115,7 +115,15 @@ impl Kind {
 /// # Errors
 /// Every fault of the file, or one error if it is of another kind.
 pub fn read_scenario(path: &Path) -> Result<Scenario, OpenError> {
-    let read = Scenario::read_beside(path, &registry::parameter_tables());
+    read_scenario_over(path, None)
+}
+
+/// The same over the ground of `bank`, whatever ground the scenario names itself.
+///
+/// # Errors
+/// As [`read_scenario`].
+pub fn read_scenario_over(path: &Path, bank: Option<&Path>) -> Result<Scenario, OpenError> {
+    let read = Scenario::read_over(path, &registry::parameter_tables(), bank);
     read.or_else(|faults| Kind::Scenario.expect(path).and(Err(faults.into())))
 }
 

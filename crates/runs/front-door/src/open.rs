@@ -14,7 +14,8 @@ use run_record::{FileRecord, Inputs};
 use scenario::{GroundSource, RasterWishes, Scenario};
 
 use crate::keys::{Decides, decides, drop_wish};
-use crate::{OpenError, Opened, Wishes, read_model, read_scenario};
+use crate::kind::read_scenario_over;
+use crate::{OpenError, Opened, Wishes, read_model};
 
 /// The hardware model of a scenario whose `machine` is `named`: raster, range and laws under a generator that has no
 /// hardware model are over those of the ideal machine.
@@ -27,7 +28,7 @@ pub fn base_model(named: &str) -> &str {
 /// # Errors
 /// Everything that is wrong in files and wishes, before any ground is made.
 pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
-    let mut scenario = read_scenario(path)?;
+    let mut scenario = read_scenario_over(path, wishes.bank.as_deref())?;
     if let Some(bank) = &wishes.bank {
         scenario.ground = GroundSource::Bank(bank.clone());
     }
@@ -53,13 +54,15 @@ pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
     for other in registry::ROWS.iter().filter(|other| row != Some(other)) {
         check_parameters(path, other, wishes)?;
     }
+    let pauses = scenario.path_beside_mission(settings.timebase.update);
+    let remarks = model.remarks.into_iter().chain(scenario.notes.iter().cloned()).chain(pauses).collect();
     Ok(Opened {
         scenario,
         model: model.model,
         settings,
         row,
         generator,
-        remarks: model.remarks,
+        remarks,
         inputs,
         path: path.to_owned(),
         wishes: wishes.clone(),

@@ -37,7 +37,7 @@ use files::{FileError, FilePieces, PiecesError};
 use limits::Limit;
 
 use crate::{Bank, MapFrame};
-use decode::{decode_map, decode_pieces};
+use decode::{decode_outline, decode_pieces};
 
 /// Writes `bank` to `path` and its description to [`sidecar_path`], each whole or not at all.
 ///
@@ -61,13 +61,22 @@ pub fn read(path: impl AsRef<Path>) -> Result<Bank, BankFileError> {
     decode_pieces(&mut FilePieces::open(path, Limit::BankBytes)?).map_err(|fault| of_file(path, fault))
 }
 
-/// How the axes of the bank in the file `path` lie in the map of its elevation file, if it says. The ground is not read.
+/// What a bank file says of its place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outline {
+    /// How its axes lie in the map of its elevation file, if it says.
+    pub map: Option<MapFrame>,
+    /// South, west, north, east edge of its finest level (m).
+    pub extent: [f64; 4],
+}
+
+/// Reads the place of the bank in the file `path`, and nothing of the ground.
 ///
 /// # Errors
 /// If the file cannot be read, or its table or its section `map` is damaged.
-pub fn read_map(path: impl AsRef<Path>) -> Result<Option<MapFrame>, BankFileError> {
+pub fn read_outline(path: impl AsRef<Path>) -> Result<Outline, BankFileError> {
     let path = path.as_ref();
-    decode_map(&mut FilePieces::open(path, Limit::BankBytes)?).map_err(|fault| of_file(path, fault))
+    decode_outline(&mut FilePieces::open(path, Limit::BankBytes)?).map_err(|fault| of_file(path, fault))
 }
 
 fn of_file(path: &Path, fault: PiecesError<FileError, BankFormatError>) -> BankFileError {

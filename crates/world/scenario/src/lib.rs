@@ -49,7 +49,7 @@ pub use limits::{Limit, LimitReport};
 pub use looks::{AlbedoMapWish, MapCurve, RollDisplay, ShadowFineness, TextureWish};
 pub use meant::{GroundSource, Length, Scenario};
 pub use objects::{Action, Event, Object, Stance};
-pub use path::{Path, PathError, Station, Waypoint};
+pub use path::{HeightOver, Path, PathError, Station, Waypoint};
 pub use pose::Pose;
 pub use pose_problem::{PathProblem, PathProblems, PoseFault};
 pub use pose_table::{PoseRow, PoseTable, poses_csv};

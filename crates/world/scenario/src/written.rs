@@ -1,15 +1,17 @@
 //! A scenario as written: the keys of its TOML file, strictly, and every fault at once.
 
 mod albedo;
+mod coordinates;
 mod course;
+mod doubts;
 mod events;
 mod features;
 mod ground;
 mod guests;
 mod light;
-mod number_table;
-mod path_csv;
-mod path_tum;
+mod path_gpx;
+mod path_table;
+mod quaternion;
 mod reference;
 mod scenery;
 
@@ -20,6 +22,8 @@ use landscape::Photometry;
 use landscape::relief::Relief;
 use limits::Limit;
 use quantities::radians;
+
+use coordinates::Ground;
 
 use crate::{
     Display, FieldOfView, GroundSource, LawWishes, Length, LevelSwitch, RasterWishes, RollDisplay, Scalar,
@@ -43,12 +47,25 @@ impl Scenario {
     /// # Errors
     /// Every fault of both files.
     pub fn read_beside(path: impl AsRef<FilePath>, others: &[&str]) -> Result<Self, ProblemList> {
+        Self::read_over(path, others, None)
+    }
+
+    /// The same over the ground of the bank in the file `bank`, whatever ground the scenario names itself.
+    ///
+    /// # Errors
+    /// Every fault of the files.
+    pub fn read_over(
+        path: impl AsRef<FilePath>,
+        others: &[&str],
+        bank: Option<&FilePath>,
+    ) -> Result<Self, ProblemList> {
         let name = path.as_ref().display().to_string();
         let bytes = files::read_all(path.as_ref(), Limit::TextBytes)
             .map_err(|error| Problem::of_file(&name, error.to_string()))?;
         let problems = Problems::new();
+        let surroundings = Surroundings { folder: folder_of(path.as_ref()), others, bank };
         let scenario = TomlFile::parse_bytes(&name, &bytes, &problems)
-            .and_then(|file| scenario(&file.root(&problems), folder_of(path.as_ref()), others, &problems));
+            .and_then(|file| scenario(&file.root(&problems), &surroundings, &problems));
         problems.resolve(scenario)
     }
 
@@ -59,8 +76,9 @@ impl Scenario {
     /// Every fault of the text and of the path file that it may name.
     pub fn parse(name: &str, text: &str) -> Result<Self, ProblemList> {
         let problems = Problems::new();
+        let surroundings = Surroundings { folder: folder_of(FilePath::new(name)), others: &[], bank: None };
         let scenario = TomlFile::parse(name, text, &problems)
-            .and_then(|file| scenario(&file.root(&problems), folder_of(FilePath::new(name)), &[], &problems));
+            .and_then(|file| scenario(&file.root(&problems), &surroundings, &problems));
         problems.resolve(scenario)
     }
 }
@@ -87,7 +105,18 @@ fn folder_of(path: &FilePath) -> &FilePath {
     path.parent().unwrap_or(FilePath::new(""))
 }
 
-fn scenario(root: &Reader, folder: &FilePath, others: &[&str], problems: &Problems) -> Option<Scenario> {
+/// What lies around the text of a scenario.
+struct Surroundings<'a> {
+    /// Folder at which references start.
+    folder: &'a FilePath,
+    /// Tables that somebody else reads.
+    others: &'a [&'a str],
+    /// Bank that takes the place of the scenario's ground.
+    bank: Option<&'a FilePath>,
+}
+
+fn scenario(root: &Reader, surroundings: &Surroundings, problems: &Problems) -> Option<Scenario> {
+    let Surroundings { folder, others, bank } = *surroundings;
     if !root.format_version(FORMAT) && root.has("format") {
         return None;
     }
@@ -119,7 +148,12 @@ fn scenario(root: &Reader, folder: &FilePath, others: &[&str], problems: &Proble
     let vehicle_table = root.table_or_empty("vehicle");
     let vehicle_shape = scenery::optional_shape(&vehicle_table, folder, problems);
     let vehicle = vehicle(&vehicle_table);
-    let path = root.table("path").map(|table| course::course(&table, folder, problems));
+    let source = ground.as_ref().and_then(|(ground, _)| ground.as_ref()).map(|(source, _)| source);
+    let lies_on = bank.map(Ground::Bank).or(source.map(|source| match source {
+        GroundSource::Bank(bank) => Ground::Bank(bank),
+        GroundSource::Generated(_) => Ground::Generated,
+    }));
+    let path = root.table("path").map(|table| course::course(&table, folder, lies_on, problems));
     let raster = root.table_or_empty("raster");
     let (wishes, field) = (raster_wishes(&raster), field_of_view(&raster));
     let levels = part(root, "levels", levels);
@@ -172,6 +206,7 @@ fn scenario(root: &Reader, folder: &FilePath, others: &[&str], problems: &Proble
         laws,
         display: display?,
         scalar: scalar?,
+        notes: problems.take_notes(),
     })
 }
 

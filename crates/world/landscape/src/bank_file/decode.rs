@@ -8,7 +8,7 @@ use super::layout::{
     BLOCK, FILE_LENGTH_AT, FORMAT, HASH, LEVEL, MAGIC, MAP, PLACE, SECTION_HASH_AT, TABLE_HASH_AT, TITLE,
     VOIDS,
 };
-use super::map;
+use super::{Outline, map};
 use crate::{Bank, BankError, CornerWords, Georeference, Level, MapFrame, WORDS};
 use std::f64::consts::PI;
 use std::mem;
@@ -81,20 +81,31 @@ pub(super) fn decode_pieces<B: Pieces>(
     Ok(bank.with_voids(voids.unwrap_or_default())?.with_map(map))
 }
 
-/// How the axes of a bank file lie in the map of its elevation file, if it says; the ground itself is not read.
-pub(super) fn decode_map<B: Pieces>(
+/// What a bank file says of its place: the ground itself is not read.
+pub(super) fn decode_outline<B: Pieces>(
     bytes: &mut B,
-) -> Result<Option<MapFrame>, PiecesError<B::Error, BankFormatError>> {
+) -> Result<Outline, PiecesError<B::Error, BankFormatError>> {
     let table = table(bytes)?;
-    let mut map = None;
+    let (mut map, mut extent) = (None, None);
     for (index, entry) in table.chunks_exact(BLOCK).enumerate() {
         let section = section(bytes.length(), &table, index, entry)?;
         if section.kind == MAP {
             let section = section.read(bytes, &table)?;
             section.only(&mut map, section.map()?)?;
+        } else if section.kind == LEVEL && extent.is_none() && section.length >= BLOCK as u64 {
+            let mut header = [0; BLOCK];
+            bytes.fill(section.offset, &mut header).map_err(Fault::Read)?;
+            extent = Some(extent_of(&header));
         }
     }
-    Ok(map)
+    Ok(Outline { map, extent: extent.ok_or(BankError::NoLevels)? })
+}
+
+/// South, west, north, east edge (m) of the level with this header.
+fn extent_of(header: &[u8; BLOCK]) -> [f64; 4] {
+    let [size, south, west] = [0, 8, 16].map(|at| f64_at(header, at));
+    let [north, east] = [24, 32].map(|at| u64_at(header, at).saturating_sub(1) as f64 * size);
+    [south, west, south + north, west + east]
 }
 
 /// The section table, after the header is checked.

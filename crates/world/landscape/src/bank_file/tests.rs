@@ -325,14 +325,15 @@ fn the_map_comes_back_and_is_no_part_of_the_ground() {
         assert_eq!(decode(&encode(&bank)), Ok(bank.clone()));
         assert_eq!(content_hash(&bank), content_hash(&two_levels()));
         write(&path, &bank).unwrap();
-        assert_eq!(super::read_map(&path).unwrap(), Some(map));
+        let expected = super::Outline { map: Some(map), extent: bank.finest().extent() };
+        assert_eq!(super::read_outline(&path).unwrap(), expected);
         let sidecar = std::fs::read_to_string(folder.path().join("a.bank.toml")).unwrap();
         let table: toml::Table = sidecar.parse().unwrap();
         assert_eq!(table["map"]["origin_north_m"].as_float(), Some(150_000.5));
         assert_eq!(table["map"]["projection"].as_str(), Some(map.projection_name()));
     }
     write(&path, &two_levels()).unwrap();
-    assert_eq!(super::read_map(&path).unwrap(), None);
+    assert_eq!(super::read_outline(&path).unwrap().map, None);
 }
 
 #[test]
