@@ -50,9 +50,7 @@ impl Clock {
         let seconds = time.seconds();
         if matches!(time, Time::Seconds(seconds) if seconds.abs() >= SMALLER_UNIT) {
             return Err(
-                "seconds, fewer than 1e11: name the column t_ms, t_us or t_ns if they are thousandths, \
-                        millionths or billionths"
-                    .into(),
+                "a number of seconds below 1e11; t_ms, t_us and t_ns are columns of smaller units".into()
             );
         }
         let start = *self.start.get_or_insert_with(|| {

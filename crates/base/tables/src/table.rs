@@ -32,10 +32,13 @@ pub struct Table {
 }
 
 impl Table {
-    /// A table whose first row names its columns. Faults of the header go to the list of the table.
+    /// A table whose first row names its columns. Faults of the header go to the list of the table; of a header whose cells
+    /// cannot be told no row is read.
     pub fn with_header(source: Arc<Source>, form: &'static Form) -> Self {
         let mut table = Self::new(source, form);
-        table.read_header();
+        if !table.read_header() {
+            table.next = table.source.text.len();
+        }
         table
     }
 
@@ -211,47 +214,52 @@ impl Table {
         }
     }
 
-    fn read_header(&mut self) {
-        // Excel writes the separator into a line of its own.
-        let told = self.source.text.strip_prefix("sep=").and_then(|rest| rest.split('\n').next());
-        let told = told.and_then(|rest| {
-            rest.chars().next().filter(|_| rest.trim_end_matches('\r').chars().count() == 1)
-        });
-        if told.is_some() {
-            self.next_line();
-        }
+    /// Reads the header; `false` if its cells cannot be told.
+    fn read_header(&mut self) -> bool {
+        let told = self.told_separator();
         let Some(line) = self.next_line() else {
             let title = format!("an empty {}", self.form.what);
-            return self.fault(0..0, title, "a header and at least one row", None);
+            self.fault(0..0, title, "a header and at least one row", None);
+            return false;
         };
         self.header_at = line.clone();
-        let found = separator(self.bytes(&line));
-        match told.map(Separator::Char).or(found) {
+        match told.or(separator(self.bytes(&line))) {
             Some(separator) => self.separator = separator,
             None => {
                 let title = "two kinds of separators in one header".into();
-                return self.fault(line, title, "commas, semicolons or tabs between cells", None);
+                self.fault(line, title, "commas, semicolons or tabs between cells", None);
+                return false;
             }
         }
         if !self.split(&line) {
-            return;
+            return false;
         }
         self.header_at = self.whole_row();
-        let cells: Vec<_> =
-            self.cells.iter().map(|cell| (unquoted(self.bytes(cell)).into_owned(), cell.clone())).collect();
+        let text = |cell: &Range<usize>| (unquoted(self.bytes(cell)).into_owned(), cell.clone());
+        let cells: Vec<_> = self.cells.iter().map(text).collect();
         if cells.iter().all(|(text, _)| number(text, true).is_ok()) {
             let names: Vec<_> = self.form.columns.iter().map(|column| column.name).collect();
             let expected = format!("a header such as {}", names.join(","));
-            return self.fault(
+            self.fault(
                 self.header_at.clone(),
                 "a first row of numbers, not of names".into(),
                 &expected,
                 None,
             );
+            return false;
         }
         let mut faults = Vec::new();
         self.header = Header::by_name(self.form, &cells, &mut faults);
         faults.into_iter().for_each(|fault| self.header_fault(fault));
+        true
+    }
+
+    /// The separator in a line of its own, `sep=;`, with which Excel begins a file.
+    fn told_separator(&mut self) -> Option<Separator> {
+        let line = self.source.text.strip_prefix("sep=")?.split('\n').next()?;
+        let separator = [",", ";", "\t"].into_iter().find(|separator| *separator == line)?;
+        self.next_line();
+        separator.chars().next().map(Separator::Char)
     }
 
     fn header_fault(&mut self, HeaderFault { at, title, expected, help }: HeaderFault) {

@@ -136,8 +136,10 @@ fn csv_row(row: &mut Row, coordinates: Coordinates, clock: &mut Clock) -> Option
     let at = match coordinates {
         Coordinates::LonLat => [row.number(LATITUDE, -90.0..=90.0), row.number(LONGITUDE, -360.0..=360.0)]
             .map(|angle| angle.map(radians)),
-        Coordinates::File => [row.number(X, -1e9..=1e9), row.number(Y, -1e9..=1e9)],
-        Coordinates::Bank => [row.number(X, -most..=most), row.number(Y, -most..=most)],
+        in_plane => {
+            let far = farthest(in_plane);
+            [row.number(X, -far..=far), row.number(Y, -far..=far)]
+        }
     };
     let height = match (row.optional_number(Z, -most..=most), row.optional_number(HEIGHT, 0.0..=most)) {
         (Ok(over_datum), Ok(over_ground)) => Ok(over_datum.or(over_ground)),
@@ -148,6 +150,11 @@ fn csv_row(row: &mut Row, coordinates: Coordinates, clock: &mut Clock) -> Option
     let ([x, y], [heading, pitch, roll]) = (at, angles);
     let waypoint = Waypoint { time: time?, at: [x?, y?], heading, eye_height: height.ok()?, pitch, roll };
     Some(Placed { value: waypoint, place: row.place(T), key: CSV.columns[T].name.into() })
+}
+
+/// Largest place in the plane (m): maps count from far away.
+fn farthest(coordinates: Coordinates) -> f64 {
+    if coordinates == Coordinates::File { 1e9 } else { MAX_COORDINATE }
 }
 
 /// Heading, pitch and roll (rad), where the row gives them.
@@ -174,19 +181,21 @@ fn turned(row: &mut Row, columns: [usize; 4]) -> Option<[f64; 3]> {
 /// The rows of a file of the TUM benchmarks.
 pub(super) fn tum(path: &FilePath, wished: Option<Coordinates>, problems: &Problems) -> Option<Points> {
     let mut table = Table::in_order(read_text(path, problems)?, &TUM);
+    let coordinates = wished.unwrap_or(Coordinates::Bank);
     let (mut clock, mut waypoints) = (Clock::from_first_row(), Vec::new());
     while let Some(mut row) = table.next_row() {
-        waypoints.extend(tum_row(&mut row, &mut clock));
+        waypoints.extend(tum_row(&mut row, coordinates, &mut clock));
     }
     let waypoints = table.finish(waypoints, problems)?;
     clock.note().into_iter().for_each(|note| problems.note(format!("{}: {note}", path.display())));
-    let coordinates = wished.unwrap_or(Coordinates::Bank);
     Some(Points { waypoints, coordinates, height_over: HeightOver::Datum })
 }
 
-fn tum_row(row: &mut Row, clock: &mut Clock) -> Option<PlacedWaypoint> {
+fn tum_row(row: &mut Row, coordinates: Coordinates, clock: &mut Clock) -> Option<PlacedWaypoint> {
     let time = row.time(0, clock);
-    let [north, east, down] = [1, 2, 3].map(|column| row.number(column, -1e9..=1e9));
+    let far = farthest(coordinates);
+    let [north, east] = [1, 2].map(|column| row.number(column, -far..=far));
+    let down = row.number(3, -MAX_COORDINATE..=MAX_COORDINATE);
     let [heading, pitch, roll] = turned(row, [4, 5, 6, 7])?.map(Some);
     let eye_height = Some(-down?);
     let waypoint = Waypoint { time: time?, at: [north?, east?], heading, eye_height, pitch, roll };
