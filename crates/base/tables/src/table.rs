@@ -76,8 +76,11 @@ impl Table {
         self.header.places.get(column).copied().flatten().map(|place| place.name)
     }
 
-    /// Records that the header lacks a column that this table needs.
+    /// Records that the header lacks a column that this table needs; a header that could not be read has its own fault.
     pub fn refuse_without(&mut self, column: usize) {
+        if self.header.width == 0 {
+            return;
+        }
         let fault = missing(self.form, self.form.columns[column].name, self.header_at.clone());
         self.header_fault(fault);
     }

@@ -237,7 +237,7 @@ fn headings_across_the_way_are_told() {
     // Only one leg of two.
     assert_eq!(told("0,10,10,90\n1,20,10,90\n2,20,30,90\n3,20,50,90\n"), "");
     // From east, anticlockwise: 45 degrees are the same in both, so the bend is near enough to be let pass.
-    assert_eq!(told(bend).contains("exchanged"), false);
+    assert!(!told(bend).contains("exchanged"));
 }
 
 #[test]
@@ -251,6 +251,28 @@ fn heights_name_what_they_count_from() {
     assert_eq!(of("t_s,x_m,y_m\n0,1,2\n"), (HeightOver::Datum, None));
     assert!(faults("p.csv", "t_s,x_m,y_m,z_m,height_m\n0,1,2,3,4\n")[0].contains("both say how high"));
     assert!(faults("p.csv", "t_s,x_m,y_m,height_m\n0,1,2,-4\n")[0].contains("`height_m` must be"));
+}
+
+#[test]
+fn shipped_scenarios_are_beyond_doubt() {
+    let folder = FilePath::new(env!("CARGO_MANIFEST_DIR")).join("../../../scenarios");
+    let mut read = 0;
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_none_or(|ending| ending != "toml") {
+            continue;
+        }
+        let scenario = Scenario::read_beside(&path, &["lunsim"]).unwrap_or_else(|list| panic!("{list}"));
+        let update = scenario.raster.update.unwrap_or(Rate::new(30, 1).unwrap());
+        assert_eq!(
+            (&scenario.notes[..], scenario.path_beside_mission(update)),
+            (&[][..], None),
+            "{}",
+            path.display()
+        );
+        read += 1;
+    }
+    assert!(read > 10, "{read} scenarios");
 }
 
 /// A place of the polar map, by the closed form, in degrees.

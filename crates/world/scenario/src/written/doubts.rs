@@ -17,8 +17,6 @@ const WHOLE: f64 = 0.98;
 /// How headings lie to the way that is driven.
 #[derive(Debug, Clone, Copy)]
 struct Bearing {
-    /// Length of the way with a heading at both ends (m).
-    length: f64,
     /// Share of it on which the heading is more than 45 degrees from both directions of the way.
     across: f64,
     /// Mean turn from the way to the heading (rad).
@@ -35,14 +33,16 @@ impl Bearing {
         for (from, to) in waypoints.clone().zip(waypoints.skip(1)) {
             let (Some(first), Some(last)) = (from.heading, to.heading) else { continue };
             let [north, east] = [to.at[0] - from.at[0], to.at[1] - from.at[1]];
-            let step = (north * north + east * east).sqrt();
-            let heading = meant(first) + 0.5 * shortest_turn(meant(first), meant(last));
-            let away = shortest_turn(libm::atan2(east, north), heading).abs();
-            length += step;
-            turn += step * away;
-            across += if (FRAC_PI_4..=PI - FRAC_PI_4).contains(&away) { step } else { 0.0 };
+            // Half of the leg counts with the heading of each of its ends.
+            let half = 0.5 * (north * north + east * east).sqrt();
+            for heading in [first, last].map(&meant) {
+                let away = shortest_turn(libm::atan2(east, north), heading).abs();
+                length += half;
+                turn += half * away;
+                across += if (FRAC_PI_4..=PI - FRAC_PI_4).contains(&away) { half } else { 0.0 };
+            }
         }
-        (length > 0.0).then(|| Self { length, across: across / length, turn: turn / length })
+        (length > 0.0).then(|| Self { across: across / length, turn: turn / length })
     }
 }
 
@@ -72,8 +72,7 @@ pub(super) fn heading_across(waypoints: &[Waypoint]) -> Option<String> {
                 .into(),
         );
     }
-    let is_across = bearing.length > 0.0 && bearing.across >= WHOLE;
-    is_across.then(|| {
+    (bearing.across >= WHOLE).then(|| {
         format!(
             "the vehicle looks across its way for the whole drive, {:.0} degrees away from it on the mean; headings count \
              clockwise from north",
