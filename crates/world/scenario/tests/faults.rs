@@ -568,3 +568,16 @@ proptest! {
         path_faults("p.tum", &rows);
     }
 }
+
+/// A bank that takes the place of generated ground lies somewhere on the Moon, so a date needs no place beside it.
+#[test]
+fn a_date_goes_by_the_ground_that_is_taken() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("s.toml");
+    let angles = "azimuth_deg = 10\nelevation_deg = 12";
+    fs::write(&path, GOOD.replace(angles, "at = \"1972-12-11T22:00:00Z\"")).unwrap();
+    let bank = folder.path().join("other.bank");
+    let read = |bank| Scenario::read_over(&path, &[], Overrides { sets: &[], bank });
+    assert!(read(Some(bank.as_path())).is_ok());
+    assert!(read(None).unwrap_err().to_string().contains("generated ground lies nowhere"));
+}
