@@ -122,7 +122,7 @@ pub fn read_scenario(path: &Path) -> Result<Scenario, OpenError> {
 ///
 /// # Errors
 /// As [`read_scenario`].
-pub fn read_scenario_over(path: &Path, bank: Option<&Path>) -> Result<Scenario, OpenError> {
+pub(crate) fn read_scenario_over(path: &Path, bank: Option<&Path>) -> Result<Scenario, OpenError> {
     let read = Scenario::read_over(path, &registry::parameter_tables(), bank);
     read.or_else(|faults| Kind::Scenario.expect(path).and(Err(faults.into())))
 }
