@@ -68,7 +68,7 @@ pub fn geotiff() -> Vec<u8> {
     let values_at = directory + 2 + 12 * entries.len() + 4;
     let mut file = [&b"II*\0"[..], &(directory as u32).to_le_bytes(), &data].concat();
     file.extend((entries.len() as u16).to_le_bytes());
-    let mut values = Vec::new();
+    let mut values: Vec<u8> = Vec::new();
     for (tag, kind, bytes) in &entries {
         let size = if *kind == 12 { 8 } else { 2 * (kind - 2) as usize };
         file.extend([tag.to_le_bytes(), kind.to_le_bytes()].concat());

@@ -11,6 +11,7 @@ mod guests;
 mod light;
 mod path_gpx;
 mod path_table;
+mod points;
 mod quaternion;
 mod raster;
 mod reference;

@@ -7,7 +7,7 @@ use landscape::bank_file::{Outline, read_outline};
 use landscape::{FileCoordinates, MapFrame};
 use quantities::degrees;
 
-use super::course::Points;
+use super::points::Points;
 
 /// Meaning of the places of a path file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

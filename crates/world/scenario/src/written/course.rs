@@ -9,24 +9,13 @@ use super::coordinates::{Coordinates, Ground, in_bank};
 use super::doubts::heading_across;
 use super::path_gpx::{self, TrackWishes};
 use super::path_table;
+use super::points::{PlacedWaypoint, Points};
 use super::reference::reference;
 use super::scenery::MAX_COORDINATE;
-use crate::{HeightOver, Path, PathError, Waypoint};
+use crate::{Path, PathError, Waypoint};
 
 /// Times of keyframes beyond this (s) are a mistake.
 const MAX_TIME: f64 = 1e12;
-
-/// A waypoint and the place of its time, for what is wrong with its order.
-pub(super) type PlacedWaypoint = Placed<Waypoint>;
-
-/// The points of a path file, before they are in the axes of the bank.
-#[derive(Debug, Clone)]
-pub(super) struct Points {
-    /// Waypoints whose places are in `coordinates`: metres north and east, or latitude and longitude (rad).
-    pub waypoints: Vec<PlacedWaypoint>,
-    pub coordinates: Coordinates,
-    pub height_over: HeightOver,
-}
 
 /// Kinds of path files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

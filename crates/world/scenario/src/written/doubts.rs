@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
 use quantities::degrees;
 
-use super::course::PlacedWaypoint;
+use super::points::PlacedWaypoint;
 use crate::Waypoint;
 use crate::path::shortest_turn;
 

@@ -12,7 +12,7 @@ use roxmltree::{Document, Node, ParsingOptions};
 use tables::{Clock, Time, date_time, read_text};
 
 use super::coordinates::Coordinates;
-use super::course::{PlacedWaypoint, Points};
+use super::points::{PlacedWaypoint, Points};
 use super::scenery::MAX_COORDINATE;
 use crate::{HeightOver, Waypoint};
 

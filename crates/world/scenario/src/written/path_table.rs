@@ -12,8 +12,8 @@ use quantities::radians;
 use tables::{Clock, Column, Faulty, Form, Row, Table, read_text};
 
 use super::coordinates::Coordinates;
-use super::course::{PlacedWaypoint, Points};
 use super::doubts::radians_named_degrees;
+use super::points::{PlacedWaypoint, Points};
 use super::quaternion;
 use super::scenery::MAX_COORDINATE;
 use crate::{HeightOver, Waypoint};

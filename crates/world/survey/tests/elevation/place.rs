@@ -179,12 +179,8 @@ fn the_map_of_a_bank_leads_back_to_the_file() {
             };
             let [x, y] = map.of_point(latitude, longitude).unwrap();
             // Samples of the survey lie at whole steps from the first.
-            let steps = [x, y]
-                .iter()
-                .zip(map.first_sample)
-                .zip(map.spacing)
-                .map(|((at, first), step)| (at - first) / step);
-            let steps: Vec<f64> = steps.collect();
+            let of_axis = |axis: usize| ([x, y][axis] - map.first_sample[axis]) / map.spacing[axis];
+            let steps = [0, 1].map(of_axis);
             assert!(steps.iter().all(|step| (step - step.round()).abs() < 1e-3), "{area:?}: {steps:?}");
             met += usize::from(steps.iter().all(|step| step.round() == 0.0));
         }
