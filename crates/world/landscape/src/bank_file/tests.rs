@@ -1,4 +1,4 @@
-use super::layout::{BLOCK, PLACE, SECTION_HASH_AT, TABLE_HASH_AT};
+use super::layout::{BLOCK, NORTH, PLACE, SECTION_HASH_AT, TABLE_HASH_AT};
 use super::{
     BankFileError, BankFormatError, CornersError, content_hash, decode, describe, encode, export_corners,
     import_corners, read, write,
