@@ -238,7 +238,7 @@ fn envi_rasters_that_are_refused() {
         ("10000, 20000, 10, 10}", "10000, 20000, 10, 10, rotation=30}", "gdalwarp"),
         ("10000, 20000, 10, 10}", "10000, 20000, 10, 10, units=Cubits}", "units that are known"),
         ("10000, 20000, 10, 10}", "10000, 20000, 10}", "two sizes of a sample"),
-        ("10000, 20000, 10, 10}", "10000, 20000, 10, 10", "header line 9: found"),
+        ("10000, 20000, 10, 10}", "10000, 20000, 10, 10", "header line 10: found"),
         ("Equirectangular, 1", "Geographic Lat/Lon, 1", "the kind of coordinates"),
         ("lines = 24", "lines = 24\nlines = 24", "one value of a key"),
         ("lines = 24", "lines : 24", "KEY = VALUE"),
