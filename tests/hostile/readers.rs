@@ -5,6 +5,8 @@ use std::fs;
 use std::path::Path;
 
 use hardware_model::{HardwareModel, ModelSource};
+use landscape::projection::{Method, Projection};
+use landscape::{Bank, FileCoordinates, Level, MapFrame};
 use scenario::Scenario;
 use survey::{ReadOptions, SurveyError};
 use vehicle_shadow::Camera;
@@ -28,7 +30,7 @@ pub struct Reader {
 }
 
 /// All readers that are given damaged files.
-pub const READERS: [Reader; 22] = [
+pub const READERS: [Reader; 24] = [
     Reader { name: "scenario", file: "scene.toml", read: |path| said(Scenario::read(path)) },
     Reader {
         name: "path-csv",
@@ -40,6 +42,8 @@ pub const READERS: [Reader; 22] = [
         file: "path.tum",
         read: |path| scene_of(path, "[path]\nfile = \"path.tum\"\n"),
     },
+    Reader { name: "path-gpx", file: "path.gpx", read: track },
+    Reader { name: "path-lon-lat", file: "path.csv", read: track },
     Reader { name: "model", file: "model.toml", read: model },
     Reader { name: "craters", file: "craters.csv", read: |path| said(features::list::read(path)) },
     Reader { name: "obj", file: "shape.obj", read: |path| said(solids::obj::read(path)) },
@@ -129,6 +133,33 @@ fn grid_beside(path: &Path) -> Result<(), String> {
     let text = "ncols 2\nnrows 2\nxllcorner 5\nyllcorner 6\ncellsize 1\n1 2\n3 4\n";
     fs::write(&grid, text).expect("a folder that can be written");
     elevation(&grid)
+}
+
+/// A scenario around a path on the sphere, over a bank that says where it lies.
+fn track(path: &Path) -> Result<(), String> {
+    let bank = folder(path).join("place.bank");
+    if !bank.exists() {
+        let latitude = 0.1_f64;
+        let method = Method::Equirectangular { parallel: latitude };
+        let radius = landscape::LUNOID_RADIUS;
+        let projection = Projection { method, latitude: 0.0, longitude: 0.2, radius, offset: [0.0; 2] };
+        let map = MapFrame {
+            projection: Some(projection),
+            coordinates: FileCoordinates::Degrees,
+            origin: [radius * latitude, 0.0],
+            first_sample: [0.0; 2],
+            spacing: [10.0; 2],
+        };
+        let level = Level::new(500.0, [0.0; 2], [2, 2], vec![[0.0; 9]; 4]).expect("a level");
+        let made = Bank::new("place", vec![level], None).expect("a bank").with_map(Some(map));
+        landscape::bank_file::write(&bank, &made).expect("a folder that can be written");
+    }
+    let name = path.file_name().unwrap_or_default().display();
+    let text = format!(
+        "format = 1\ntitle = \"T\"\nshows = \"T.\"\nframes = 2\n[landscape]\nbank = \"place.bank\"\n[sun]\n\
+         azimuth_deg = 100\nelevation_deg = 15\n[path]\nfile = \"{name}\"\ncoordinates = \"lon-lat\"\n"
+    );
+    said(Scenario::parse(&folder(path).join("scene.toml").display().to_string(), &text))
 }
 
 /// A whole scenario around a path file.

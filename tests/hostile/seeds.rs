@@ -56,6 +56,17 @@ pub fn seeds(name: &str) -> Vec<Vec<u8>> {
             "# a climb\nt_s,x_m,y_m,z_m,pitch_deg\n0,100,200,30,-10\n5,110,201,20,-12\n",
         ],
         "path-tum" => &["# t tx ty tz qx qy qz qw\n0 100 200 -3.2 0 0 0 1\n1 102 201 -3.2 0 0 0.1 0.995\n"],
+        "path-gpx" => &[
+            "<?xml version=\"1.0\"?>\n<gpx xmlns=\"http://www.topografix.com/GPX/1/1\"><trk><name>a</name><trkseg>\
+             <trkpt lat=\"5.73\" lon=\"11.46\"><ele>3</ele><time>2026-11-26T22:00:00Z</time></trkpt>\
+             <trkpt lat=\"5.731\" lon=\"11.461\"><ele>4</ele><time>2026-11-26T22:00:10Z</time></trkpt>\
+             </trkseg></trk></gpx>\n",
+        ],
+        "path-lon-lat" => &[
+            "t_utc;lat_deg;lon_deg;heading_rad;height_m\r\n2026-11-26T22:00:00Z;5,73;11,46;0,5;2,5\r\n\
+             2026-11-26T22:00:05Z;\"5,731\";11,461;\"\";2\r\n",
+            "t_s,lat_deg,lon_deg,qx,qy,qz,qw\n1700000000,5.73,11.46,0,0,0,1\n1700000001,5.731,11.461,0,0,0.6,0.8\n",
+        ],
         "model" => &[
             include_str!("../../hardware-models/pra-nominal.toml"),
             "format = 1\nname = \"mine\"\nbase = \"ideal\"\n[loader]\naccess_ns = 90\n",

@@ -71,12 +71,9 @@
 //!
 //! Of a long list of data [`LongList`] tells the first faults and counts the others.
 //!
-//! Tables that people write as CSV are read through [`CsvRows`], whose cells know their place.
-//!
 //! [`JunitSuite`] writes what was checked for continuous integration.
 
 pub mod asked;
-mod csv_rows;
 mod field;
 mod junit;
 mod layers;
@@ -88,12 +85,11 @@ mod render;
 mod toml_file;
 mod tree;
 
-pub use csv_rows::{CsvRow, CsvRows};
 pub use field::{Bounded, Field};
 pub use junit::{JunitCase, JunitSuite};
 pub use layers::{Layers, Origin};
 pub use long_list::LongList;
 pub use place::{Place, Placed, Source};
 pub use problem::{Problem, ProblemList, ProblemRecord, Problems};
-pub use reader::{PartTable, Reader, similar_file};
+pub use reader::{PartTable, Reader, nearest, similar_file};
 pub use toml_file::TomlFile;

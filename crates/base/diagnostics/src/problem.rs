@@ -110,14 +110,16 @@ pub struct ProblemRecord {
     pub help: Option<String>,
 }
 
-/// Collects problems. Readers share it by `&`, so tables can be read side by side.
+/// Collects problems, and notes about what was read otherwise than it may be meant. Readers share it by `&`, so tables can be
+/// read side by side.
 ///
-/// It keeps as many as [`Limit::Faults`] allows and counts the others, so that a file with a fault in every line takes no more memory
-/// than its text.
+/// It keeps as many problems as [`Limit::Faults`] allows and counts the others, so that a file with a fault in every line takes no more
+/// memory than its text.
 #[derive(Debug, Default)]
 pub struct Problems {
     list: RefCell<Vec<Problem>>,
     more: RefCell<usize>,
+    notes: RefCell<Vec<String>>,
 }
 
 impl Problems {
@@ -134,6 +136,16 @@ impl Problems {
         } else {
             *self.more.borrow_mut() += 1;
         }
+    }
+
+    /// Adds a sentence that the user should know although nothing is wrong.
+    pub fn note(&self, note: String) {
+        self.notes.borrow_mut().push(note);
+    }
+
+    /// Takes the notes so far, in the order in which they were made.
+    pub fn take_notes(&self) -> Vec<String> {
+        self.notes.take()
     }
 
     /// True while nothing is wrong.

@@ -245,7 +245,7 @@ fn list_of_keys(known: &[&str]) -> String {
 }
 
 /// The known word most like `word`, where one is alike at all.
-pub(crate) fn nearest<'k>(word: &str, known: &[&'k str]) -> Option<&'k str> {
+pub fn nearest<'k>(word: &str, known: &[&'k str]) -> Option<&'k str> {
     // The likeness from which clap, too, offers a suggestion.
     const ALIKE: f64 = 0.7;
     let scored = known.iter().map(|known| (strsim::jaro(word, known), *known));

@@ -97,7 +97,7 @@ pub const ROWS: [Row; 22] = [
     row(Limit::Events, "events", "events of a scenario", 100_000, 1 << 28),
     row(Limit::Bodies, "bodies", "convex bodies of all objects of a scenario", 100_000, 1 << 28),
     row(Limit::Landforms, "landforms", "massifs and rilles of a generated level", 1_000, 1 << 28),
-    row(Limit::Rows, "rows", "rows of a table of poses", 10_000_000, 1 << 40),
+    row(Limit::Rows, "rows", "rows of a table", 10_000_000, 1 << 40),
     row(Limit::Signals, "signals", "signals that are recorded at once", 20_000, 1 << 28),
     row(Limit::Faults, "faults", "faults of one file that are listed", 100_000, 1 << 28),
     row(Limit::RecordBytes, "record-bytes", "bytes of the record or the journal of a run", 1 << 32, 1 << 44),

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use landscape::{Bank, Level, bank_file};
+use landscape::projection::Method;
+use landscape::{Bank, Level, MapFrame, SPACING_RULE, bank_file};
 use quantities::degrees;
 use serde_json::{Value, json};
 use text::{shortened, table};
@@ -24,6 +25,7 @@ pub fn bank_text(bank: &Bank) -> String {
             None => "  true north: not kept in this bank\n".into(),
         };
     }
+    text.extend(bank.map().map(map_text));
     let heading = ["level", "regions", "region size", "south, west", "north, east", "corner heights"];
     let rows = bank.levels().iter().enumerate().map(|(index, level)| {
         let [south, west, north, east] = level.extent().map(|edge| shortened(edge, 3));
@@ -47,6 +49,7 @@ pub fn bank_document(path: &Path, bank: &Bank) -> Value {
         json!({ "latitude_deg": degrees(place.latitude), "longitude_deg": degrees(place.longitude),
                 "at_m": place.at, "true_north_deg": place.true_north.map(degrees) })
     });
+    let map = bank.map().map(map_document);
     let levels = bank.levels().iter().map(|level| {
         json!({ "region_size_m": level.region_size(), "origin_m": level.origin(), "corners": level.corners(),
                 "extent_m": level.extent(), "corner_heights_m": heights(level) })
@@ -58,7 +61,53 @@ pub fn bank_document(path: &Path, bank: &Bank) -> Value {
         "title": bank.title(),
         "content_blake3": hash,
         "place": place,
+        "map": map,
         "levels": levels.collect::<Vec<_>>(),
+    })
+}
+
+/// Where the bank came from, in words: a line for the map, a line for the samples.
+fn map_text(map: &MapFrame) -> String {
+    let [north, east] = map.origin.map(|place| shortened(place, 3));
+    let [first, spacing] =
+        [map.first_sample, map.spacing].map(|pair| pair.map(|length| shortened(length, 4)));
+    let datum = map.projection.map_or("datum unknown".into(), |projection| {
+        format!("heights above a sphere of {} m", shortened(projection.radius, 3))
+    });
+    format!(
+        "  map: {}, {datum}; the file has {}; bank (0, 0) lies at north {north} m, east {east} m of the map\n  \
+         samples: points at their centres; the south-west one at x = {} m, y = {} m of the bank, then every {} m \
+         north, {} m east\n",
+        map.projection_name(),
+        map.coordinates.unit(),
+        first[0],
+        first[1],
+        spacing[0],
+        spacing[1],
+    )
+}
+
+/// The same as a document.
+fn map_document(map: &MapFrame) -> Value {
+    let projection = map.projection.map(|projection| {
+        json!({ "datum_radius_m": projection.radius,
+                "centre_deg": [degrees(projection.latitude), degrees(projection.longitude)],
+                "false_origin_m": projection.offset })
+    });
+    let parameter = map.projection.and_then(|projection| match projection.method {
+        Method::Equirectangular { parallel } => Some(json!({ "parallel_deg": degrees(parallel) })),
+        Method::PolarStereographic { scale } => Some(json!({ "scale": scale })),
+        Method::Orthographic => None,
+    });
+    json!({
+        "projection": map.projection_name(),
+        "sphere": projection,
+        "parameter": parameter,
+        "file_coordinates": map.coordinates.unit(),
+        "origin_m": map.origin,
+        "south_west_sample_m": map.first_sample,
+        "spacing_m": map.spacing,
+        "spacing_rule": SPACING_RULE,
     })
 }
 

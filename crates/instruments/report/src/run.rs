@@ -3,12 +3,13 @@
 use std::ops::Deref;
 use std::path::Path;
 
-use diagnostics::{CsvRow, CsvRows};
+use diagnostics::{ProblemList, Problems};
 use hardware_model::MachineRecord;
 use picture::Curve;
 use replay::{HeldRun, picture_name};
 use run_record::{FrameRecord, RunRecord};
 use serde::Deserialize;
+use tables::{Column, Form, Row, Table, decode};
 
 use crate::ReportError;
 
@@ -125,19 +126,28 @@ fn hertz(clock: &str) -> Option<f64> {
     (rate.is_finite() && rate > 0.0).then_some(rate)
 }
 
+/// The table `poses.csv` of a run: a frame, its time, eye and attitude.
+const POSES_FORM: Form = Form {
+    what: "table of poses",
+    columns: &[
+        Column::needed("frame"),
+        Column::needed("t_s"),
+        Column::needed("x_m"),
+        Column::needed("y_m"),
+        Column::needed("z_m"),
+        Column::needed("heading_deg"),
+        Column::needed("pitch_deg"),
+        Column::needed("roll_deg"),
+    ],
+    harmless: &["speed_m_s", "turn_deg_s", "slope_deg"],
+};
+
 /// Time, eye and attitude of `frames`: seven numbers each, in the order of the file.
 fn poses(folder: &Path, frames: &[FrameRecord]) -> Result<Vec<[f64; 7]>, ReportError> {
     let path = folder.join(POSES);
     let bytes = files::read_all(&path, MAX_BYTES)?;
     let refused = |reason: String| ReportError::Content { path: path.clone(), reason };
-    let text = std::str::from_utf8(&bytes).map_err(|error| refused(error.to_string()))?;
-    let mut rows = CsvRows::new(text);
-    rows.next_row();
-    let mut poses = Vec::new();
-    while let Some(row) = rows.next_row() {
-        let (line, shown) = (poses.len() + 2, &text[row.whole()]);
-        poses.push(pose(&row).ok_or_else(|| refused(format!("line {line}: `{shown}`, expected numbers")))?);
-    }
+    let poses = table(&path.display().to_string(), bytes).map_err(|list| refused(first(&list)))?;
     if poses.len() != frames.len() {
         let (found, expected) = (poses.len(), frames.len());
         return Err(refused(format!("{found} rows, expected one for each of {expected} frames")));
@@ -145,17 +155,37 @@ fn poses(folder: &Path, frames: &[FrameRecord]) -> Result<Vec<[f64; 7]>, ReportE
     Ok(poses)
 }
 
-fn pose(row: &CsvRow) -> Option<[f64; 7]> {
-    let cells: Result<Vec<f64>, _> = row.texts().skip(1).take(7).map(str::parse).collect();
-    let cells: [f64; 7] = cells.ok()?.try_into().ok()?;
-    cells.iter().all(|cell| cell.is_finite()).then_some(cells)
+fn table(name: &str, bytes: Vec<u8>) -> Result<Vec<[f64; 7]>, ProblemList> {
+    let problems = Problems::new();
+    let read = decode(name, bytes, &problems).and_then(|source| {
+        let mut table = Table::with_header(source, &POSES_FORM);
+        let mut poses = Vec::new();
+        while let Some(mut row) = table.next_row() {
+            poses.extend(pose(&mut row));
+        }
+        table.finish(poses, &problems)
+    });
+    problems.resolve(read)
+}
+
+fn pose(row: &mut Row) -> Option<[f64; 7]> {
+    let numbers: Vec<Option<f64>> =
+        (1..POSES_FORM.columns.len()).map(|column| row.number(column, f64::MIN..=f64::MAX)).collect();
+    numbers.into_iter().collect::<Option<Vec<f64>>>()?.try_into().ok()
+}
+
+/// The first fault with its line, in a sentence.
+fn first(list: &ProblemList) -> String {
+    let record = list.iter().next().map(diagnostics::Problem::record);
+    record.map_or(String::new(), |record| {
+        let line = record.line.map(|line| format!("line {line}: ")).unwrap_or_default();
+        format!("{line}{}", record.title)
+    })
 }
 
 #[cfg(test)]
 mod tests {
-    use diagnostics::CsvRows;
-
-    use super::hertz;
+    use super::{hertz, table};
 
     #[test]
     fn clocks_are_fractions() {
@@ -168,10 +198,11 @@ mod tests {
 
     #[test]
     fn rows_of_poses() {
-        let pose = |text| CsvRows::new(text).next_row().and_then(|row| super::pose(&row));
-        assert_eq!(pose("3,0.5,1,2,3,4,5,6,7,8,9"), Some([0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0]));
-        for wrong in ["", "3,0.5,1,2", "3,0.5,1,2,x,4,5,6", "3,0.5,1,2,NaN,4,5,6"] {
-            assert_eq!(pose(wrong), None, "{wrong}");
+        let header = "frame,t_s,x_m,y_m,z_m,heading_deg,pitch_deg,roll_deg,speed_m_s,turn_deg_s,slope_deg\n";
+        let read = |row: &str| table("poses.csv", format!("{header}{row}\n").into_bytes());
+        assert_eq!(read("3,0.5,1,2,3,4,5,6,7,8,9"), Ok(vec![[0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0]]));
+        for wrong in ["", "3,0.5,1,2", "3,0.5,1,2,x,4,5,6,7,8,9", "3,0.5,1,2,NaN,4,5,6,7,8,9"] {
+            assert!(read(wrong).is_err(), "{wrong}");
         }
     }
 }

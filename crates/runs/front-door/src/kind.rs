@@ -7,11 +7,11 @@ use diagnostics::{Problems, TomlFile};
 use generator::Row;
 use hardware_model::{Asked, HardwareModel, LoadedModel, ModelSource};
 use limits::Limit;
-use scenario::Scenario;
+use scenario::{Overrides, Scenario};
 
-use crate::OpenError;
 use crate::expect_drawable;
 use crate::keys::of_scenario;
+use crate::{OpenError, Wishes};
 
 /// What a TOML file is meant to be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -117,19 +117,20 @@ impl Kind {
 /// # Errors
 /// Every fault of the file, or one error if it is of another kind.
 pub fn read_scenario(path: &Path) -> Result<Scenario, OpenError> {
-    read_scenario_over(path, &[])
+    read_scenario_over(path, &Wishes::default())
 }
 
-/// Reads a scenario with those of `sets` over it that are keys of scenarios.
+/// Reads a scenario with those of the wishes over it that are keys of scenarios, and over the ground of their bank.
 ///
 /// # Errors
 /// As [`read_scenario`], and every fault of the keys.
-pub(crate) fn read_scenario_over(path: &Path, sets: &[(String, String)]) -> Result<Scenario, OpenError> {
-    let sets = sets.iter().filter_map(|(key, value)| Some((of_scenario(key)?, value)));
+pub(crate) fn read_scenario_over(path: &Path, wishes: &Wishes) -> Result<Scenario, OpenError> {
+    let sets = wishes.set.iter().filter_map(|(key, value)| Some((of_scenario(key)?, value)));
     let sets =
         sets.map(|(key, value)| Ok((key, as_toml(key, value)?))).collect::<Result<Vec<_>, OpenError>>()?;
     let sets: Vec<(&str, &str)> = sets.iter().map(|(key, value)| (*key, value.as_str())).collect();
-    let read = Scenario::read_over(path, &registry::parameter_tables(), &sets);
+    let over = Overrides { sets: &sets, bank: wishes.bank.as_deref() };
+    let read = Scenario::read_over(path, &registry::parameter_tables(), over);
     read.or_else(|faults| Kind::Scenario.expect(path).and(Err(faults.into())))
 }
 

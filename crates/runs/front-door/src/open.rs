@@ -29,7 +29,7 @@ pub fn base_model(named: &str) -> &str {
 /// Everything that is wrong in files and wishes, before any ground is made.
 pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
     expect_tables_of_scenarios(&wishes.set)?;
-    let mut scenario = read_scenario_over(path, &wishes.set)?;
+    let mut scenario = read_scenario_over(path, wishes)?;
     if let Some(bank) = &wishes.bank {
         scenario.ground = GroundSource::Bank(bank.clone());
     }
@@ -56,13 +56,15 @@ pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
     for other in registry::ROWS.iter().filter(|other| row != Some(other)) {
         check_parameters(path, other, wishes)?;
     }
+    let pauses = scenario.path_beside_mission(settings.timebase.update);
+    let remarks = model.remarks.into_iter().chain(scenario.notes.iter().cloned()).chain(pauses).collect();
     Ok(Opened {
         scenario,
         model: model.model,
         settings,
         row,
         generator,
-        remarks: model.remarks,
+        remarks,
         inputs,
         path: path.to_owned(),
         wishes: wishes.clone(),

@@ -28,7 +28,7 @@ pub struct Opened {
     pub row: Option<&'static Row>,
     /// Generator that draws, configured by the scenario and the wishes.
     pub generator: Arc<dyn Generator>,
-    /// What is odd about the model's file, in words.
+    /// What is odd about the files of model and scenario, in words.
     pub remarks: Vec<String>,
     /// Files, for the record of a run.
     pub inputs: Inputs,
@@ -115,7 +115,7 @@ impl Opened {
     /// Files that the scenario at `path` with `wishes` is made of beside itself: those it refers to, and those of its
     /// hardware model. Of what cannot be read there are none: [`open`](crate::open) says why.
     pub fn sources(path: &Path, wishes: &Wishes) -> [Vec<PathBuf>; 2] {
-        let Ok(scenario) = read_scenario_over(path, &wishes.set) else { return Default::default() };
+        let Ok(scenario) = read_scenario_over(path, wishes) else { return Default::default() };
         let row = registry::find(wishes.machine.as_deref().unwrap_or(&scenario.machine));
         let model = model(path, &scenario, row, wishes).map_or(Vec::new(), |model| model.files);
         [scenario.files().into_iter().map(Path::to_owned).collect(), model]

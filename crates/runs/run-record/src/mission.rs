@@ -2,7 +2,7 @@
 
 use landscape::Sun;
 use quantities::degrees;
-use scenario::{Limit, LimitReport, Path, Vehicle};
+use scenario::{HeightOver, Limit, LimitReport, Path, Vehicle};
 use serde::{Deserialize, Serialize};
 
 /// Direction of the light.
@@ -75,6 +75,10 @@ fn waypoints_hash(path: &Path) -> String {
             // No number is NaN, so NaN can stand for "open".
             hasher.update(&value.unwrap_or(f64::NAN).to_le_bytes());
         }
+    }
+    // Heights over the datum were all there was when the first records were written.
+    if path.height_over() == HeightOver::Ground {
+        hasher.update(b"over the ground");
     }
     hasher.finalize().to_hex().to_string()
 }

@@ -3,6 +3,7 @@
 use std::io;
 use std::path::PathBuf;
 
+use diagnostics::ProblemList;
 use files::{FileError, FolderError};
 use generator::FrameError;
 use photographs::PhotographFileError;
@@ -79,6 +80,9 @@ pub enum AugmentError {
         /// What should stand there.
         expected: String,
     },
+    /// A table of poses with faults.
+    #[error(transparent)]
+    Poses(#[from] ProblemList),
     /// The pictures do not say from where they were taken.
     #[error(
         "{path}: no camera.json beside the poses: expected the camera's field of view; name its file by --camera, or \

@@ -98,7 +98,7 @@ pub use gate::Gate;
 pub use insertion::{DAC_BITS, Method, ScanConverter, Shade};
 pub use mast::{Mast, MastEdge};
 pub use outline::outlines;
-pub use poses::{FramePose, read_poses};
+pub use poses::{FramePose, Poses, read_poses};
 pub use probed::{Look, SIGNALS, line_timebase};
 pub use sequence::Sequence;
 pub use shadow::Shadow;

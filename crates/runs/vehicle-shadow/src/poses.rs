@@ -3,20 +3,65 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use diagnostics::{CsvRow, CsvRows};
-use files::read_all;
+use diagnostics::{Placed, Problem, Problems};
 use landscape::Attitude;
-use limits::Limit;
 use quantities::radians;
+use tables::{Clock, Column, Form, Row, Table, read_text};
 
 use crate::{AugmentError, Camera, Shot};
 
-/// Columns that must be there.
-const COLUMNS: [&str; 8] = ["frame", "t_s", "x_m", "y_m", "z_m", "heading_deg", "pitch_deg", "roll_deg"];
+const FRAME: usize = 0;
+const T: usize = 1;
+const PLACE: [usize; 3] = [2, 3, 4];
+const ANGLES: [usize; 3] = [5, 6, 7];
 /// Angle of the picture, where it is not the vehicle's roll.
-const YOKE: &str = "yoke_deg";
+const YOKE: usize = 8;
 /// Height of the eye above the ground, where the vehicle does not stand.
-const HEIGHT: &str = "height_m";
+const HEIGHT: usize = 9;
+
+/// Degrees of a radian.
+const DEGREES: f64 = 180.0 / std::f64::consts::PI;
+
+/// The table of poses.
+const FORM: Form = Form {
+    what: "table of poses",
+    columns: &[
+        Column::needed("frame"),
+        Column::needed("t_s"),
+        Column::needed("x_m"),
+        Column::needed("y_m"),
+        Column::needed("z_m"),
+        Column::needed("heading_deg").also(&[("heading_rad", DEGREES)]),
+        Column::needed("pitch_deg").also(&[("pitch_rad", DEGREES)]),
+        Column::needed("roll_deg").also(&[("roll_rad", DEGREES)]),
+        Column::optional("yoke_deg").also(&[("yoke_rad", DEGREES)]),
+        Column::optional("height_m"),
+    ],
+    // Columns of `poses.csv` and `truth/poses.csv` of a run that follow from the others.
+    harmless: &[
+        "speed_m_s",
+        "turn_deg_s",
+        "slope_deg",
+        "r11",
+        "r12",
+        "r13",
+        "r21",
+        "r22",
+        "r23",
+        "r31",
+        "r32",
+        "r33",
+        "sun_azimuth_deg",
+        "sun_elevation_deg",
+        "sun_north",
+        "sun_east",
+        "sun_up",
+    ],
+};
+
+/// Largest place and height (m), and largest angle (degrees): a hundred turns.
+const FARTHEST: f64 = 1e9;
+const MOST_DEGREES: f64 = 36_000.0;
 
 /// Where the eye was in one frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,136 +93,62 @@ impl FramePose {
     }
 }
 
-/// Reads poses by frame: a CSV file with a header, columns `frame, t_s, x_m, y_m, z_m, heading_deg, pitch_deg, roll_deg`
-/// in any order, and if they are there `yoke_deg` and `height_m`; others are not looked at. Lines that begin with `#` are
-/// skipped.
+/// Poses of a sequence by frame.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Poses {
+    /// The pose of each frame.
+    pub by_frame: BTreeMap<u64, FramePose>,
+    /// What the user should know of how they were read, in words.
+    pub notes: Vec<String>,
+}
+
+/// Reads poses by frame: a table with a header, columns `frame, t_s, x_m, y_m, z_m, heading_deg, pitch_deg, roll_deg` in any
+/// order, and if they are there `yoke_deg` and `height_m`. The crate `tables` says what else a table may look like.
 ///
 /// # Errors
-/// The first fault, with its line.
-pub fn read_poses(path: &Path) -> Result<BTreeMap<u64, FramePose>, AugmentError> {
-    let bytes = read_all(path, Limit::ListBytes)?;
-    let expected = format!("a header, and lines with {}", COLUMNS.join(", "));
-    let text = match String::from_utf8(bytes) {
-        Ok(text) => text,
-        Err(_) => {
-            return Err(Reading { path, expected, text: "" }.fault(None, "bytes that are no text".into()));
-        }
-    };
-    let reading = Reading { path, expected, text: &text };
-    let mut rows = CsvRows::new(&text);
-    let header = rows.next_row().ok_or_else(|| reading.fault(None, "nothing".into()))?;
-    reading.expect_closed(&header)?;
-    let (columns, width) = (Columns::of(&reading, &header)?, header.width());
-    let mut poses = BTreeMap::new();
-    while let Some(row) = rows.next_row() {
-        let row = Row { reading: &reading, row };
-        if !Limit::Rows.allows(poses.len() as u64 + 1) {
-            let expected = format!("at most {} rows; {}", Limit::Rows.value(), Limit::Rows);
-            return Err(Reading { expected, ..reading }.fault(Some(&row.row), "one row more".into()));
-        }
-        let (frame, pose) = row.pose(&columns, width)?;
-        if poses.insert(frame, pose).is_some() {
-            return Err(row.fault(format!("frame {frame} a second time")));
-        }
-    }
-    reading.expect_ascending(&poses)?;
-    Ok(poses)
+/// Every fault of the table, with its line: the first twenty of them in full.
+pub fn read_poses(path: &Path) -> Result<Poses, AugmentError> {
+    let problems = Problems::new();
+    let by_frame = read_into(path, &problems);
+    let notes = problems.take_notes();
+    Ok(Poses { by_frame: problems.resolve(by_frame)?, notes })
 }
 
-/// Where the columns stand.
-struct Columns {
-    needed: [usize; 8],
-    yoke: Option<usize>,
-    height: Option<usize>,
+fn read_into(path: &Path, problems: &Problems) -> Option<BTreeMap<u64, FramePose>> {
+    let mut table = Table::with_header(read_text(path, problems)?, &FORM);
+    let (mut clock, mut poses) = (Clock::from_zero(), BTreeMap::new());
+    while let Some(mut row) = table.next_row() {
+        let Some((frame, pose)) = pose(&mut row, &mut clock) else { continue };
+        if poses.contains_key(&frame) {
+            row.refuse(FRAME, "a frame that no row before has");
+            continue;
+        }
+        poses.insert(frame, Placed { value: pose, place: row.place(T), key: "t_s".into() });
+    }
+    let poses = table.finish(poses, problems)?;
+    clock.note().into_iter().for_each(|note| problems.note(format!("{}: {note}", path.display())));
+    let late = poses.values().zip(poses.values().skip(1)).find(|(a, b)| b.value.time <= a.value.time);
+    if let Some((before, pose)) = late {
+        let title =
+            format!("t = {} s is not after the frame before, at {} s", pose.value.time, before.value.time);
+        problems.push(Problem::of(pose, title).expected("times that ascend from frame to frame"));
+        return None;
+    }
+    Some(poses.into_iter().map(|(frame, pose)| (frame, pose.value)).collect())
 }
 
-impl Columns {
-    fn of(reading: &Reading, header: &CsvRow) -> Result<Self, AugmentError> {
-        let place = |name: &str| header.texts().position(|column| column == name);
-        if let Some(name) = COLUMNS.iter().find(|name| place(name).is_none()) {
-            return Err(reading.fault(Some(header), format!("no column `{name}`")));
-        }
-        Ok(Self {
-            needed: COLUMNS.map(|name| place(name).unwrap_or_default()),
-            yoke: place(YOKE),
-            height: place(HEIGHT),
-        })
-    }
-}
-
-struct Reading<'a> {
-    path: &'a Path,
-    expected: String,
-    text: &'a str,
-}
-
-impl Reading<'_> {
-    fn fault(&self, row: Option<&CsvRow>, what: String) -> AugmentError {
-        let line = |row: &CsvRow| self.text[..row.whole().start].matches('\n').count() as u64 + 1;
-        let (path, line) = (self.path.to_owned(), row.map(line));
-        AugmentError::Content { path, line, what, expected: self.expected.clone() }
-    }
-
-    fn expect_closed(&self, row: &CsvRow) -> Result<(), AugmentError> {
-        match row.open_quote() {
-            Some(_) => Err(self.fault(Some(row), "a quote that is not closed".into())),
-            None => Ok(()),
-        }
-    }
-
-    /// There are poses, and they are later from frame to frame.
-    fn expect_ascending(&self, poses: &BTreeMap<u64, FramePose>) -> Result<(), AugmentError> {
-        if poses.is_empty() {
-            return Err(self.fault(None, "no poses".into()));
-        }
-        let later = |((_, a), (_, b)): &((&u64, &FramePose), (&u64, &FramePose))| b.time > a.time;
-        match poses.iter().zip(poses.iter().skip(1)).find(|pair| !later(pair)) {
-            None => Ok(()),
-            Some(((before, _), (frame, pose))) => {
-                let what = format!("frame {frame} at {} s is not after frame {before}", pose.time);
-                Err(self.fault(None, what))
-            }
-        }
-    }
-}
-
-struct Row<'a> {
-    reading: &'a Reading<'a>,
-    row: CsvRow<'a>,
-}
-
-impl Row<'_> {
-    fn fault(&self, what: String) -> AugmentError {
-        self.reading.fault(Some(&self.row), what)
-    }
-
-    fn number(&self, place: usize) -> Result<f64, AugmentError> {
-        let word = self.row.text(place);
-        let number = word.parse().ok().filter(|number: &f64| number.is_finite());
-        number.ok_or_else(|| self.fault(format!("`{word}` is no finite number")))
-    }
-
-    fn pose(&self, columns: &Columns, width: usize) -> Result<(u64, FramePose), AugmentError> {
-        self.reading.expect_closed(&self.row)?;
-        if self.row.width() != width {
-            return Err(self.fault(format!("{} values under {width} columns", self.row.width())));
-        }
-        let word = self.row.text(columns.needed[0]);
-        let frame = word.parse().map_err(|_| self.fault(format!("`{word}` is no frame number")))?;
-        let mut numbers = [0.0; 7];
-        for (number, &place) in numbers.iter_mut().zip(&columns.needed[1..]) {
-            *number = self.number(place)?;
-        }
-        let [time, x, y, z, heading, pitch, roll] = numbers;
-        let [heading, pitch, roll] = [heading, pitch, roll].map(radians);
-        let height = columns.height.map(|place| self.number(place)).transpose()?;
-        if let Some(height) = height.filter(|height| *height <= 0.0) {
-            return Err(self.fault(format!("the eye {height} m above the ground")));
-        }
-        let yoke = columns.yoke.map(|place| self.number(place)).transpose()?.map(radians);
-        Ok((
-            frame,
-            FramePose { time, eye: [x, y, z], attitude: Attitude { roll, pitch, heading }, yoke, height },
-        ))
-    }
+fn pose(row: &mut Row, clock: &mut Clock) -> Option<(u64, FramePose)> {
+    let is_frame = |frame: f64| (0.0..=1e15).contains(&frame) && frame.fract() == 0.0;
+    let frame = row.number_that(FRAME, is_frame, "a frame number, whole and from 0");
+    let time = row.time(T, clock);
+    let [x, y, z] = PLACE.map(|column| row.number(column, -FARTHEST..=FARTHEST));
+    let [heading, pitch, roll] =
+        ANGLES.map(|column| row.number(column, -MOST_DEGREES..=MOST_DEGREES).map(radians));
+    let yoke = if row.has(YOKE) { Some(row.number(YOKE, -MOST_DEGREES..=MOST_DEGREES)?) } else { None };
+    let is_up = |height: f64| height > 0.0 && height <= FARTHEST;
+    let height =
+        if row.has(HEIGHT) { Some(row.number_that(HEIGHT, is_up, "a height above 0 m")?) } else { None };
+    let attitude = Attitude { roll: roll?, pitch: pitch?, heading: heading? };
+    let pose = FramePose { time: time?, eye: [x?, y?, z?], attitude, yoke: yoke.map(radians), height };
+    Some((frame? as u64, pose))
 }

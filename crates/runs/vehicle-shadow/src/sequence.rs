@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::poses::{FramePose, read_poses};
+use crate::poses::{FramePose, Poses, read_poses};
 use crate::{AugmentError, Camera};
 
 /// Frames of a second where a sequence of one picture does not say.
@@ -36,6 +36,7 @@ pub struct Sequence {
     folder: PathBuf,
     frames: Vec<SequenceFrame>,
     camera: Camera,
+    notes: Vec<String>,
 }
 
 impl Sequence {
@@ -50,8 +51,8 @@ impl Sequence {
         poses: &Path,
         camera: impl FnOnce() -> Result<Camera, E>,
     ) -> Result<Self, E> {
-        let frames = matched(folder, poses)?;
-        Ok(Self { folder: folder.to_owned(), frames, camera: camera()? })
+        let (frames, notes) = matched(folder, poses)?;
+        Ok(Self { folder: folder.to_owned(), frames, camera: camera()?, notes })
     }
 
     /// Returns the folder of the pictures.
@@ -62,6 +63,11 @@ impl Sequence {
     /// Returns the frames of the sequence, ascending.
     pub fn frames(&self) -> &[SequenceFrame] {
         &self.frames
+    }
+
+    /// Returns what the user should know of how the poses were read, in words.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
     }
 
     /// Returns the camera that took the pictures.
@@ -76,10 +82,10 @@ impl Sequence {
     }
 }
 
-/// Every picture with its pose, ascending.
-fn matched(folder: &Path, poses: &Path) -> Result<Vec<SequenceFrame>, AugmentError> {
+/// Every picture with its pose, ascending, and what is to be said of the poses.
+fn matched(folder: &Path, poses: &Path) -> Result<(Vec<SequenceFrame>, Vec<String>), AugmentError> {
     let mut pictures = pictures(folder)?;
-    let rows = read_poses(poses)?;
+    let Poses { by_frame: rows, notes } = read_poses(poses)?;
     let (owned_folder, owned_poses) = (folder.to_owned(), poses.to_owned());
     let without_picture: Vec<u64> =
         rows.keys().filter(|frame| !pictures.contains_key(frame)).copied().collect();
@@ -99,7 +105,7 @@ fn matched(folder: &Path, poses: &Path) -> Result<Vec<SequenceFrame>, AugmentErr
         });
     }
     let frame = |(frame, pose)| Some(SequenceFrame { frame, path: pictures.remove(&frame)?, pose });
-    Ok(rows.into_iter().filter_map(frame).collect())
+    Ok((rows.into_iter().filter_map(frame).collect(), notes))
 }
 
 fn pictures(folder: &Path) -> Result<BTreeMap<u64, PathBuf>, AugmentError> {

@@ -1,5 +1,5 @@
 //! Lists of craters as CSV: `x_m,y_m,radius_m,depth_m,rim_m,type` and, where wanted, `outer_m` and `floor_m`; the header
-//! is required, its columns may stand in any order. Lines that begin with `#` are comments.
+//! is required, its columns may stand in any order. The crate `tables` says what else a table may look like.
 //!
 //! `radius_m` is the radius at which the bowl or wall comes up to the ground around, the inner foot of the rim (r1 of
 //! types 1 and 2, r2 of type 3). `outer_m` is the outer foot of the rim, 1.4 times as far where nothing is given (the
@@ -9,19 +9,16 @@
 //! A file whose name ends in `.npy` holds the same columns as an array.
 
 mod array;
-mod columns;
-mod faults;
+mod form;
 mod row;
 
 use std::path::Path;
-use std::sync::Arc;
 
-use diagnostics::{CsvRows, Problem, ProblemList, Source};
-use limits::Limit;
+use diagnostics::{ProblemList, Problems};
+use tables::{Table, read_text};
 
 use crate::Craters;
-use columns::Columns;
-use faults::Faults;
+use form::FORM;
 use row::crater;
 
 /// The craters of a list, in its order.
@@ -31,36 +28,20 @@ use row::crater;
 /// doubled or unknown columns, cells that are no finite number or out of range, radii that do not ascend, a type that
 /// is not 1, 2 or 3, values that the type has no use for. Of an array: by row.
 pub fn read(path: impl AsRef<Path>) -> Result<Craters, ProblemList> {
-    if path.as_ref().extension().is_some_and(|end| end == "npy") {
-        return array::read(path.as_ref());
-    }
-    let name = path.as_ref().display().to_string();
-    let bytes = files::read_all(path.as_ref(), Limit::ListBytes)
-        .map_err(|error| Problem::of_file(&name, error.to_string()))?;
-    let text = String::from_utf8(bytes).map_err(|error| {
-        let title = format!("not text: byte {} is not UTF-8", error.utf8_error().valid_up_to());
-        Problem::of_file(&name, title).help("save the file as UTF-8")
-    })?;
-    parse(Source { name, text })
+    let problems = Problems::new();
+    let craters = read_into(path.as_ref(), &problems);
+    problems.resolve(craters)
 }
 
-fn parse(source: Source) -> Result<Craters, ProblemList> {
-    let source = Arc::new(source);
-    let mut faults = Faults::new(source.clone());
-    let mut rows = CsvRows::new(&source.text);
+/// The same, with faults and notes in `problems`.
+pub fn read_into(path: &Path, problems: &Problems) -> Option<Craters> {
+    if path.extension().is_some_and(|end| end.eq_ignore_ascii_case("npy")) {
+        return array::read(path, problems);
+    }
+    let mut table = Table::with_header(read_text(path, problems)?, &FORM);
     let mut craters = Craters::default();
-    let Some(header) = rows.next_row() else {
-        faults.push(0..0, "an empty list of craters".into(), "a header and at least one row");
-        return faults.finish(craters);
-    };
-    let (columns, line) = (Columns::read(&header, &mut faults), header.whole());
-    while let Some(row) = rows.next_row() {
-        if let Some(crater) = crater(&row, &columns, &mut faults) {
-            craters.push(crater);
-        }
+    while let Some(mut row) = table.next_row() {
+        craters.extend(crater(&mut row));
     }
-    if craters.is_empty() && faults.is_empty() {
-        faults.push(line, "a list of craters without rows".into(), "at least one row under the header");
-    }
-    faults.finish(craters)
+    table.finish(craters, problems)
 }

@@ -3,7 +3,7 @@
 use std::hint::select_unpredictable;
 use std::ops::RangeInclusive;
 
-use crate::basis;
+use crate::{MapFrame, basis};
 
 /// Words a corner: height and its derivatives to order 2 in u and in v.
 pub const WORDS: usize = 9;
@@ -240,6 +240,7 @@ pub struct Bank {
     levels: Vec<Level>,
     georeference: Option<Georeference>,
     voids: Vec<[u32; 2]>,
+    map: Option<MapFrame>,
 }
 
 impl Bank {
@@ -258,7 +259,7 @@ impl Bank {
         if let Some(at) = levels.windows(2).position(|pair| pair[1].region_size <= pair[0].region_size) {
             return Err(BankError::LevelOrder(at + 1));
         }
-        Ok(Self { title: title.into(), levels, georeference, voids: Vec::new() })
+        Ok(Self { title: title.into(), levels, georeference, voids: Vec::new(), map: None })
     }
 
     /// The same bank, with the regions (north, east) of its finest level for which the survey had no data: the
@@ -275,6 +276,20 @@ impl Bank {
         voids.dedup();
         self.voids = voids;
         Ok(self)
+    }
+
+    /// The same bank, with how its axes lie in the map of its elevation file. A map with a known projection says where true
+    /// north is at the bank's place, whatever the place said of it.
+    pub fn with_map(mut self, map: Option<MapFrame>) -> Self {
+        if let Some(place) = &mut self.georeference {
+            place.true_north = map.and_then(|map| map.true_north(place.at)).or(place.true_north);
+        }
+        Self { map, ..self }
+    }
+
+    /// How its axes lie in the map of its elevation file, if that is known.
+    pub fn map(&self) -> Option<&MapFrame> {
+        self.map.as_ref()
     }
 
     /// Regions of the finest level without data, ascending.

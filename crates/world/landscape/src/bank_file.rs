@@ -20,6 +20,7 @@ mod decode;
 mod encode;
 mod error;
 mod layout;
+mod map;
 mod sidecar;
 
 pub use corners::{CornersError, export_corners, import_corners};
@@ -32,11 +33,11 @@ pub use sidecar::{describe, sidecar_path};
 use std::io::Write;
 use std::path::Path;
 
-use files::{FilePieces, PiecesError};
+use files::{FileError, FilePieces, PiecesError};
 use limits::Limit;
 
-use crate::Bank;
-use decode::decode_pieces;
+use crate::{Bank, MapFrame};
+use decode::{decode_outline, decode_pieces};
 
 /// Writes `bank` to `path` and its description to [`sidecar_path`], each whole or not at all.
 ///
@@ -57,10 +58,32 @@ pub fn write(path: impl AsRef<Path>, bank: &Bank) -> Result<(), BankFileError> {
 /// If the file cannot be read, or is damaged: which section, at which byte, what was found and expected.
 pub fn read(path: impl AsRef<Path>) -> Result<Bank, BankFileError> {
     let path = path.as_ref();
-    decode_pieces(&mut FilePieces::open(path, Limit::BankBytes)?).map_err(|fault| match fault {
+    decode_pieces(&mut FilePieces::open(path, Limit::BankBytes)?).map_err(|fault| of_file(path, fault))
+}
+
+/// What a bank file says of its place.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outline {
+    /// How its axes lie in the map of its elevation file, if it says.
+    pub map: Option<MapFrame>,
+    /// South, west, north, east edge of its finest level (m).
+    pub extent: [f64; 4],
+}
+
+/// Reads the place of the bank in the file `path`, and nothing of the ground.
+///
+/// # Errors
+/// If the file cannot be read, or its table or its section `map` is damaged.
+pub fn read_outline(path: impl AsRef<Path>) -> Result<Outline, BankFileError> {
+    let path = path.as_ref();
+    decode_outline(&mut FilePieces::open(path, Limit::BankBytes)?).map_err(|fault| of_file(path, fault))
+}
+
+fn of_file(path: &Path, fault: PiecesError<FileError, BankFormatError>) -> BankFileError {
+    match fault {
         PiecesError::Read(error) => BankFileError::File(error),
         PiecesError::Format(source) => BankFileError::Format { path: path.to_owned(), source },
-    })
+    }
 }
 
 #[cfg(test)]

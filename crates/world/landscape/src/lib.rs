@@ -9,6 +9,7 @@
 //!
 //! - [`basis`]: the quintic Hermite functions of the Lagrange 2-2 polynomial (report III.A.1).
 //! - [`Level`], [`Bank`]: nine words a corner; [`bank_file`] is their container.
+//! - [`projection`], [`MapFrame`]: map projections, and how a bank lies in the map of its elevation file.
 //! - [`Landscape`]: bank, albedo and lunoid together; the one query for height, slope and albedo.
 //! - [`AlbedoMap`]: albedo from place to place, over the one number of the landscape.
 //! - [`Sun`], [`Photometry`]: direction of light, laws of reflection; [`SweepLight`], [`GroupLight`]: along sweeps.
@@ -23,8 +24,10 @@ pub mod bank_file;
 pub mod basis;
 mod light;
 mod lunoid;
+mod map_frame;
 mod photometry;
 mod places;
+pub mod projection;
 mod query;
 pub mod relief;
 mod silhouette;
@@ -35,6 +38,7 @@ pub use axes::Attitude;
 pub use bank::{Bank, BankError, CornerWords, Georeference, Level, WORDS};
 pub use light::{GroupLight, Sun, SweepLight};
 pub use lunoid::{LUNOID_RADIUS, parabolic_drop, spherical_drop};
+pub use map_frame::{FileCoordinates, MapFrame, SPACING_RULE};
 pub use photometry::Photometry;
 pub use query::Landscape;
 pub use silhouette::{Silhouette, SilhouetteError};

@@ -79,6 +79,8 @@ pub struct Scenario {
     pub display: Display,
     /// Scalar type of the analog signals.
     pub scalar: Scalar,
+    /// What the user should know of how files were read, in words.
+    pub notes: Vec<String>,
 }
 
 /// Length of a scenario.
@@ -107,6 +109,25 @@ impl Scenario {
             // Rounding of the product must not add a frame that begins at the very end.
             Length::Seconds(seconds) => ((seconds * update.hertz() - 1e-9).ceil() as u64).max(1),
         }
+    }
+
+    /// Says so if the vehicle stands for the whole mission because its path ends before, or begins after it.
+    pub fn path_beside_mission(&self, update: Rate) -> Option<String> {
+        let [first, .., last] = self.path.waypoints() else { return None };
+        let end = (self.frames(update) - 1) as f64 / update.hertz();
+        let name = self.path.name();
+        if last.time <= 0.0 {
+            return Some(format!(
+                "{name}: the path ends at t = {} s, before the mission begins: the vehicle stands",
+                last.time
+            ));
+        }
+        (first.time >= end && first.time > 0.0).then(|| {
+            format!(
+                "{name}: the path begins at t = {} s, but the last frame is at t = {end:.3} s: the vehicle stands",
+                first.time
+            )
+        })
     }
 
     /// Files that the scenario refers to, for the record of a run.

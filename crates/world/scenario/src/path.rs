@@ -16,12 +16,32 @@ pub struct Waypoint {
     pub at: [f64; 2],
     /// Clockwise from north (rad); the direction of travel if open.
     pub heading: Option<f64>,
-    /// Height of the eye above the lunoid's tangent plane (m).
+    /// Height of the eye (m) above what the path counts from, see [`HeightOver`].
     pub eye_height: Option<f64>,
     /// Pitch, positive with the nose up (rad).
     pub pitch: Option<f64>,
     /// Roll, positive with starboard down (rad).
     pub roll: Option<f64>,
+}
+
+/// What heights of a path count from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum HeightOver {
+    /// The lunoid's tangent plane, to which the heights of the bank refer.
+    #[default]
+    Datum,
+    /// The ground under the place.
+    Ground,
+}
+
+impl HeightOver {
+    /// The height above the tangent plane (m) of something that is `height` above this, where the ground is at `ground`.
+    pub(crate) fn above(self, height: f64, ground: f64) -> f64 {
+        match self {
+            Self::Datum => height,
+            Self::Ground => ground + height,
+        }
+    }
 }
 
 /// Where the path is at one time.
@@ -33,8 +53,10 @@ pub struct Station {
     pub velocity: [f64; 2],
     /// Clockwise from north, in `[0, 2 pi)` (rad).
     pub heading: f64,
-    /// Height of the eye above the lunoid's tangent plane (m), where the path says it.
+    /// Height of the eye (m) above what the path counts from, where the path says it.
     pub eye_height: Option<f64>,
+    /// What that height counts from.
+    pub height_over: HeightOver,
     /// Rate of change of the eye height (m/s), where the path gives the height.
     pub climb: Option<f64>,
     /// Nose up (rad), where the path says it.
@@ -54,6 +76,9 @@ pub struct Path {
     waypoints: Vec<Waypoint>,
     position: [Curve; 2],
     heading: Curve,
+    /// For each span, the span whose direction the vehicle has in it; nothing if it never moves.
+    moving: Vec<usize>,
+    height_over: HeightOver,
     eye_height: Option<Curve>,
     pitch: Option<Curve>,
     roll: Option<Curve>,
@@ -113,13 +138,16 @@ impl Path {
         let curve = |values: Vec<f64>| Curve::new(times.clone(), values);
         let whole = |values: Option<Vec<f64>>| values.map(curve);
         let position = [0, 1].map(|axis| curve(waypoints.iter().map(|w| w.at[axis]).collect()));
-        let headings = headings(&waypoints, &position);
+        let moving = moving(&waypoints);
+        let headings = headings(&waypoints, &position, &moving);
         Ok(Self {
             name: "the path".into(),
             eye_height: whole(all(&waypoints, "z_m", |w| w.eye_height)?),
             pitch: whole(all(&waypoints, "pitch_deg", |w| w.pitch)?.map(unwrapped)),
             roll: whole(all(&waypoints, "roll_deg", |w| w.roll)?.map(unwrapped)),
             heading: curve(headings),
+            height_over: HeightOver::Datum,
+            moving,
             position,
             waypoints,
         })
@@ -128,6 +156,16 @@ impl Path {
     /// The same under the name of the file that says it.
     pub fn named(self, name: impl Into<String>) -> Self {
         Self { name: name.into(), ..self }
+    }
+
+    /// The same with heights of the eye that count from `over`.
+    pub fn with_heights_over(self, over: HeightOver) -> Self {
+        Self { height_over: over, ..self }
+    }
+
+    /// What its heights count from.
+    pub fn height_over(&self) -> HeightOver {
+        self.height_over
     }
 
     /// What it is called where it cannot be driven.
@@ -148,6 +186,7 @@ impl Path {
             velocity: self.position.each_ref().map(|curve| curve.rate(time)),
             heading: self.heading_at(time),
             eye_height: value(&self.eye_height),
+            height_over: self.height_over,
             climb: self.eye_height.as_ref().map(|curve| curve.rate(time)),
             pitch: value(&self.pitch),
             roll: value(&self.roll),
@@ -159,7 +198,9 @@ impl Path {
             self.waypoints[index].heading.is_none() && self.waypoints[index + 1].heading.is_none()
         };
         let heading = match self.heading.locate(time) {
-            Some((index, ..)) if along_travel(index) => travel(&self.waypoints, &self.position, index, time),
+            Some((index, ..)) if along_travel(index) => {
+                travel(&self.waypoints, &self.position, &self.moving, index, time)
+            }
             _ => self.heading.at(time),
         };
         wrap_heading(heading)
@@ -222,21 +263,29 @@ pub(crate) fn shortest_turn(from: f64, to: f64) -> f64 {
     wrap_heading(to - from + PI) - PI
 }
 
-fn headings(waypoints: &[Waypoint], position: &[Curve; 2]) -> Vec<f64> {
+fn headings(waypoints: &[Waypoint], position: &[Curve; 2], moving: &[usize]) -> Vec<f64> {
     let last_span = waypoints.len().saturating_sub(2);
     let heading = |(index, w): (usize, &Waypoint)| {
-        w.heading.unwrap_or_else(|| travel(waypoints, position, index.min(last_span), w.time))
+        w.heading.unwrap_or_else(|| travel(waypoints, position, moving, index.min(last_span), w.time))
     };
     unwrapped(waypoints.iter().enumerate().map(heading).collect())
 }
 
-/// Direction of travel (rad) at `time` in the span from waypoint `index`. Where the vehicle stands it keeps the
-/// direction in which it came, or takes the one in which it will leave; north if it never moves.
-fn travel(waypoints: &[Waypoint], position: &[Curve; 2], index: usize, time: f64) -> f64 {
-    let spans = waypoints.len() - 1;
-    let moves = |&span: &usize| waypoints[span].at != waypoints[span + 1].at;
-    let before = (0..spans.min(index + 1)).rev().find(moves);
-    let Some(span) = before.or_else(|| (index + 1..spans).find(moves)) else { return 0.0 };
+/// For each span between two waypoints, the span whose direction the vehicle has in it: itself if it moves there, else the
+/// last before in which it moved, else the first in which it will. Empty if it never moves.
+fn moving(waypoints: &[Waypoint]) -> Vec<usize> {
+    let moves = |pair: &[Waypoint]| pair[0].at != pair[1].at;
+    let Some(first) = waypoints.windows(2).position(moves) else { return Vec::new() };
+    let follow = |last: &mut usize, (span, pair): (usize, &[Waypoint])| {
+        *last = if moves(pair) { span } else { *last };
+        Some(*last)
+    };
+    waypoints.windows(2).enumerate().scan(first, follow).collect()
+}
+
+/// Direction of travel (rad) at `time` in the span from waypoint `index`; north if the vehicle never moves.
+fn travel(waypoints: &[Waypoint], position: &[Curve; 2], moving: &[usize], index: usize, time: f64) -> f64 {
+    let Some(&span) = moving.get(index) else { return 0.0 };
     let (from, to) = (waypoints[span].time, waypoints[span + 1].time);
     let time = time.clamp(from, to);
     direction(position, time).unwrap_or_else(|| {

@@ -99,6 +99,9 @@ impl fmt::Display for PathProblem {
                 let who = if *wheels { "a wheel" } else { "the vehicle" };
                 write!(f, "{who} is outside the problem area, expected x {south}..{north} m, ")?;
                 write!(f, "y {west}..{east} m; change the path or enlarge the landscape")?;
+                if (*south..=*north).contains(&y) && (*west..=*east).contains(&x) {
+                    write!(f, "; with x (north) and y (east) exchanged the place would be inside")?;
+                }
             }
             PoseFault::NoData { wheel: [x, y] } => {
                 write!(

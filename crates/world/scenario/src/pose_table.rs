@@ -11,7 +11,7 @@ use crate::path::{Station, shortest_turn};
 use crate::pose_problem::{PathProblem, PathProblems, PoseFault};
 use crate::vehicle::{Stand, Vehicle};
 use crate::yoke::Swing;
-use crate::{Path, Pose, Scenario, Yoke};
+use crate::{HeightOver, Path, Pose, Scenario, Yoke};
 
 /// Pitch or roll beyond which a pose is taken for a mistake (our choice): the sweeps need ground ahead.
 const MAX_TILT_DEG: f64 = 60.0;
@@ -136,7 +136,12 @@ impl Driver<'_> {
         let problem = |fault| PathProblem { fault, frames: frame..frame + 1, time, at: station.at };
         let (eye, attitude, stand) = self.place(&station).map_err(problem)?;
         let [north, east] = station.velocity;
-        let climb = station.climb.unwrap_or(stand.slopes[0] * north + stand.slopes[1] * east);
+        let along = stand.slopes[0] * north + stand.slopes[1] * east;
+        let climb = match (station.climb, station.height_over) {
+            (Some(climb), HeightOver::Datum) => climb,
+            (Some(climb), HeightOver::Ground) => climb + along,
+            (None, _) => along,
+        };
         Ok(PoseRow {
             frame,
             pose: Pose { time, eye: [station.at[0], station.at[1], eye], attitude, yoke: 0.0 },
@@ -156,7 +161,10 @@ impl Driver<'_> {
             heading: station.heading,
         };
         let ground = stand.ground;
-        let eye = station.eye_height.unwrap_or(ground + self.vehicle.eye_height);
+        let eye = match station.eye_height {
+            Some(height) => station.height_over.above(height, ground),
+            None => ground + self.vehicle.eye_height,
+        };
         if eye <= ground {
             return Err(PoseFault::EyeUnderGround { eye, ground });
         }
@@ -173,7 +181,11 @@ impl Driver<'_> {
         let [x, y] = station.at;
         let ground = self.landscape.height(x, y);
         if flies(station) {
-            return Ok(Stand { ground: ground.unwrap_or(f64::NEG_INFINITY), slopes: [0.0; 2] });
+            let ground = match station.height_over {
+                HeightOver::Datum => ground.unwrap_or(f64::NEG_INFINITY),
+                HeightOver::Ground => ground.ok_or_else(|| outside(false))?,
+            };
+            return Ok(Stand { ground, slopes: [0.0; 2] });
         }
         ground.ok_or_else(|| outside(false))?;
         let stand = self.vehicle.stand(self.landscape, station.at, station.heading);

@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::path::shortest_turn;
-use crate::{Path, SceneryProblem};
+use crate::path::{Station, shortest_turn};
+use crate::{HeightOver, Path, SceneryProblem};
 
 /// An instant of a ride.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,6 +16,8 @@ pub(crate) struct Instant {
     pub heading: f64,
     /// Height of the eye (m), where the path says it.
     pub eye_height: Option<f64>,
+    /// What that height counts from.
+    pub height_over: HeightOver,
 }
 
 /// Most instants of one ride.
@@ -29,7 +31,8 @@ const MAX_INSTANTS: usize = 4_000_000;
 pub(crate) fn instants(path: &Path, spacing: f64) -> Result<Vec<Instant>, SceneryProblem> {
     let at = |time: f64| {
         let station = path.at(time);
-        Instant { time, at: station.at, heading: station.heading, eye_height: station.eye_height }
+        let Station { at, heading, eye_height, height_over, .. } = station;
+        Instant { time, at, heading, eye_height, height_over }
     };
     let mut found = vec![at(path.waypoints()[0].time)];
     for pair in path.waypoints().windows(2) {

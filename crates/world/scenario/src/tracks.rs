@@ -92,7 +92,8 @@ impl Tracks {
 fn stands(instant: &Instant, vehicle: &Vehicle, landscape: &Landscape) -> bool {
     let Some(eye) = instant.eye_height else { return true };
     let ground = landscape.height(instant.at[0], instant.at[1]);
-    ground.is_some_and(|ground| eye - ground <= FLYING * vehicle.eye_height)
+    ground
+        .is_some_and(|ground| instant.height_over.above(eye, ground) - ground <= FLYING * vehicle.eye_height)
 }
 
 #[cfg(test)]

@@ -1,15 +1,17 @@
 //! A scenario as written: the keys of its TOML file, strictly, and every fault at once.
 
 mod albedo;
+mod coordinates;
 mod course;
+mod doubts;
 mod events;
 mod features;
 mod ground;
 mod guests;
 mod light;
-mod number_table;
-mod path_csv;
-mod path_tum;
+mod path_gpx;
+mod path_table;
+mod quaternion;
 mod raster;
 mod reference;
 mod scenery;
@@ -24,6 +26,8 @@ use landscape::relief::Relief;
 use limits::Limit;
 use quantities::radians;
 
+use coordinates::Ground;
+
 use crate::{
     Display, GroundSource, LawWishes, Length, LevelSwitch, RollDisplay, Scalar, Scenario, Vehicle,
     VehicleShape, words,
@@ -31,6 +35,15 @@ use crate::{
 
 /// Format of scenario files that this program reads.
 pub const FORMAT: u64 = 1;
+
+/// What takes the place of something that a scenario file says.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Overrides<'a> {
+    /// Single keys and their values as TOML: `raster.columns` and `640`.
+    pub sets: &'a [(&'a str, &'a str)],
+    /// File of the bank whose ground is taken, whatever ground the scenario names itself.
+    pub bank: Option<&'a FilePath>,
+}
 
 impl Scenario {
     /// Reads a scenario file, and the path file that it may name.
@@ -46,17 +59,17 @@ impl Scenario {
     /// # Errors
     /// Every fault of both files.
     pub fn read_beside(path: impl AsRef<FilePath>, others: &[&str]) -> Result<Self, ProblemList> {
-        Self::read_over(path, others, &[])
+        Self::read_over(path, others, Overrides::default())
     }
 
-    /// The same with single keys and their values as TOML over those of the file: `raster.columns` and `640`.
+    /// The same with `over` over what the file says.
     ///
     /// # Errors
-    /// Every fault of both files and of the keys.
+    /// Every fault of the files and of the keys.
     pub fn read_over(
         path: impl AsRef<FilePath>,
         others: &[&str],
-        sets: &[(&str, &str)],
+        over: Overrides,
     ) -> Result<Self, ProblemList> {
         let name = path.as_ref().display().to_string();
         let bytes = files::read_all(path.as_ref(), Limit::TextBytes)
@@ -66,11 +79,12 @@ impl Scenario {
             TomlFile::parse("--set", &format!("scenario.{key} = {value}"), &problems)
                 .and_then(|file| file.below("scenario", &problems))
         };
-        let sets: Option<Vec<TomlFile>> = sets.iter().map(set).collect();
+        let sets: Option<Vec<TomlFile>> = over.sets.iter().map(set).collect();
         let file = TomlFile::parse_bytes(&name, &bytes, &problems);
+        let surroundings = Surroundings { folder: folder_of(path.as_ref()), others, bank: over.bank };
         let scenario = file.zip(sets).and_then(|(file, sets)| {
             let layers = Layers::new([file].into_iter().chain(sets));
-            scenario(&layers.root(&problems), folder_of(path.as_ref()), others, &problems)
+            scenario(&layers.root(&problems), &surroundings, &problems)
         });
         problems.resolve(scenario)
     }
@@ -90,9 +104,9 @@ impl Scenario {
     /// Every fault of the text and of the path file that it may name.
     pub fn parse_beside(name: &str, text: &str, others: &[&str]) -> Result<Self, ProblemList> {
         let problems = Problems::new();
-        let folder = folder_of(FilePath::new(name));
+        let surroundings = Surroundings { folder: folder_of(FilePath::new(name)), others, bank: None };
         let scenario = TomlFile::parse(name, text, &problems)
-            .and_then(|file| scenario(&file.root(&problems), folder, others, &problems));
+            .and_then(|file| scenario(&file.root(&problems), &surroundings, &problems));
         problems.resolve(scenario)
     }
 }
@@ -127,7 +141,18 @@ fn folder_of(path: &FilePath) -> &FilePath {
     path.parent().unwrap_or(FilePath::new(""))
 }
 
-fn scenario(root: &Reader, folder: &FilePath, others: &[&str], problems: &Problems) -> Option<Scenario> {
+/// What lies around the text of a scenario.
+struct Surroundings<'a> {
+    /// Folder at which references start.
+    folder: &'a FilePath,
+    /// Tables that somebody else reads.
+    others: &'a [&'a str],
+    /// Bank that takes the place of the scenario's ground.
+    bank: Option<&'a FilePath>,
+}
+
+fn scenario(root: &Reader, surroundings: &Surroundings, problems: &Problems) -> Option<Scenario> {
+    let Surroundings { folder, others, bank } = *surroundings;
     if !root.format_version(FORMAT) && root.has("format") {
         return None;
     }
@@ -138,7 +163,11 @@ fn scenario(root: &Reader, folder: &FilePath, others: &[&str], problems: &Proble
     let ground =
         root.table("landscape").map(|table| (ground::ground(&table, folder), albedo::albedo(&table, folder)));
     let features = features::features(&root.table_or_empty("features"), folder, problems);
-    let is_generated = matches!(&ground, Some((Some((GroundSource::Generated(_), _)), _)));
+    let lies_on = bank.map(Ground::Bank).or_else(|| match &ground.as_ref()?.0.as_ref()?.0 {
+        GroundSource::Bank(bank) => Some(Ground::Bank(bank)),
+        GroundSource::Generated(_) => Some(Ground::Generated),
+    });
+    let is_generated = matches!(lies_on, Some(Ground::Generated));
     let sun = root.table("sun").map(|table| sun::sun(&table, is_generated));
     let shadows = part(root, "shadows", light::shadows);
     let photometry = part(root, "photometry", light::photometry);
@@ -160,7 +189,7 @@ fn scenario(root: &Reader, folder: &FilePath, others: &[&str], problems: &Proble
     let vehicle_table = root.table_or_empty("vehicle");
     let vehicle_shape = scenery::optional_shape(&vehicle_table, folder, problems);
     let vehicle = vehicle(&vehicle_table);
-    let path = root.table("path").map(|table| course::course(&table, folder, problems));
+    let path = root.table("path").map(|table| course::course(&table, folder, lies_on, problems));
     let raster = root.table_or_empty("raster");
     let (wishes, field) = (raster::wishes(&raster), raster::field_of_view(&raster));
     let levels = part(root, "levels", levels);
@@ -212,6 +241,7 @@ fn scenario(root: &Reader, folder: &FilePath, others: &[&str], problems: &Proble
         laws,
         display: display?,
         scalar: scalar?,
+        notes: problems.take_notes(),
     })
 }
 

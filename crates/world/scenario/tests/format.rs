@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 use std::fs;
 
-use landscape::Photometry;
+use landscape::projection::{Method, Projection};
+use landscape::{Bank, FileCoordinates, Level, MapFrame, Photometry, bank_file};
 use quantities::radians;
 use scenario::{GroundSource, LevelSwitch, RockArea, RollDisplay, Scenario, ShadowFineness, Sunlight};
 
@@ -33,12 +34,35 @@ fn documented_keys() -> BTreeSet<&'static str> {
     keys.filter(|key| !DOC.contains(&reader(key))).collect()
 }
 
+/// A bank near the places of the documented track.
+fn kepler() -> Bank {
+    let [latitude, longitude] = [8.12, -38.01].map(radians);
+    let projection = Projection {
+        method: Method::Orthographic,
+        latitude,
+        longitude,
+        radius: 1_737_400.0,
+        offset: [0.0; 2],
+    };
+    let map = MapFrame {
+        projection: Some(projection),
+        coordinates: FileCoordinates::Metres,
+        origin: [-500.0, -500.0],
+        first_sample: [0.0; 2],
+        spacing: [50.0; 2],
+    };
+    let level = Level::new(1000.0, [0.0; 2], [2, 2], vec![[0.0; 9]; 4]).unwrap();
+    Bank::new("Kepler", vec![level], None).unwrap().with_map(Some(map))
+}
+
 /// Parses in a folder that holds the documented path files.
 fn parse(text: &str) -> Scenario {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("drive.csv"), blocks("csv")[1]).unwrap();
     fs::write(folder.path().join("drive.tum"), blocks("tum")[0]).unwrap();
     fs::write(folder.path().join("craters.csv"), blocks("csv")[0]).unwrap();
+    fs::write(folder.path().join("walk.gpx"), blocks("gpx")[0]).unwrap();
+    bank_file::write(folder.path().join("kepler.bank"), &kepler()).unwrap();
     fs::write(folder.path().join("mast.obj"), blocks("obj")[0]).unwrap();
     let name = folder.path().join("s.toml");
     fs::write(&name, text).unwrap();
@@ -46,6 +70,7 @@ fn parse(text: &str) -> Scenario {
         Scenario::read_beside(&name, &[GENERATOR]).unwrap_or_else(|list| panic!("{list}\n{text}"));
     // Folders differ from one parse to the next.
     scenario.path = scenario.path.named("drive");
+    scenario.notes.clear();
     scenario.path_file = scenario.path_file.map(|path| path.file_name().unwrap().into());
     if let GroundSource::Bank(path) = &mut scenario.ground {
         *path = path.file_name().unwrap().into();
@@ -143,6 +168,10 @@ const CHANGES: &[(&str, usize, &str, &str)] = &[
     ("path.keyframes.y_m", 0, "y_m = 806", "y_m = 807"),
     ("path.keyframes.heading_deg", 0, "heading_deg = 40", "heading_deg = 41"),
     ("path.file", 1, "drive.csv", "drive.tum"),
+    ("path.coordinates", 1, "file = \"drive.csv\"", "file = \"drive.csv\"\ncoordinates = \"file\""),
+    ("path.track", 4, "track = 1", "track = 2"),
+    ("path.segment", 4, "segment = 1", "segment = 2"),
+    ("path.heights", 4, "\"unused\"", "\"above-ground\""),
     ("raster.sweeps", 0, "sweeps = 525", "sweeps = 526"),
     ("raster.samples_per_sweep", 0, "samples_per_sweep = 1000", "samples_per_sweep = 999"),
     ("raster.columns", 0, "columns = 525", "columns = 526"),

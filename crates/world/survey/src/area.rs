@@ -2,13 +2,13 @@
 
 use std::f64::consts::PI;
 
-use landscape::{Georeference, LUNOID_RADIUS};
+use landscape::{FileCoordinates, Georeference, LUNOID_RADIUS, MapFrame};
 use quantities::degrees;
 
 use crate::elevation::{Elevation, Frame, Grid};
 use crate::error::SurveyError;
 use crate::patch::Patch;
-use crate::projection::{Method, Projection, wrap};
+use landscape::projection::{Method, Projection, wrap};
 
 /// The ground to survey.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -59,6 +59,8 @@ pub struct Cut {
     pub area: [f64; 4],
     /// Where the bank lies.
     pub georeference: Option<Georeference>,
+    /// How the axes of the bank lie in the map of the file.
+    pub map: MapFrame,
     /// True north at the centre, clockwise from the bank's north (rad).
     pub true_north: Option<f64>,
     /// What the user should know.
@@ -75,9 +77,12 @@ pub(crate) struct Placed {
     /// Metres a unit of the file's coordinates: north, east.
     pub metres: [f64; 2],
     centre: Option<[f64; 2]>,
-    true_north: Option<f64>,
     /// The plane onto which samples are interpolated; the area is then in its metres.
     pub resampled: Option<Projection>,
+    /// The map of the bank: that of the file, or the plane that its degrees are laid onto.
+    projection: Option<Projection>,
+    /// South-west corner of the area in that map: north, east (m).
+    origin: [f64; 2],
 }
 
 impl Placed {
@@ -121,10 +126,20 @@ pub fn cut(
         }
     }
     let at = size.map(|length| 0.5 * length);
-    let true_north = placed.true_north;
+    let map = MapFrame {
+        projection: placed.projection,
+        coordinates: match elevation.frame {
+            Frame::Plane(_) => FileCoordinates::Metres,
+            Frame::Geographic { .. } => FileCoordinates::Degrees,
+        },
+        origin: placed.origin,
+        first_sample: patch.first,
+        spacing: patch.step,
+    };
+    let true_north = map.true_north(at);
     let georeference =
         placed.centre.map(|[latitude, longitude]| Georeference { latitude, longitude, at, true_north });
-    Ok(Cut { patch, area: placed.area, georeference, true_north, warnings })
+    Ok(Cut { patch, area: placed.area, georeference, map, true_north, warnings })
 }
 
 pub(crate) fn place(elevation: &Grid, area: Area) -> Result<Placed, SurveyError> {
@@ -170,6 +185,8 @@ pub(crate) fn place(elevation: &Grid, area: Area) -> Result<Placed, SurveyError>
             Ok(Placed {
                 metres: [1.0; 2],
                 resampled: Some(plane),
+                projection: Some(plane),
+                origin: [-a, -b],
                 ..on_sphere(radius, latitude, longitude, area)
             })
         }
@@ -190,17 +207,25 @@ fn in_plane(area: [f64; 4], projection: Option<Projection>) -> Placed {
         area,
         metres: [1.0; 2],
         centre: on_moon.and_then(|p| p.inverse(middle)),
-        true_north: projection.and_then(|p| p.true_north(middle)),
         resampled: None,
+        projection,
+        origin: [area[0], area[1]],
     }
 }
 
 fn on_sphere(radius: f64, latitude: f64, longitude: f64, area: [f64; 4]) -> Placed {
+    let metres = [radius, radius * libm::cos(latitude)];
+    let method = Method::Equirectangular { parallel: latitude };
+    let middle = wrap(longitude);
+    let plane = Projection { method, latitude: 0.0, longitude: middle, radius, offset: [0.0; 2] };
+    // Edges may be counted from another meridian than the middle.
+    let west = 0.5 * (area[1] - area[3]);
     Placed {
         area,
-        metres: [radius, radius * libm::cos(latitude)],
-        centre: is_moon(radius).then_some([latitude, wrap(longitude)]),
-        true_north: Some(0.0),
+        metres,
+        centre: is_moon(radius).then_some([latitude, middle]),
+        projection: Some(plane),
+        origin: [radius * area[0], metres[1] * west],
         resampled: None,
     }
 }

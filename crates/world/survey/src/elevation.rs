@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use crate::projection::Projection;
+use landscape::projection::Projection;
+
 use crate::read::Window;
 
 /// How grid coordinates are meant.

@@ -195,7 +195,7 @@ pub fn survey(
     let peak_memory =
         8 * (elevation.lines * elevation.columns + 4 * places.len()) + places.len() + fit_memory;
     let report = assemble(elevation, &cut, title.clone(), reports, options, peak_memory);
-    let bank = Bank::new(title, levels, cut.georeference)?.with_voids(voids)?;
+    let bank = Bank::new(title, levels, cut.georeference)?.with_voids(voids)?.with_map(Some(cut.map));
     Ok(Survey { bank, report, fitted, residuals })
 }
 

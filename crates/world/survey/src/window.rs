@@ -5,8 +5,8 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use crate::area::{Area, check_inside, check_resampled, place};
 use crate::elevation::Grid;
 use crate::error::SurveyError;
-use crate::projection::{Projection, wrap};
 use crate::read::Window;
+use landscape::projection::{Projection, wrap};
 
 /// The lines and columns of a file on `grid` that a survey of `area` needs; `reach(size)` says how far to the
 /// north and east (m) samples are wanted for an area of that size.

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use diagnostics::{LongList, Problem, ProblemList, Problems};
+use diagnostics::{LongList, Problem, Problems};
 use files::{NpyData, read_npy};
 use limits::Limit;
 
@@ -10,32 +10,32 @@ use super::row::{FLOOR, OUTER};
 use crate::{Crater, Craters, Shape};
 
 /// The craters of an array `[craters, 6]` or `[craters, 8]` of float64: the columns of the text form in their order, `type`
-/// as 1, 2 or 3, NaN in `outer_m` and `floor_m` where nothing is given.
-///
-/// # Errors
-/// A file that cannot be read, another shape or type, and the first twenty rows that are no crater.
-pub(super) fn read(path: &Path) -> Result<Craters, ProblemList> {
+/// as 1, 2 or 3, NaN in `outer_m` and `floor_m` where nothing is given. Faults go to `problems`: a file that cannot be read,
+/// another shape or type, and the first twenty rows that are no crater.
+pub(super) fn read(path: &Path, problems: &Problems) -> Option<Craters> {
     let name = path.display().to_string();
-    let refused = |title: String, help: &str| ProblemList::from(Problem::of_file(&name, title).help(help));
-    let array = read_npy(path, Limit::ListBytes)
-        .map_err(|error| refused(error.to_string(), "give an array that NumPy's save has written"))?;
+    let refused = |title: String, help: &str| {
+        problems.push(Problem::of_file(&name, title).help(help));
+        None
+    };
+    let array = match read_npy(path, Limit::ListBytes) {
+        Ok(array) => array,
+        Err(error) => return refused(error.to_string(), "give an array that NumPy's save has written"),
+    };
     let (shape, data) = array.into_parts();
     let width = match shape.as_slice() {
         &[_, width @ (6 | 8)] => width,
         _ => {
             let title =
                 format!("a list of craters of shape {shape:?}: expected [craters, 6] or [craters, 8]");
-            return Err(refused(
-                title,
-                "columns: x_m, y_m, radius_m, depth_m, rim_m, type, outer_m, floor_m",
-            ));
+            return refused(title, "columns: x_m, y_m, radius_m, depth_m, rim_m, type, outer_m, floor_m");
         }
     };
     let NpyData::F64(values) = data else {
-        return Err(refused("a list of craters that is not float64".into(), "save it as float64"));
+        return refused("a list of craters that is not float64".into(), "save it as float64");
     };
     if values.is_empty() {
-        return Err(refused("a list of craters without rows".into(), "give at least one row"));
+        return refused("a list of craters without rows".into(), "give at least one row");
     }
     let (mut craters, mut faults) = (Craters::with_room(values.len() / width), LongList::new(&name));
     for (number, row) in values.chunks_exact(width).enumerate() {
@@ -44,9 +44,7 @@ pub(super) fn read(path: &Path) -> Result<Craters, ProblemList> {
             Err(fault) => faults.push(Problem::of_file(&name, format!("row {number} (from 0): {fault}"))),
         }
     }
-    let problems = Problems::new();
-    let craters = faults.finish(craters, &problems);
-    problems.resolve(craters)
+    faults.finish(craters, problems)
 }
 
 fn crater(row: &[f64]) -> Result<Crater, String> {

@@ -5,10 +5,11 @@ use files::{Pieces, PiecesError};
 
 use super::error::{BankFormatError, SectionName};
 use super::layout::{
-    BLOCK, FILE_LENGTH_AT, FORMAT, HASH, LEVEL, MAGIC, NORTH, PLACE, SECTION_HASH_AT, TABLE_HASH_AT, TITLE,
-    VOIDS,
+    BLOCK, FILE_LENGTH_AT, FORMAT, HASH, LEVEL, MAGIC, MAP, NORTH, PLACE, SECTION_HASH_AT, TABLE_HASH_AT,
+    TITLE, VOIDS,
 };
-use crate::{Bank, BankError, CornerWords, Georeference, Level, WORDS};
+use super::{Outline, map};
+use crate::{Bank, BankError, CornerWords, Georeference, Level, MapFrame, WORDS};
 use std::f64::consts::PI;
 use std::mem;
 
@@ -65,7 +66,8 @@ pub(super) fn decode_pieces<B: Pieces>(
     check_overlap(&sections)?;
     let sections = sections.into_iter().map(|section| section.read(bytes, &table));
     let sections = sections.collect::<Result<Vec<_>, _>>()?;
-    let (mut levels, mut title, mut place, mut north, mut voids) = (vec![], None, None, None, None);
+    let (mut levels, mut title, mut place) = (vec![], None, None);
+    let (mut north, mut voids, mut map) = (None, None, None);
     for mut section in sections {
         match section.kind {
             LEVEL => levels.push(section.level()?),
@@ -73,6 +75,7 @@ pub(super) fn decode_pieces<B: Pieces>(
             PLACE => section.only(&mut place, section.place()?)?,
             NORTH => section.only(&mut north, section.north()?)?,
             VOIDS => section.only(&mut voids, section.voids()?)?,
+            MAP => section.only(&mut map, section.map()?)?,
             _ => {}
         }
     }
@@ -80,7 +83,35 @@ pub(super) fn decode_pieces<B: Pieces>(
         return Err(BankFormatError::NorthWithoutPlace.into());
     }
     let place = place.map(|place| Georeference { true_north: north, ..place });
-    Ok(Bank::new(title.unwrap_or_default(), levels, place)?.with_voids(voids.unwrap_or_default())?)
+    let bank = Bank::new(title.unwrap_or_default(), levels, place)?;
+    Ok(bank.with_voids(voids.unwrap_or_default())?.with_map(map))
+}
+
+/// What a bank file says of its place: the ground itself is not read.
+pub(super) fn decode_outline<B: Pieces>(
+    bytes: &mut B,
+) -> Result<Outline, PiecesError<B::Error, BankFormatError>> {
+    let table = table(bytes)?;
+    let (mut map, mut extent) = (None, None);
+    for (index, entry) in table.chunks_exact(BLOCK).enumerate() {
+        let section = section(bytes.length(), &table, index, entry)?;
+        if section.kind == MAP {
+            let section = section.read(bytes, &table)?;
+            section.only(&mut map, section.map()?)?;
+        } else if section.kind == LEVEL && extent.is_none() && section.length >= BLOCK as u64 {
+            let mut header = [0; BLOCK];
+            bytes.fill(section.offset, &mut header).map_err(Fault::Read)?;
+            extent = Some(extent_of(&header));
+        }
+    }
+    Ok(Outline { map, extent: extent.ok_or(BankError::NoLevels)? })
+}
+
+/// South, west, north, east edge (m) of the level with this header.
+fn extent_of(header: &[u8; BLOCK]) -> [f64; 4] {
+    let [size, south, west] = [0, 8, 16].map(|at| f64_at(header, at));
+    let [north, east] = [24, 32].map(|at| u64_at(header, at).saturating_sub(1) as f64 * size);
+    [south, west, south + north, west + east]
 }
 
 /// The section table, after the header is checked.
@@ -260,6 +291,11 @@ impl Section<Payload> {
             north if (-2.0 * PI..=2.0 * PI).contains(&north) => Ok(north),
             north => Err(self.value(0, north, &format!("true north within -{0} to {0}", 2.0 * PI))),
         }
+    }
+
+    fn map(&self) -> Result<MapFrame, BankFormatError> {
+        let bytes = self.bytes().try_into().map_err(|_| self.wrong_length(&map::LENGTH.to_string()))?;
+        map::read(bytes).map_err(|fault| self.value(fault.at, fault.found, &fault.expected))
     }
 
     fn voids(&self) -> Result<Vec<[u32; 2]>, BankFormatError> {

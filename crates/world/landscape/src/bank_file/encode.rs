@@ -1,6 +1,7 @@
 //! From a bank to bytes.
 
-use super::layout::{BLOCK, FORMAT, LEVEL, MAGIC, NORTH, PLACE, TITLE, VOIDS, aligned};
+use super::layout::{BLOCK, FORMAT, LEVEL, MAGIC, MAP, NORTH, PLACE, TITLE, VOIDS, aligned};
+use super::map;
 use crate::{Bank, Georeference, Level, WORDS};
 
 struct Section {
@@ -11,8 +12,8 @@ struct Section {
 /// The bytes of a bank file: the same bank gives the same bytes.
 pub fn encode(bank: &Bank) -> Vec<u8> {
     let mut sections = defining_sections(bank);
-    let north = bank.georeference().and_then(|place| place.true_north);
-    sections.extend(north.map(|north| Section { kind: NORTH, payload: north.to_le_bytes().to_vec() }));
+    sections.extend(north(bank).map(|north| Section { kind: NORTH, payload: north.to_le_bytes().to_vec() }));
+    sections.extend(bank.map().map(|frame| Section { kind: MAP, payload: map::payload(frame) }));
     sections.push(Section { kind: TITLE, payload: bank.title().as_bytes().to_vec() });
     let table_end = BLOCK * (1 + sections.len());
     let mut end = table_end;
@@ -31,9 +32,16 @@ pub fn encode(bank: &Bank) -> Vec<u8> {
     bytes
 }
 
+/// True north at the bank's place, if its map does not give it.
+fn north(bank: &Bank) -> Option<f64> {
+    let place = bank.georeference()?;
+    let is_in_map = bank.map().is_some_and(|map| map.true_north(place.at).is_some());
+    place.true_north.filter(|_| !is_in_map)
+}
+
 /// BLAKE3 of what makes the ground: kind, length and payload of each level, of the place and of the voids, in file order.
 ///
-/// Title and true north are not part of it: the same ground under another name has the same hash.
+/// Title, true north and map are not part of it: the same ground under another name, or from another file, has the same hash.
 pub fn content_hash(bank: &Bank) -> [u8; 32] {
     let mut hasher = blake3::Hasher::new();
     for section in defining_sections(bank) {

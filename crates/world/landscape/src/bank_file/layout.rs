@@ -15,6 +15,8 @@ pub(super) const LEVEL: [u8; 8] = *b"level\0\0\0";
 pub(super) const PLACE: [u8; 8] = *b"place\0\0\0";
 /// Kind of the section that holds the direction of true north.
 pub(super) const NORTH: [u8; 8] = *b"north\0\0\0";
+/// Kind of the section that says how the axes lie in the map of the elevation file.
+pub(super) const MAP: [u8; 8] = *b"map\0\0\0\0\0";
 /// Kind of the section that holds the regions without data.
 pub(super) const VOIDS: [u8; 8] = *b"voids\0\0\0";
 /// Kind of the section that holds the title.

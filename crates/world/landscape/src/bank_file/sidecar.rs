@@ -1,7 +1,9 @@
 //! The text beside a bank, for people and for tools that only list.
 
 use super::{FORMAT, content_hash};
-use crate::{Bank, Georeference, Level};
+use crate::map_frame::SPACING_RULE;
+use crate::projection::Method;
+use crate::{Bank, Georeference, Level, MapFrame};
 use quantities::degrees;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -22,6 +24,9 @@ pub fn describe(bank: &Bank) -> String {
     if let Some(place) = bank.georeference() {
         text += &describe_place(&place);
     }
+    if let Some(map) = bank.map() {
+        text += &describe_map(map);
+    }
     for level in bank.levels() {
         text += &describe_level(level);
     }
@@ -38,6 +43,40 @@ fn describe_place(place: &Georeference) -> String {
     ];
     let keys: Vec<_> = keys.into_iter().chain(north).collect();
     table("\n[place]\n", &keys)
+}
+
+fn describe_map(map: &MapFrame) -> String {
+    let unit = map.coordinates.unit();
+    let heading = format!(
+        "\n[map]\nprojection = \"{}\"\nfile_coordinates = \"{unit}\"\nspacing_rule = \"{SPACING_RULE}\"\n",
+        map.projection_name()
+    );
+    let [[origin_north, origin_east], [first_north, first_east], [step_north, step_east]] =
+        [map.origin, map.first_sample, map.spacing];
+    let of_projection = map.projection.map_or(Vec::new(), |projection| {
+        let parameter = match projection.method {
+            Method::Equirectangular { parallel } => Some(("parallel_deg", degrees(parallel))),
+            Method::PolarStereographic { scale } => Some(("scale", scale)),
+            Method::Orthographic => None,
+        };
+        let centre = [
+            ("datum_radius_m", projection.radius),
+            ("centre_latitude_deg", degrees(projection.latitude)),
+            ("centre_longitude_deg", degrees(projection.longitude)),
+            ("false_northing_m", projection.offset[0]),
+            ("false_easting_m", projection.offset[1]),
+        ];
+        centre.into_iter().chain(parameter).collect()
+    });
+    let places = [
+        ("origin_north_m", origin_north),
+        ("origin_east_m", origin_east),
+        ("south_west_sample_north_m", first_north),
+        ("south_west_sample_east_m", first_east),
+        ("spacing_north_m", step_north),
+        ("spacing_east_m", step_east),
+    ];
+    table(&heading, &[of_projection, places.to_vec()].concat())
 }
 
 fn describe_level(level: &Level) -> String {

@@ -3,7 +3,8 @@ use super::{
     BankFileError, BankFormatError, CornersError, content_hash, decode, describe, encode, export_corners,
     import_corners, read, write,
 };
-use crate::{Bank, Georeference, Level};
+use crate::projection::{Method, Projection};
+use crate::{Bank, FileCoordinates, Georeference, Level, MapFrame};
 use files::{Npy, NpyData};
 use proptest::prelude::{ProptestConfig, Strategy, any, prop_assert, prop_assert_eq, proptest};
 
@@ -307,6 +308,95 @@ fn true_north_needs_a_place_and_a_range() {
     assert_eq!(of(*b"other\0\0\0", 0.0), Err(BankFormatError::NorthWithoutPlace));
     assert!(said(of(PLACE, 7.0)).contains("true north within"));
     assert!(said(of(PLACE, f64::NAN)).contains("NaN, expected true north"));
+}
+
+/// Of a section `north` and a map, the map says where true north is.
+#[test]
+fn the_map_gives_true_north() {
+    let place = Georeference { latitude: 0.5, longitude: 0.1, at: [3.0, 4.0], true_north: Some(1.5) };
+    let level = Level::new(1.0, [0.0; 2], [2, 2], vec![[0.0; 9]; 4]).unwrap();
+    let bank = Bank::new("", vec![level], Some(place)).unwrap();
+    for map in frames() {
+        let bank = bank.clone().with_map(Some(map));
+        let found = bank.georeference().and_then(|place| place.true_north);
+        assert_eq!(found, map.true_north([3.0, 4.0]).or(Some(1.5)));
+        let bytes = encode(&bank);
+        let has_section = bytes.chunks(BLOCK).any(|block| block.starts_with(&NORTH));
+        assert_eq!(has_section, map.projection.is_none());
+        assert_eq!(decode(&bytes), Ok(bank));
+    }
+}
+
+/// A frame with each method, and one without.
+fn frames() -> Vec<MapFrame> {
+    let methods = [
+        Some(Method::Equirectangular { parallel: 0.25 }),
+        Some(Method::PolarStereographic { scale: 0.994 }),
+        Some(Method::Orthographic),
+        None,
+    ];
+    let of = |method: Option<Method>| MapFrame {
+        projection: method.map(|method| Projection {
+            method,
+            latitude: -0.5,
+            longitude: 3.0,
+            radius: 1_737_400.0,
+            offset: [10.0, -20.0],
+        }),
+        coordinates: if method.is_some() { FileCoordinates::Metres } else { FileCoordinates::Degrees },
+        origin: [150_000.5, -15_000.25],
+        first_sample: [0.5, 0.25],
+        spacing: [1.0, 2.0],
+    };
+    methods.into_iter().map(of).collect()
+}
+
+#[test]
+fn the_map_comes_back_and_is_no_part_of_the_ground() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a.bank");
+    for map in frames() {
+        let bank = two_levels().with_map(Some(map));
+        assert_eq!(decode(&encode(&bank)), Ok(bank.clone()));
+        assert_eq!(content_hash(&bank), content_hash(&two_levels()));
+        write(&path, &bank).unwrap();
+        let expected = super::Outline { map: Some(map), extent: bank.finest().extent() };
+        assert_eq!(super::read_outline(&path).unwrap(), expected);
+        let sidecar = std::fs::read_to_string(folder.path().join("a.bank.toml")).unwrap();
+        let table: toml::Table = sidecar.parse().unwrap();
+        assert_eq!(table["map"]["origin_north_m"].as_float(), Some(150_000.5));
+        assert_eq!(table["map"]["projection"].as_str(), Some(map.projection_name()));
+    }
+    write(&path, &two_levels()).unwrap();
+    assert_eq!(super::read_outline(&path).unwrap().map, None);
+}
+
+#[test]
+fn a_map_that_cannot_be_is_refused() {
+    // Sections: two levels, place, map.
+    let entry = BLOCK * 4;
+    let with = |at: usize, bytes: [u8; 8]| {
+        let mut file = encode(&two_levels().with_map(Some(frames()[1])));
+        let offset = u64::from_le_bytes(file[entry + 8..entry + 16].try_into().unwrap()) as usize;
+        file[offset + at..offset + at + 8].copy_from_slice(&bytes);
+        decode(&sealed(file)).unwrap_err().to_string()
+    };
+    let cases = [
+        (0, *b"\x04\0\0\0\0\0\0\0", "expected 0 to 3"),
+        (0, *b"\x02\0\0\0\x02\0\0\0", "expected 0 (metres) or 1 (degrees)"),
+        (8, 0.0_f64.to_le_bytes(), "radius within"),
+        (16, 0.0_f64.to_le_bytes(), "scale within"),
+        (24, f64::NAN.to_le_bytes(), "latitude within"),
+        (56, f64::INFINITY.to_le_bytes(), "north of the origin within"),
+        (96, (-1.0_f64).to_le_bytes(), "spacing to the east within"),
+    ];
+    for (at, bytes, expected) in cases {
+        let said = with(at, bytes);
+        assert!(said.contains("section 3 (map)") && said.contains(expected), "{at}: {said}");
+    }
+    let mut short = encode(&two_levels().with_map(Some(frames()[0])));
+    short[entry + 16] = 96;
+    assert!(decode(&sealed(short)).unwrap_err().to_string().contains("96 bytes, expected 104"));
 }
 
 proptest! {

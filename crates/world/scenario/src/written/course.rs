@@ -3,31 +3,62 @@
 use std::path::{Path as FilePath, PathBuf};
 
 use diagnostics::{LongList, Place, Placed, Problem, Problems, Reader};
-use limits::Limit;
 use quantities::radians;
 
+use super::coordinates::{Coordinates, Ground, in_bank};
+use super::doubts::heading_across;
+use super::path_gpx::{self, TrackWishes};
+use super::path_table;
 use super::reference::reference;
 use super::scenery::MAX_COORDINATE;
-use super::{path_csv, path_tum};
-use crate::{Path, PathError, Waypoint};
+use crate::{HeightOver, Path, PathError, Waypoint};
 
-/// Times beyond this (s) are a mistake; recorders write seconds since 1970.
-pub(super) const MAX_TIME: f64 = 1e12;
+/// Times of keyframes beyond this (s) are a mistake.
+const MAX_TIME: f64 = 1e12;
 
 /// A waypoint and the place of its time, for what is wrong with its order.
 pub(super) type PlacedWaypoint = Placed<Waypoint>;
 
-/// The path of a `[path]` table and the file it came from.
+/// The points of a path file, before they are in the axes of the bank.
+#[derive(Debug, Clone)]
+pub(super) struct Points {
+    /// Waypoints whose places are in `coordinates`: metres north and east, or latitude and longitude (rad).
+    pub waypoints: Vec<PlacedWaypoint>,
+    pub coordinates: Coordinates,
+    pub height_over: HeightOver,
+}
+
+/// Kinds of path files.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum FileKind {
+    Csv,
+    Tum,
+    Gpx,
+}
+
+/// The path of a `[path]` table and the file it came from; `ground` is what it lies on.
 pub(super) fn course(
     table: &Reader,
     folder: &FilePath,
+    ground: Option<Ground>,
     problems: &Problems,
 ) -> Option<(Path, Option<PathBuf>)> {
     let file = reference(table, "file", folder);
     let keyframes = table.tables("keyframes");
+    let (coordinates, track) = (Coordinates::read(table), TrackWishes::read(table));
     match (table.has("file"), table.has("keyframes")) {
-        (true, false) => file.and_then(|file| Some((read_file(&file, problems)?, Some(file)))),
-        (false, true) => Some((from_keyframes(table, &keyframes, problems)?, None)),
+        (true, false) => {
+            let (file, coordinates, track) = (file?, coordinates?, track?);
+            let points = read_file(table, &file, coordinates, &track, problems)?;
+            let points = in_bank(points, table, ground, problems)?;
+            let start = points.waypoints.first()?.place.clone();
+            let over = points.height_over;
+            Some((join(points.waypoints, &start, problems)?.with_heights_over(over), Some(file)))
+        }
+        (false, true) => {
+            only_of_files(table, &["coordinates", "track", "segment", "heights"], "path.file");
+            Some((from_keyframes(table, &keyframes, problems)?, None))
+        }
         (both, _) => {
             let title = match both {
                 true => "`path.keyframes` and `path.file` both say where the vehicle drives",
@@ -36,6 +67,14 @@ pub(super) fn course(
             table.report(table.problem("file", title).expected("one of the two"));
             None
         }
+    }
+}
+
+/// Refuses keys that have a meaning beside `beside` only.
+fn only_of_files(table: &Reader, keys: &[&str], beside: &str) {
+    for key in keys.iter().filter(|key| table.has(key)) {
+        let title = format!("`{}` without {beside}", table.path(key));
+        table.report(table.problem(key, title).expected(format!("the key beside {beside} alone")));
     }
 }
 
@@ -55,35 +94,40 @@ fn keyframe(table: &Reader) -> Option<PlacedWaypoint> {
     Some(Placed { value: open, place, key })
 }
 
-fn read_file(path: &FilePath, problems: &Problems) -> Option<Path> {
-    let name = path.display().to_string();
-    let waypoints = match path.extension().and_then(|extension| extension.to_str()) {
-        Some("csv") => path_csv::waypoints(&name, &read_text(path, &name, problems)?, problems),
-        Some("tum") => path_tum::waypoints(&name, &read_text(path, &name, problems)?, problems),
+fn read_file(
+    table: &Reader,
+    path: &FilePath,
+    coordinates: Option<Coordinates>,
+    track: &TrackWishes,
+    problems: &Problems,
+) -> Option<Points> {
+    let ending = path.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase);
+    let kind = match ending.as_deref() {
+        Some("csv" | "tsv") => FileKind::Csv,
+        Some("tum") => FileKind::Tum,
+        Some("gpx") => FileKind::Gpx,
         _ => {
-            let problem = Problem::of_file(&name, "a path file of a kind that is not known");
-            problems.push(problem.expected("a name that ends in .csv or .tum").help("rename or convert it"));
-            None
-        }
-    };
-    let waypoints = waypoints?;
-    let start = waypoints.first()?.place.clone();
-    join(waypoints, &start, problems)
-}
-
-fn read_text(path: &FilePath, name: &str, problems: &Problems) -> Option<String> {
-    let bytes = match files::read_all(path, Limit::ListBytes) {
-        Ok(bytes) => bytes,
-        Err(error) => {
-            problems.push(Problem::of_file(name, error.to_string()));
+            let problem =
+                Problem::of_file(path.display().to_string(), "a path file of a kind that is not known");
+            let problem = problem.expected("a name that ends in .csv, .tsv, .tum or .gpx");
+            problems.push(problem.help("rename or convert it"));
             return None;
         }
     };
-    let not_text = |error: std::string::FromUtf8Error| {
-        let title = format!("not text: byte {} is not UTF-8", error.utf8_error().valid_up_to());
-        problems.push(Problem::of_file(name, title).help("save the file as UTF-8"));
+    if kind != FileKind::Gpx {
+        only_of_files(table, &["track", "segment", "heights"], "a GPX file");
+    }
+    let (refused, instead) = match (kind, coordinates) {
+        (FileKind::Tum, Some(Coordinates::LonLat)) => ("a TUM file has places in metres", "`file` or `bank`"),
+        (FileKind::Gpx, Some(Coordinates::Bank | Coordinates::File)) => {
+            ("a GPX file has latitudes and longitudes", "`lon-lat`")
+        }
+        (FileKind::Csv, _) => return path_table::csv(path, coordinates, problems),
+        (FileKind::Tum, _) => return path_table::tum(path, coordinates, problems),
+        (FileKind::Gpx, _) => return path_gpx::read(path, track, problems),
     };
-    String::from_utf8(bytes).map_err(not_text).ok()
+    table.report(table.problem("coordinates", refused).expected(instead));
+    None
 }
 
 /// The path of all waypoints; every time that does not rise is a problem at its place.
@@ -97,6 +141,10 @@ fn join(waypoints: Vec<PlacedWaypoint>, start: &Place, problems: &Problems) -> O
     }
     faults.finish((), problems)?;
     let refuse = |error: PathError| problems.push(Problem::at(start, error.to_string()));
-    let path = Path::new(waypoints.into_iter().map(|waypoint| waypoint.value).collect());
+    let waypoints: Vec<Waypoint> = waypoints.into_iter().map(|waypoint| waypoint.value).collect();
+    if let Some(doubt) = heading_across(&waypoints) {
+        problems.note(format!("{}: {doubt}", start.source.name));
+    }
+    let path = Path::new(waypoints);
     path.map(|path| path.named(&start.source.name)).map_err(refuse).ok()
 }

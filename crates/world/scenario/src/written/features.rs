@@ -6,7 +6,7 @@ use diagnostics::{Problem, Problems, Reader};
 use features::population::{Kind, Primary, SizeLaw};
 
 use super::reference::reference;
-use super::{all, area, take_over};
+use super::{all, area};
 use crate::{CraterList, CraterPopulation, CraterWishes};
 
 /// The craters of a `[features]` table.
@@ -16,7 +16,7 @@ pub(super) fn features(table: &Reader, folder: &Path, problems: &Problems) -> Op
     let populations = all(tables.iter().map(population));
     let list = match file {
         Some(file) => {
-            let craters = take_over(features::list::read(&file), problems)?;
+            let craters = features::list::read_into(&file, problems)?;
             Some(CraterList { file, craters: craters.into() })
         }
         None if table.has("list") => return None,

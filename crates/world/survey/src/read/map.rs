@@ -2,7 +2,7 @@
 
 use quantities::radians;
 
-use crate::projection::{Method, Projection};
+use landscape::projection::{Method, Projection};
 
 /// A kind of map that is known here.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -91,7 +91,7 @@ pub fn unknown(name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::{Kind, Map, flattened};
-    use crate::projection::Method;
+    use landscape::projection::Method;
     use quantities::radians;
 
     #[test]

@@ -144,3 +144,63 @@ fn ground_of_the_earth_has_no_place_on_the_moon() {
     assert!(found.bank.georeference().is_none());
     assert!(found.report.warnings.join("\n").contains("which is not the Moon"));
 }
+
+/// The bank keeps where its samples came from: a sample of the file lies in the bank where the survey took it.
+#[test]
+fn the_map_of_a_bank_leads_back_to_the_file() {
+    let [latitude, longitude] = [8.03, 20.04].map(radians);
+    let step = radians(0.002);
+    let heights = (0..40 * 60).map(|index| f64::from(index % 7)).collect();
+    let affine = Affine { first: [radians(8.08), radians(20.0)], step: [-step, step] };
+    let degrees = Elevation::new(40, 60, heights, affine, Frame::Geographic { radius: MOON });
+    let plane = at(10.0).made().plain().unwrap();
+    let Frame::Plane(Some(projection)) = plane.frame else { panic!("{:?}", plane.frame) };
+    let centred = |plane| Area::Centred { latitude, longitude, size: [1500.0; 2], plane };
+    let [south, west, north, east] = plane.extent();
+    let inner = Area::Metres { south: south + 21.0, west: west + 33.0, north: north - 11.0, east };
+    for (elevation, area) in [
+        (&degrees, Area::Whole),
+        (&degrees, centred(Plane::Equirectangular)),
+        (&plane, Area::Whole),
+        (&plane, inner),
+    ] {
+        let options =
+            SurveyOptions { area, held_out: 0.0, ..SurveyOptions::new(300.0_f64.min(0.4 * (north - south))) };
+        let found = survey(elevation, &options, &mut |_| {}).unwrap_or_else(|error| panic!("{error}"));
+        let map = found.bank.map().copied().expect("a survey keeps the map");
+        let mut met = 0;
+        for (line, column) in
+            (0..elevation.lines).flat_map(|line| (0..elevation.columns).map(move |column| (line, column)))
+        {
+            let place = elevation.place(line, column);
+            let [latitude, longitude] = match elevation.frame {
+                Frame::Geographic { .. } => place,
+                Frame::Plane(_) => projection.inverse(place).unwrap(),
+            };
+            let [x, y] = map.of_point(latitude, longitude).unwrap();
+            // Samples of the survey lie at whole steps from the first.
+            let steps = [x, y]
+                .iter()
+                .zip(map.first_sample)
+                .zip(map.spacing)
+                .map(|((at, first), step)| (at - first) / step);
+            let steps: Vec<f64> = steps.collect();
+            assert!(steps.iter().all(|step| (step - step.round()).abs() < 1e-3), "{area:?}: {steps:?}");
+            met += usize::from(steps.iter().all(|step| step.round() == 0.0));
+        }
+        assert_eq!(met, 1, "{area:?}: one sample of the file is the south-west one");
+        assert!(
+            map.first_sample.iter().zip(map.spacing).all(|(first, step)| (0.0..step).contains(first)),
+            "{map:?}"
+        );
+        let is_whole = matches!(area, Area::Whole);
+        assert!(
+            !is_whole || map.first_sample == [0.0; 2],
+            "the origin is the centre of the south-west sample"
+        );
+    }
+    let options = SurveyOptions { area: centred(Plane::Orthographic), ..SurveyOptions::new(300.0) };
+    let map = survey(&degrees, &options, &mut |_| {}).unwrap().bank.map().copied().unwrap();
+    let [x, y] = map.of_point(latitude, longitude).unwrap();
+    assert!((x - 750.0).abs() < 1e-6 && (y - 750.0).abs() < 1e-6, "the middle of the area: {x} {y}");
+}

@@ -20,7 +20,7 @@ use vehicle_shadow::{
 use crate::cli::COMMIT;
 use crate::interrupt;
 use crate::loading::{StageArgs, Threads};
-use crate::output::{Place, expect_outputs, tell};
+use crate::output::{Place, expect_outputs, tell, warn};
 use crate::progress::Saying;
 use crate::{Failure, Verdict, values};
 
@@ -151,6 +151,7 @@ impl Augment {
         let baseline = self.baseline.as_deref().map(timing::read).transpose()?;
         let pool = self.threads.pool()?;
         let sequence = Sequence::read(&self.frames, &self.poses, || self.camera())?;
+        sequence.notes().iter().for_each(|note| warn(note));
         let Grounded { law: ground, vehicle, inputs } = self.ground(&sequence, &pool)?;
         let eye_height = self.eye_height.unwrap_or(vehicle.eye_height);
         let shape = Shape::find(&self.vehicle, eye_height)?;

@@ -8,10 +8,10 @@ use super::grid::{GeoTags, grid};
 use super::keys::{self, Keys};
 use crate::elevation::{Affine, Frame};
 use crate::error::SurveyError;
-use crate::projection::{Method, Projection};
 use crate::read::earth;
 use crate::read::map::{self, Map};
 use crate::read::refusal::field;
+use landscape::projection::{Method, Projection};
 
 const MODEL_TYPE: u16 = 1024;
 const RASTER_TYPE: u16 = 1025;

@@ -6,9 +6,9 @@ use quantities::radians;
 use super::MAP;
 use crate::elevation::{Affine, Frame};
 use crate::error::SurveyError;
-use crate::projection::{Method, Projection};
 use crate::read::label::{Label, angles, kilometres, length_of_sample, pieces, samples_of_angle};
 use crate::read::options::ReadOptions;
+use landscape::projection::{Method, Projection};
 
 /// Relative difference above which the scale and the resolution of a map contradict one another.
 const CONTRADICTION: f64 = 0.01;

@@ -187,9 +187,9 @@ mod tests {
 
     use super::System;
     use crate::elevation::{Affine, Frame};
-    use crate::projection::Method;
     use crate::read::options::ReadOptions;
     use crate::read::words::Decider;
+    use landscape::projection::Method;
 
     const BODY: &str = r#"GEOGCS["Moon",DATUM["D_Moon",SPHEROID["Moon",1737400.0,0.0]],PRIMEM["Reference",0],UNIT["Degree",0.0174532925199433]]"#;
 

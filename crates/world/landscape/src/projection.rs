@@ -76,6 +76,9 @@ impl Projection {
     /// Direction of true north in the plane, clockwise from the plane's north axis (rad).
     pub fn true_north(&self, place: [f64; 2]) -> Option<f64> {
         let [latitude, longitude] = self.inverse(place)?;
+        if let Method::Equirectangular { .. } = self.method {
+            return Some(0.0);
+        }
         let toward = if latitude > 0.0 { -1e-6 } else { 1e-6 };
         let [north, east] = self.forward_near(latitude + toward, longitude, place)?;
         let sign = if toward > 0.0 { 1.0 } else { -1.0 };
