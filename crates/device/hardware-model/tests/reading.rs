@@ -346,26 +346,3 @@ proptest! {
         let _ = set(&[("dpu.clock_mhz", &value)]).map_err(|list| list.render(false));
     }
 }
-
-/// One word of one request can be held back once in each frame.
-#[test]
-fn a_word_that_is_held_back_twice_is_refused() {
-    let delay = |frame: &str, word: &str| {
-        format!(
-            "{{ {frame} sweep = 1, crossing = 2, colour = 'red', register = 'x-first', word = {word}, ticks = 3 }}"
-        )
-    };
-    let load = |delays: &[String]| {
-        let sets = [("loader.delay".to_owned(), format!("[{}]", delays.join(", ")))];
-        HardwareModel::load(&ModelSource::BuiltIn("ideal".into()), &[], &sets)
-            .map(|loaded| loaded.model.loader.delays.len())
-    };
-    let [always, first, second] = ["", "frame = 1,", "frame = 2,"].map(|frame| delay(frame, "[0, 1]"));
-    let other = delay("", "[1, 0]");
-    assert_eq!(load(&[first.clone(), second.clone(), other.clone()]), Ok(3));
-    for twins in [[&first, &first], [&always, &first], [&first, &always], [&always, &always]] {
-        let refused = load(&[twins[0].clone(), other.clone(), twins[1].clone()]).unwrap_err();
-        assert_eq!(refused.len(), 1, "{refused}");
-        assert!(refused.to_string().contains("delayed twice"), "{refused}");
-    }
-}
