@@ -73,6 +73,11 @@ impl<'a> Reader<'a> {
         self.problems.push(problem);
     }
 
+    /// Makes a key known that is not read here: a message about an unknown key then names it.
+    pub fn know(&self, key: &str) {
+        self.node(key);
+    }
+
     /// The value itself, marked as asked for.
     fn node(&self, key: &str) -> Option<&'a Node> {
         let table = self.table?;

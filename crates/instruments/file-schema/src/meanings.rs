@@ -42,10 +42,14 @@ impl Meanings {
     }
 }
 
+/// Stands for an escaped bar while cells are parted.
+const ESCAPED: &str = "\u{1}";
+
 fn row(line: &str) -> Option<(String, Row)> {
     let rest = line.strip_prefix("| `")?;
     let (key, rest) = rest.split_once("` |")?;
-    let cells: Vec<String> = rest.trim_end().trim_end_matches('|').split(" | ").map(plain).collect();
+    let cells = rest.trim_end().trim_end_matches('|').replace("\\|", ESCAPED);
+    let cells: Vec<String> = cells.split('|').map(|cell| plain(cell).replace(ESCAPED, "|")).collect();
     let row = match &cells[..] {
         [unit, meaning] => Row { unit: unit.clone(), default: None, meaning: meaning.clone() },
         [unit, default, meaning] => {

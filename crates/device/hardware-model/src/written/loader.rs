@@ -1,5 +1,7 @@
 //! The keys of the loader, of the I/O processor, and of single words that are held back.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use diagnostics::Reader;
 use quantities::Rate;
 use sweep_program::{Colour, PreloadRegister};
@@ -65,16 +67,18 @@ pub(super) fn loader(
 
 /// One word of one request can be held back once: two entries would send it twice.
 fn refuse_twins(tables: &[Reader], delays: &[Option<LoadDelay>]) {
-    let which = |delay: &LoadDelay| (delay.sweep, delay.crossing, delay.colour, delay.register, delay.word);
-    let meet = |a: Option<u64>, b: Option<u64>| a.is_none() || b.is_none() || a == b;
-    for (index, delay) in delays.iter().enumerate() {
-        let Some(delay) = delay else { continue };
-        let mut earlier = delays[..index].iter().flatten();
-        if earlier.any(|other| which(other) == which(delay) && meet(other.frame, delay.frame)) {
-            let problem =
-                tables[index].problem("word", "the same word of the same crossing is delayed twice");
+    let mut known: BTreeMap<_, BTreeSet<Option<u64>>> = BTreeMap::new();
+    for (table, delay) in tables.iter().zip(delays) {
+        let Some(LoadDelay { frame, sweep, crossing, colour, register, word, .. }) = *delay else { continue };
+        let frames = known.entry((sweep, crossing, colour as u8, register as u8, word)).or_default();
+        // A delay without a frame is one of every frame.
+        let meets =
+            frames.contains(&frame) || frames.contains(&None) || frame.is_none() && !frames.is_empty();
+        frames.insert(frame);
+        if meets {
+            let problem = table.problem("word", "the same word of the same crossing is delayed twice");
             let help = "join both entries into one, or give them different frames";
-            tables[index].report(problem.expected("one entry for each word").help(help));
+            table.report(problem.expected("one entry for each word").help(help));
         }
     }
 }

@@ -50,8 +50,8 @@ fn dated(table: &Reader, is_generated: bool) -> Option<SunDate> {
         table.report(table.problem(key, title).expected("a date, or angles, and not both"));
     }
     // What is beside the date is known, and has been refused.
-    table.f64("azimuth_deg").optional();
-    table.f64("elevation_deg").optional();
+    table.know("azimuth_deg");
+    table.know("elevation_deg");
     table.tables("drift").iter().for_each(Reader::ignore_rest);
     let date = SunDate { at: at?, place: place?, step: step? };
     (beside.is_empty() && !is_nowhere).then_some(date)
@@ -110,9 +110,7 @@ fn first(table: &Reader) -> Option<Sun> {
         return direction(table);
     }
     // Known, so that a message about an unknown key names them.
-    keys.iter().for_each(|key| {
-        table.f64(key).optional();
-    });
+    keys.iter().for_each(|key| table.know(key));
     let [azimuth, elevation] = keys.map(|key| table.path(key));
     let title = format!("missing keys `{azimuth}` and `{elevation}`, or `{}`", table.path("at"));
     let problem = table.problem("at", title).expected("angles, or a date");
