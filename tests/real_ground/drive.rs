@@ -12,7 +12,7 @@ use landscape::Georeference;
 use machine::Prepare;
 use picture::{Depth, Encoder, GreyPicture, Transfer};
 use quantities::{degrees, radians};
-use scenario::{FieldOfView, Pose, PoseTable, RasterWishes, Scenario};
+use scenario::{FieldOfView, FieldWish, Pose, PoseTable, RasterWishes, Scenario};
 use signal::Probe;
 use study::shadow::{FlatGroundOutcome, FlatGroundPlan, flat_ground};
 use survey::{ReadOptions, SurveyOptions, SurveyReport, survey};
@@ -142,16 +142,18 @@ fn lit_horizon_error(test: &GreyPicture, reference: &GreyPicture, crest: &[Optio
 fn settings(scenario: &Scenario) -> Settings {
     let asked = env::var("LUNOID_REAL_GROUND_SWEEPS").ok();
     let most = asked.map_or(SWEEPS, |text| text.parse().expect("a whole number of sweeps"));
-    let raster = resolve(scenario, scenario.field, RasterWishes::default()).raster;
+    let FieldWish::Both(field) = scenario.field else { panic!("both angles") };
+    let raster = resolve(scenario, field, RasterWishes::default()).raster;
     let sweeps = most.min(raster.sweeps);
     let share = f64::from(sweeps) / f64::from(raster.sweeps);
-    let field = FieldOfView { tan_half_width: share * scenario.field.tan_half_width, ..scenario.field };
+    let field = FieldOfView { tan_half_width: share * field.tan_half_width, ..field };
     let wishes = RasterWishes { sweeps: Some(sweeps), lines: Some(raster.lines), ..RasterWishes::default() };
     resolve(scenario, field, wishes)
 }
 
 fn resolve(scenario: &Scenario, field: FieldOfView, wishes: RasterWishes) -> Settings {
-    let wished = Scenario { field, raster: wishes.or(scenario.raster), ..scenario.clone() };
+    let wished =
+        Scenario { field: FieldWish::Both(field), raster: wishes.or(scenario.raster), ..scenario.clone() };
     front_door::settings(&wished, &HardwareModel::ideal())
         .expect("a scenario that goes with the ideal machine")
 }
