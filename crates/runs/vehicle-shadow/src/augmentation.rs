@@ -13,6 +13,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::blanking::Blanking;
 use crate::flat_ground::{OutlineRule, flat_gates, shadow_outlines};
+use crate::frame_work::FrameWork;
 use crate::gate::PictureGates;
 use crate::insertion::Method;
 use crate::kept::{kept, stamp};
@@ -56,28 +57,6 @@ pub struct Augmentation {
     pub method: Method,
     /// Hash of program, vehicle, sun, ground and method: a picture that was made from the same is made once.
     pub inputs: String,
-}
-
-/// What became of one frame.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct FrameWork {
-    /// Number of the frame.
-    pub frame: u64,
-    /// Seconds since the start of the mission.
-    pub time_s: f64,
-    /// Name of the file.
-    pub file: String,
-    /// Hash of the new picture's pixels.
-    pub pixels_blake3: String,
-    /// Counts of the work done.
-    #[serde(flatten)]
-    pub work: Work,
-    /// Times of gear of 1969.
-    #[serde(flatten)]
-    pub times: WorkTimes,
-    /// Where the video is blanked.
-    #[serde(flatten)]
-    pub blanking: Blanking,
 }
 
 impl Augmentation {

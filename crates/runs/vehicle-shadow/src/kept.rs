@@ -6,7 +6,7 @@ use std::path::Path;
 use picture::{Limits, decode_png, png_texts};
 use serde::{Deserialize, Serialize};
 
-use crate::FrameWork;
+use crate::frame_work::FrameWork;
 
 /// Keyword of the text chunk.
 const KEYWORD: &str = "Augmentation";

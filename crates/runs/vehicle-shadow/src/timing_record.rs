@@ -6,7 +6,7 @@ use timing::{
     Cause, Deadline, FORMAT, FrameTiming, Missed, Sets, Slack, Task, TimingRecord, UnitUse, Vertices,
 };
 
-use crate::FrameWork;
+use crate::frame_work::FrameWork;
 use crate::insertion::Method;
 use crate::work::{INTERSECTION_S, POINT_S};
 

@@ -61,10 +61,10 @@ const LONGITUDE: [&[Term]; 5] = [
     &[[-114.0, 0.0, 0.0]],
 ];
 
-/// Latitude, likewise.
+/// Series of the latitude, likewise.
 const LATITUDE: [&[Term]; 1] = [&[[280.0, 3.199, 84_334.662], [102.0, 5.422, 5_507.553]]];
 
-/// Distance, likewise.
+/// Series of the distance, likewise.
 const DISTANCE: [&[Term]; 3] = [
     &[
         [100_013_989.0, 0.0, 0.0],

@@ -11,7 +11,7 @@ use crate::ecliptic::Spherical;
 /// Multiples of D, M, M' and F; coefficient of the sine in longitude (1e-6 deg) and of the cosine in distance (m).
 type Term = ([i8; 4], [f64; 2]);
 
-/// Table 47.A.
+/// Terms of Meeus, table 47.A.
 const LONGITUDE_AND_DISTANCE: [Term; 60] = [
     ([0, 0, 1, 0], [6_288_774.0, -20_905_355.0]),
     ([2, 0, -1, 0], [1_274_027.0, -3_699_111.0]),

@@ -14,7 +14,7 @@ pub struct FieldOfView {
 /// The field of view that a scenario asks for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum FieldWish {
-    /// Both angles.
+    /// Both angles are given.
     Both(FieldOfView),
     /// Tangent of half the horizontal angle; pixels are square.
     Across(f64),

@@ -89,7 +89,7 @@ impl Sunlight {
         }
     }
 
-    /// Whether it moves.
+    /// Whether the sun moves.
     pub fn moves(&self) -> bool {
         match self {
             Self::Angles { drift, .. } => drift.is_some(),

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use landscape::projection::Projection;
 
-use crate::read::Window;
+use crate::read::stretch::Window;
 
 /// How grid coordinates are meant.
 #[derive(Debug, Clone, Copy, PartialEq)]

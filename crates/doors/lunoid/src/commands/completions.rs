@@ -3,7 +3,6 @@
 use clap::Args;
 use clap_complete::{Shell, generate};
 
-use crate::cli::command;
 use crate::output::print;
 use crate::{Failure, Verdict};
 
@@ -22,10 +21,10 @@ pub struct Completions {
 }
 
 impl Completions {
-    /// Prints the completions.
-    pub fn run(&self) -> Result<Verdict, Failure> {
+    /// Prints the completions of the command line `whole`.
+    pub fn run(&self, mut whole: clap::Command) -> Result<Verdict, Failure> {
         let mut text = Vec::new();
-        generate(self.shell, &mut command(), "lunoid", &mut text);
+        generate(self.shell, &mut whole, "lunoid", &mut text);
         print(&String::from_utf8_lossy(&text))?;
         Ok(Verdict::Yes)
     }

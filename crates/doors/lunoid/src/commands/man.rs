@@ -1,13 +1,11 @@
 //! `lunoid man`: the manual, a page a command.
 
-use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use clap_mangen::Man;
 
-use crate::cli::command;
 use crate::output::print;
 use crate::{Failure, Verdict};
 
@@ -27,18 +25,15 @@ pub struct ManCommand {
 }
 
 impl ManCommand {
-    /// Writes all pages, or prints the first.
-    pub fn run(&self) -> Result<Verdict, Failure> {
-        let whole = command();
+    /// Writes all pages of the command line `whole`, or prints the first.
+    pub fn run(&self, whole: &clap::Command) -> Result<Verdict, Failure> {
         let Some(folder) = &self.out else {
-            print(&String::from_utf8_lossy(&page(&whole, "lunoid")?))?;
+            print(&String::from_utf8_lossy(&page(whole, "lunoid")?))?;
             return Ok(Verdict::Yes);
         };
-        fs::create_dir_all(folder).map_err(|error| {
-            Failure::output(format!("--out {}: {error}; name a folder that can be written", folder.display()))
-        })?;
+        files::make_folder(folder)?;
         let mut written = 0;
-        write_pages(folder, &whole, "lunoid", &mut written)?;
+        write_pages(folder, whole, "lunoid", &mut written)?;
         print(&format!("{}: {written} pages\n", folder.display()))?;
         Ok(Verdict::Yes)
     }

@@ -31,7 +31,7 @@ pub mod trace;
 pub mod trigger;
 mod words;
 
-use crate::cli::{Cli, Command};
+use crate::cli::{Cli, Command, command};
 use crate::{Failure, Verdict};
 
 /// Does what the command line says.
@@ -64,7 +64,7 @@ pub fn run(cli: &Cli) -> Result<Verdict, Failure> {
         Command::Netlist(netlist) => netlist.run(),
         Command::State(state) => state.run(),
         Command::Schema(schema) => schema.run(),
-        Command::Completions(completions) => completions.run(),
-        Command::Man(man) => man.run(),
+        Command::Completions(completions) => completions.run(command()),
+        Command::Man(man) => man.run(&command()),
     }
 }

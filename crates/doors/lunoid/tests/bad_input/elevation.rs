@@ -81,7 +81,7 @@ fn arrays_that_are_no_ground() {
     ];
     for (name, bytes, word) in cases {
         room.write(name, bytes);
-        let options = ["--region-size-m", "40", "--spacing-m", "10"];
+        let options = ["--region-size-m", "10", "--spacing-m", "10"];
         room.refused(INPUT, &survey(name, &options), &[name, word]);
     }
     room.write("bare.npy", npy("<f8", "(5, 5)", &doubles(&[1.0; 25])));
@@ -96,7 +96,7 @@ fn damaged_pds3_labels() {
         ("\"GROUND.IMG\"", "\"GONE.IMG\"", &["label line 3, ^IMAGE", "GONE.IMG"][..]),
         ("\"GROUND.IMG\"", "\"../GROUND.IMG\"", &["^IMAGE", "expected a file in the folder of the label"]),
         ("\"GROUND.IMG\"", "\"/etc/passwd\"", &["^IMAGE", "expected a file in the folder of the label"]),
-        ("\"GROUND.IMG\"", "\"folder\"", &["folder", "Is a directory"]),
+        ("\"GROUND.IMG\"", "\"folder\"", &["folder", "is not a file"]),
         ("LINES = 2", "LINES = 900", &["GROUND.IMG", "has 12 bytes; expected at least 5400"]),
         ("LINES = 2", "LINES = -2", &["label line 6, LINES", "found -2"]),
         ("LINES = 2", "LINES = 0", &["0 lines of 3 samples"]),

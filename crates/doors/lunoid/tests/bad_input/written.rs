@@ -90,7 +90,11 @@ fn paths_that_cannot_be_driven() {
         ),
         ("x_m = 100", "x_m = 0", &["frame 0", "a wheel is outside the problem area"]),
         (KEYFRAMES, "file = \"gone.csv\"", &["gone.csv", "no such file"]),
-        (KEYFRAMES, "file = \"folder\"", &["folder", "expected a name that ends in .csv or .tum"]),
+        (
+            KEYFRAMES,
+            "file = \"folder\"",
+            &["folder", "expected a name that ends in .csv, .tsv, .tum or .gpx"],
+        ),
     ] {
         room.vary("s.toml", old, new);
         room.refused(INPUT, &["replay", "s.toml"], words);

@@ -201,6 +201,7 @@ fn one_file_for_each_refresh() {
         run.record["frames"].as_array().unwrap().iter().map(|frame| frame["files"][0].clone()).collect();
     let frame = |index: usize| json!({ "frame": index, "time_s": 0.1, "pixels_blake3": "p", "counts": {}, "files": files[3 * index..3 * index + 3] });
     run.record["frames"] = json!([frame(0), frame(1)]);
+    run.record["range"] = json!([0, 2]);
     run.record["pictures"]["one_file_for_each"] = json!("refresh");
     run.write_record();
     let poses = fs::read_to_string(run.join("poses.csv")).unwrap();
@@ -229,7 +230,7 @@ fn damaged_folders_are_said_to_be_so() {
         run
     };
     refused(&change("/settings/raster", json!({})), "missing field");
-    refused(&change("/frames", json!([])), "no frame");
+    refused(&change("/frames", json!([])), "it lists 0 frames");
     refused(
         &change("/frames/1/files/0/file", json!("frames/other.png")),
         "expected `frames/frame-000001.png`",

@@ -16,7 +16,7 @@ pub(super) enum Coordinates {
     Bank,
     /// Metres of the elevation file's own projection, north and east.
     File,
-    /// Latitude and longitude.
+    /// Latitude and longitude, in degrees.
     LonLat,
 }
 

@@ -8,10 +8,11 @@ use std::path::{Path, PathBuf};
 use landscape::LUNOID_RADIUS;
 
 use super::beside::with_ending;
-use super::opened::{Opened, Samples, Window};
+use super::opened::{Opened, Samples};
 use super::options::ReadOptions;
 use super::refusal::{check_raster, field};
 use super::samples::{Conversion, Said};
+use super::stretch::Window;
 use super::wkt::System;
 use super::words::Fate::{Used, Void};
 use super::words::{Decider, Met, Vocabulary, named, seen};

@@ -7,10 +7,11 @@ use std::path::{Path, PathBuf};
 use quantities::radians;
 
 use super::earth;
-use super::opened::{Opened, Samples, Window};
+use super::opened::{Opened, Samples};
 use super::options::ReadOptions;
 use super::refusal::{check_raster, field};
 use super::samples::{Conversion, Said};
+use super::stretch::Window;
 use super::words::Fate::{Harmless, Only, Used};
 use super::words::{Decider, Met, Vocabulary, numbered, seen};
 use crate::elevation::{Affine, Frame, Grid};

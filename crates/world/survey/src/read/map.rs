@@ -9,7 +9,7 @@ use landscape::projection::{Method, Projection};
 pub enum Kind {
     /// Equirectangular, which has many names.
     Equirectangular,
-    /// Polar stereographic.
+    /// A polar stereographic map.
     Polar,
     /// Stereographic, which is known at a pole only.
     Stereographic,

@@ -21,6 +21,7 @@ mod pds4;
 mod raw;
 mod refusal;
 mod samples;
+pub(crate) mod stretch;
 mod unit;
 mod wkt;
 mod words;
@@ -35,9 +36,10 @@ use self::refusal::{field, visible};
 use crate::elevation::{Elevation, Frame, Grid};
 use crate::error::SurveyError;
 
-pub use self::opened::{Opened, Window};
+pub use self::opened::Opened;
 pub use self::options::ReadOptions;
 pub use self::page::{VOCABULARIES, words_page};
+pub use self::stretch::Window;
 pub use self::words::{Fate, Vocabulary, Word};
 
 /// Reads a whole elevation file: [`open()`], then [`Opened::all`].

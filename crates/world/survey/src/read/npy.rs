@@ -4,10 +4,11 @@ use std::path::Path;
 
 use limits::Limit;
 
-use super::opened::{Opened, Samples, Window};
+use super::opened::{Opened, Samples};
 use super::options::ReadOptions;
 use super::refusal::{check_raster, field};
 use super::samples::{Conversion, Said};
+use super::stretch::Window;
 use super::words::Decider;
 use crate::elevation::{Frame, Grid};
 use crate::error::SurveyError;

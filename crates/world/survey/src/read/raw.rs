@@ -5,8 +5,9 @@ use std::io::{Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
 use super::kind::Kind;
-use super::opened::{Samples, Window};
+use super::opened::Samples;
 use super::refusal::check_raster;
+use super::stretch::Window;
 use crate::error::SurveyError;
 
 /// Where the samples of one band stand in a file: block by block, from the first line down and from the first column on.

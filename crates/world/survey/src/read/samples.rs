@@ -4,9 +4,9 @@ use std::path::Path;
 
 use landscape::LUNOID_RADIUS;
 
-use super::opened::Window;
 use super::options::ReadOptions;
 use super::refusal::field;
+use super::stretch::Window;
 use super::words::seen;
 use crate::error::SurveyError;
 

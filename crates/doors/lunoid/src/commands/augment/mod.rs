@@ -333,6 +333,7 @@ impl From<AugmentError> for Failure {
     fn from(error: AugmentError) -> Self {
         match error {
             AugmentError::File(error) => error.into(),
+            AugmentError::Poses(faults) => faults.into(),
             AugmentError::Claim(error) => error.into(),
             AugmentError::Foreign { .. } | AugmentError::WouldReplace { .. } | AugmentError::Other { .. } => {
                 Self::output(error)

@@ -23,7 +23,7 @@ pub struct Header<'a> {
 struct Entry {
     /// In small letters, with single spaces.
     key: String,
-    /// Without braces.
+    /// The text without braces.
     value: String,
     /// Line of the key, from 1.
     line: usize,

@@ -10,8 +10,8 @@ use super::block::{self, Stored};
 use super::file::{MOST_EXPANSION, Tiff};
 use super::tags;
 use crate::error::SurveyError;
-use crate::read::opened::Window;
 use crate::read::refusal::field;
+use crate::read::stretch::Window;
 
 /// Most samples a byte of a file: each takes eight bytes of memory.
 const MOST_PIXELS: u64 = 1024;

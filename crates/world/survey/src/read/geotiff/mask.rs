@@ -10,8 +10,8 @@ use super::layout::Layout;
 use super::tags;
 use crate::error::SurveyError;
 use crate::read::beside::going_on;
-use crate::read::opened::Window;
 use crate::read::refusal::field;
+use crate::read::stretch::Window;
 
 /// Bit of NewSubfileType: a copy of less detail.
 const SMALLER: u32 = 1;

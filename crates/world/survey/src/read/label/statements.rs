@@ -14,7 +14,7 @@ pub const FILE: &str = "";
 
 /// The tables of a kind of label.
 pub struct Dialect {
-    /// Objects and groups.
+    /// Objects and groups of the label.
     pub objects: &'static Vocabulary,
     /// Keywords of the objects that count, by the name of the object in capitals. A label has one of each.
     pub counting: &'static [(&'static str, &'static Vocabulary)],

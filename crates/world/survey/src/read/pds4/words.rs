@@ -147,7 +147,7 @@ pub const ARRAY: Vocabulary = Vocabulary {
     ],
 };
 
-/// Elements of cart:Cartography.
+/// Elements that cart:Cartography may have.
 pub const CARTOGRAPHY: Vocabulary = Vocabulary {
     kind: "element of Cartography in a PDS4 label",
     prefix: "element:",
@@ -241,7 +241,7 @@ pub const CARTOGRAPHY: Vocabulary = Vocabulary {
     ],
 };
 
-/// Elements of disp:Display_Settings.
+/// Elements that disp:Display_Settings may have.
 pub const DISPLAY: Vocabulary = Vocabulary {
     kind: "element of Display_Settings in a PDS4 label",
     prefix: "element:",
