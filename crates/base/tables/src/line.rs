@@ -6,7 +6,7 @@ use std::ops::Range;
 /// What stands between two cells.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Separator {
-    /// This character.
+    /// This character between two cells.
     Char(char),
     /// Any number of blanks and tabs.
     Blanks,

@@ -17,7 +17,7 @@ A schema knows every key, its type, its bounds and its words. Rules that span se
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]
 pub struct Schema {
-    /// Kind of file.
+    /// Kind of file that is described.
     kind: Kind,
 }
 
@@ -33,7 +33,7 @@ enum Kind {
 }
 
 impl Schema {
-    /// Prints the schema.
+    /// Prints the schema of the kind.
     pub fn run(&self) -> Result<Verdict, Failure> {
         print(match self.kind {
             Kind::Scenario => file_schema::SCENARIO,

@@ -140,7 +140,7 @@ fn events(room: &Room) -> u64 {
 }
 
 fn landforms(room: &Room) -> u64 {
-    let massif = "[[landscape.generated.massif]]\nat_m = [200, 200]\nheight_m = 10\nradius_m = 120\ndetail_m = 110\nruggedness = 0.5\n";
+    let massif = "[[landscape.generated.massif]]\nat_m = [200, 200]\nheight_m = 10\nradius_m = 320\ndetail_m = 155\nruggedness = 0.5\n";
     add(room, &massif.repeat(2));
     2
 }

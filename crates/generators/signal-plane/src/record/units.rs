@@ -10,7 +10,7 @@ use feature_generator::{
 use hardware_model::ShadowParts;
 use mixing_unit::{FeatureInput, Kink};
 use parts::GateEdge;
-use shadow_controller::comparator_of;
+use shadow_controller::{COMPARATORS, comparator_of};
 use signal::{LANES, Probe, Real};
 
 use super::inner::{Together, of_lane};
@@ -108,12 +108,14 @@ impl<S: Real> Recorded<'_, S> {
         let ShadowParts::Digital { line_generators } = group.stage.settings.shadow_controller else {
             return Vec::new();
         };
+        // Of any number the first ones take turns.
+        let told = COMPARATORS.len();
         let mut edges: Vec<GateEdge> = match &group.parts.lines {
             Some(lines) => {
-                lines.answers(gate).filter(|(of, _)| *of == number).map(|(_, edge)| edge).collect()
+                lines.answers(gate).filter(|(of, _)| of % told == number).map(|(_, edge)| edge).collect()
             }
             None => {
-                let in_turn = line_generators.map_or(usize::MAX, |count| count.max(1) as usize);
+                let in_turn = line_generators.map_or(told, |count| count.max(1) as usize);
                 let turns = gate.edges().enumerate().filter(|(n, _)| n % in_turn == number);
                 turns.map(|(_, edge)| edge).collect()
             }

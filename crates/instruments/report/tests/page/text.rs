@@ -213,6 +213,9 @@ fn one_file_for_each_refresh() {
     );
 }
 
+/// Columns of `poses.csv`.
+const HEADER: &str = "frame,t_s,x_m,y_m,z_m,heading_deg,pitch_deg,roll_deg";
+
 #[test]
 fn damaged_folders_are_said_to_be_so() {
     let refused = |run: &RunFolder, word: &str| {
@@ -236,9 +239,9 @@ fn damaged_folders_are_said_to_be_so() {
         "expected `frames/frame-000001.png`",
     );
     let run = RunFolder::new(0, 2);
-    fs::write(run.join("poses.csv"), "frame\n0,0,0,0,0,0,0,0\n").unwrap();
+    fs::write(run.join("poses.csv"), format!("{HEADER}\n0,0,0,0,0,0,0,0\n")).unwrap();
     refused(&run, "1 rows, expected one for each of 2 frames");
-    fs::write(run.join("poses.csv"), "frame\n0,0,0,0,0,0,0,0\n1,0,x,0,0,0,0,0\n").unwrap();
+    fs::write(run.join("poses.csv"), format!("{HEADER}\n0,0,0,0,0,0,0,0\n1,1,x,0,0,0,0,0\n")).unwrap();
     refused(&run, "line 3");
     let run = RunFolder::new(0, 2);
     fs::write(run.join("frames/frame-000001.png"), "no picture").unwrap();

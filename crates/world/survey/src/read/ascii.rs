@@ -53,7 +53,7 @@ pub fn is_grid(start: &[u8]) -> bool {
     ["ncols", "nrows", "xllcorner", "yllcorner", "xllcenter", "yllcenter"].contains(&key)
 }
 
-/// Opens a grid.
+/// Opens a grid: reads its header.
 pub fn open(path: &Path, options: &ReadOptions) -> Result<Opened, SurveyError> {
     options.expect_no_place()?;
     let failed = |source| SurveyError::Read { path: path.to_path_buf(), source };
@@ -259,7 +259,7 @@ fn damaged(path: &Path, [line, column]: [usize; 2], found: &str) -> SurveyError 
 /// The numbers of a grid, line by line.
 struct Numbers {
     path: PathBuf,
-    /// Lines and columns.
+    /// Lines and columns of the grid.
     size: [usize; 2],
     /// Words in front of the first number.
     first: usize,

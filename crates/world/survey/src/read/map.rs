@@ -13,7 +13,7 @@ pub enum Kind {
     Polar,
     /// Stereographic, which is known at a pole only.
     Stereographic,
-    /// Orthographic.
+    /// An orthographic map of a globe.
     Orthographic,
 }
 

@@ -5,11 +5,11 @@ const MOST_NESTED: usize = 16;
 /// An element: its keyword, its text and numbers in order, and the elements inside it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Element {
-    /// In capitals.
+    /// The keyword, in capitals.
     pub keyword: String,
     /// Texts in quotes, in order; of an element without brackets its word.
     pub texts: Vec<String>,
-    /// Numbers, in order.
+    /// Its numbers, in order.
     pub numbers: Vec<f64>,
     /// Elements inside it, in order.
     pub inside: Vec<Element>,

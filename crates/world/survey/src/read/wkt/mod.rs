@@ -17,7 +17,7 @@ use crate::error::SurveyError;
 /// Most bytes of a text; those of coordinate systems have some thousand.
 const MOST_BYTES: usize = 1 << 16;
 
-/// A coordinate system.
+/// A coordinate system as written.
 #[derive(Debug)]
 pub struct System<'a> {
     path: &'a Path,
