@@ -35,13 +35,13 @@ pub struct Shape {
 /// Type of a value.
 #[derive(Debug, Clone, PartialEq)]
 pub enum ShapeKind {
-    /// Any finite number.
+    /// A number that is finite.
     Number,
-    /// A whole number.
+    /// A whole number of either sign.
     Whole,
     /// A whole number of 0 or more.
     Count,
-    /// `true` or `false`.
+    /// The word `true` or `false`.
     Boolean,
     /// A text in quotes.
     Text,
@@ -51,7 +51,7 @@ pub enum ShapeKind {
     Array(Box<ShapeKind>, Option<usize>),
     /// One number, or an array of so many.
     NumberOrArray(usize),
-    /// A table.
+    /// A table of known keys.
     Table,
     /// An array of tables.
     Tables,

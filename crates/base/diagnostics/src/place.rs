@@ -31,7 +31,7 @@ impl Source {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cursor<'s> {
     pub source: &'s Source,
-    /// Byte offset.
+    /// Byte offset in the text.
     pub at: usize,
     /// Byte offset at which the line begins.
     pub line_start: usize,

@@ -32,7 +32,7 @@ pub enum FileError {
         path: PathBuf,
         /// Step that was being tried.
         action: Action,
-        /// What stands there.
+        /// What stands there instead.
         kind: Kind,
     },
     /// The file is larger than the reader allows.

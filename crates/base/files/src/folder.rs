@@ -20,7 +20,7 @@ pub enum FolderError {
     NoFolder {
         /// The path as given.
         path: PathBuf,
-        /// What stands there.
+        /// What stands there instead.
         kind: Kind,
     },
     /// Another process writes into the folder.

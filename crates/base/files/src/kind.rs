@@ -7,17 +7,17 @@ use std::path::{Path, PathBuf};
 /// What a path names. A link counts as itself, whatever it leads to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// Nothing stands there.
+    /// Nothing stands there yet.
     Nothing,
-    /// A regular file.
+    /// A regular file stands there.
     File,
-    /// A folder.
+    /// A folder stands there.
     Folder,
-    /// A symbolic link.
+    /// A symbolic link stands there.
     Link,
     /// An open file of this process or a character device, such as `/dev/stdout` and `/dev/null`. Only a user can mean it.
     Stream,
-    /// A named pipe.
+    /// A named pipe stands there.
     Pipe,
     /// A socket, a disk, or another thing that is no file.
     Device,

@@ -25,7 +25,7 @@ pub struct Table {
     next: usize,
     /// Bytes of the cells of the row that is being read.
     cells: Vec<Range<usize>>,
-    /// Rows so far.
+    /// Rows read so far.
     rows: u64,
     sign: Option<Sign>,
     /// All decimal commas so far could stand between thousands.

@@ -7,7 +7,7 @@ use signal::{Signal, Unit};
 /// Sub-generators of each crater type that have wires of their own. Real machines have at most as many (hardware section 3.7: 2 to 16).
 const TOLD: u32 = 16;
 
-/// Crater types.
+/// Number of crater types.
 const TYPES: u32 = 3;
 
 /// One of the sub-generators.

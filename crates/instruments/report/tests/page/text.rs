@@ -213,7 +213,7 @@ fn one_file_for_each_refresh() {
     );
 }
 
-/// Columns of `poses.csv`.
+/// Columns that `poses.csv` must have.
 const HEADER: &str = "frame,t_s,x_m,y_m,z_m,heading_deg,pitch_deg,roll_deg";
 
 #[test]
