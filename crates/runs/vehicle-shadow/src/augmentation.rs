@@ -9,7 +9,6 @@ use landscape::Sun;
 use photographs::{CURVE, PhotographFileError};
 use picture::{GreyPicture, Limits, PictureFileError, encode_png};
 use scenario::{Pose, TrackPatch};
-use serde::{Deserialize, Serialize};
 
 use crate::blanking::Blanking;
 use crate::flat_ground::{OutlineRule, flat_gates, shadow_outlines};
@@ -23,7 +22,7 @@ use crate::shadow::Shadow;
 use crate::suns::suns;
 use crate::true_ground::TrueGround;
 use crate::view_lines::LineCounts;
-use crate::work::{Work, WorkTimes};
+use crate::work::Work;
 use crate::{AugmentError, ShadowFolder, Shape, Shot};
 
 /// What the ground is taken for.

@@ -62,7 +62,7 @@ fn under(scene: &Scene, name: &str, keys: &str) {
     let text = std::fs::read_to_string(scene.join("tiny.toml")).unwrap();
     let start = text.find("[sun]").unwrap();
     let end = start + 5 + text[start + 5..].find("\n[").unwrap();
-    scene.write(name, &format!("{}[sun]\n{keys}\n{}", &text[..start], &text[end..]));
+    scene.write(name, format!("{}[sun]\n{keys}\n{}", &text[..start], &text[end..]));
 }
 
 #[test]
