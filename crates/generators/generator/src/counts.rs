@@ -51,7 +51,8 @@ impl FrameCounts {
             let joined = counters.iter().find(|counter| counter.name == name).map(|counter| counter.joined);
             match (self.0.iter_mut().find(|(known, _)| known == name), joined) {
                 (Some((_, own)), Some(Joined::Largest)) => *own = (*own).max(*count),
-                (Some((_, own)), _) => *own += count,
+                // A record that somebody changed may say anything.
+                (Some((_, own)), _) => *own = own.saturating_add(*count),
                 (None, _) => self.0.push((name.clone(), *count)),
             }
         }

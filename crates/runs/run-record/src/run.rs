@@ -13,6 +13,9 @@ use crate::{
     SceneryRecord, SkyRecord, SunRecord, VehicleRecord, ViewRecord, stays_inside,
 };
 
+/// Most that a frame counts of anything: sums over all frames of a mission stay far from the end of 64 bits.
+const MOST_WORK: u64 = 1 << 40;
+
 /// Schema of the record.
 pub const RUN_SCHEMA: &str = "lunoid.run/2";
 
@@ -190,6 +193,7 @@ impl RunRecord {
             return Err(RecordError::Content(format!("it lists `{file}`, expected files of its folder")));
         }
         record.expect_frames_in_a_row().map_err(RecordError::Content)?;
+        record.expect_counts().map_err(RecordError::Content)?;
         Ok(record)
     }
 
@@ -213,6 +217,20 @@ impl RunRecord {
                 Err(format!("it lists {} frames; {}", self.frames.len(), expected()))
             }
             None => Ok(()),
+        }
+    }
+
+    /// No frame has done more work than one frame can.
+    fn expect_counts(&self) -> Result<(), String> {
+        let too_large = |frame: &FrameRecord| {
+            let odd = frame.counts.named().find(|(_, count)| *count > MOST_WORK);
+            odd.map(|(name, count)| (frame.frame, name.to_owned(), count))
+        };
+        match self.frames.iter().find_map(too_large) {
+            None => Ok(()),
+            Some((frame, name, count)) => {
+                Err(format!("frame {frame} counts {count} {name}; expected at most {MOST_WORK}"))
+            }
         }
     }
 

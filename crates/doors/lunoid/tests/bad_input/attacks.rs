@@ -257,6 +257,8 @@ fn records_that_were_tampered_with_are_refused_within_limits() {
     room.refused(INPUT, &REPLAY, &["holds frame 9", "the mission has frames 0..4"]);
     tampered(&room, |record| record["frames"][3]["files"][0]["file"] = "".into());
     room.refused(INPUT, &REPLAY, &["expected files of its folder"]);
+    tampered(&room, |record| record["frames"][3]["counts"]["samples"] = u64::MAX.into());
+    room.refused(INPUT, &REPLAY, &["frame 3 counts 18446744073709551615 samples", "--fresh"]);
     // The same in a journal.
     for (old, new, word) in [
         ("\"frame\":3,", "\"frame\":4611686018427387904,", "holds frame 4611686018427387904"),

@@ -5,7 +5,7 @@ use super::pds3::words;
 use super::words::Vocabulary;
 use super::{ascii, dted, envi, isis, pds4, wkt};
 
-/// All tables of names, with their headings, in the order of [`SECTIONS`].
+/// All tables of names, with their headings, in the order of `SECTIONS`.
 pub const VOCABULARIES: [(&str, &Vocabulary); 24] = [
     ("Tags of the first directory", &tags::TAGS),
     ("Geo keys", &keys::KEYS),
