@@ -5,7 +5,7 @@ use std::io::{self, Write};
 use png::{ColorType, Encoder, Writer};
 
 use crate::pixels::{Depth, Picture};
-use crate::png_file::set_packing;
+use crate::png_file::{SOFTWARE, set_packing};
 
 /// Writes 8-bit frames one after the other; only one is in memory at a time.
 pub struct Apng<W: Write> {
@@ -49,6 +49,7 @@ impl<W: Write> Apng<W> {
         let mut encoder = Encoder::new(out, form.columns as u32, form.lines as u32);
         encoder.set_color(if form.channels == 1 { ColorType::Grayscale } else { ColorType::Rgb });
         set_packing(&mut encoder);
+        encoder.add_text_chunk(SOFTWARE.0.into(), SOFTWARE.1.into())?;
         encoder.set_animated(frames, 0)?;
         encoder.set_frame_delay(delay_s.0, delay_s.1)?;
         encoder.validate_sequence(true);

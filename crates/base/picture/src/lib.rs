@@ -34,7 +34,7 @@ pub use error::{PictureError, PictureFileError};
 pub use luminance::Curve;
 pub use pixels::{ColourPicture, Depth, GreyPicture, Picture};
 pub use png_file::{
-    Limits, decode_any_png, decode_png, encode_png, png_texts, read_any_png, read_png, write_png,
+    Limits, SOFTWARE, decode_any_png, decode_png, encode_png, png_texts, read_any_png, read_png, write_png,
 };
 pub use transfer::{Encoder, Transfer};
 pub use y4m::{Y4m, Y4mColour};

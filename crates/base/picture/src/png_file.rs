@@ -151,6 +151,9 @@ fn decode<const CHANNELS: usize>(
     Picture::new(columns as usize, lines as usize, depth, codes)
 }
 
+/// The text chunk by which a picture tells that this program made it: keyword, and the text or its beginning.
+pub const SOFTWARE: (&str, &str) = ("Software", "lunoid");
+
 /// Text chunks in front of a PNG's pixels, keyword and text; none of a file that is no PNG.
 pub fn png_texts(bytes: &[u8]) -> Vec<(String, String)> {
     let Ok(reader) = Decoder::new(Cursor::new(bytes)).read_info() else { return Vec::new() };

@@ -45,7 +45,8 @@ impl Svg {
         let Self { columns, lines, title, body, .. } = &self;
         let mut out = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{columns}\" height=\"{lines}\" \
-             viewBox=\"0 0 {columns} {lines}\" role=\"img\">\n<title>{title}</title>\n{}<defs>\n",
+             viewBox=\"0 0 {columns} {lines}\" role=\"img\">\n<title>{title}</title>\n\
+             <metadata>lunoid</metadata>\n{}<defs>\n",
             self.dark_style()
         );
         for sign in &self.signs {

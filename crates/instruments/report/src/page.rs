@@ -55,6 +55,7 @@ pub(crate) fn head(title: &str, own_style: &str) -> Markup {
     html! {
         head {
             meta charset="utf-8";
+            meta name="generator" content="lunoid";
             meta http-equiv="Content-Security-Policy" content=(POLICY);
             meta name="viewport" content="width=device-width, initial-scale=1";
             meta name="color-scheme" content="light dark";

@@ -13,9 +13,10 @@ use scenario::{PoseRow, View};
 use signal::Probe;
 
 use crate::ReplayError;
-use crate::folder::{RunFolder, picture_name};
+use crate::folder::RunFolder;
 use crate::job::{Control, Progress};
 use crate::journal::Journal;
+use crate::names::picture_name;
 use crate::performance::StepTimes;
 use crate::picture_png::picture_png;
 use run_record::FrameRecord;

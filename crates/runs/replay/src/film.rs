@@ -4,7 +4,8 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use picture::{
-    AnyPicture, Apng, ColourPicture, GreyPicture, Limits, Y4m, Y4mColour, contact_sheet, read_any_png,
+    AnyPicture, Apng, ColourPicture, GreyPicture, Limits, SOFTWARE, Y4m, Y4mColour, contact_sheet,
+    read_any_png,
 };
 use quantities::Rate;
 
@@ -24,14 +25,14 @@ pub(crate) fn sheet(pictures: &[PathBuf]) -> Result<Vec<u8>, ReplayError> {
     let chosen: Result<Vec<_>, _> = (0..count).map(|index| read(&pictures[spread(index)])).collect();
     let chosen = chosen?;
     let cell = chosen[0].columns().min(CELL_COLUMNS);
-    let refused = |source| ReplayError::Film { path: crate::folder::CONTACT_SHEET.into(), source };
+    let refused = |source| ReplayError::Film { path: crate::names::CONTACT_SHEET.into(), source };
     let sheet: AnyPicture = match alike(&chosen) {
         Alike::Grey(all) => contact_sheet(&all, SHEET_COLUMNS, cell).map_err(refused)?.into(),
         Alike::Colour(all) => {
             contact_sheet(&all.iter().collect::<Vec<_>>(), SHEET_COLUMNS, cell).map_err(refused)?.into()
         }
     };
-    sheet.to_eight_bits().encode_png(&[]).map_err(refused)
+    sheet.to_eight_bits().encode_png(&[SOFTWARE]).map_err(refused)
 }
 
 /// Pictures of one layout.

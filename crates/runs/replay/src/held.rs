@@ -1,15 +1,18 @@
 //! What a run folder holds: frames with their hashes, and the record that lists them.
 
+use std::collections::BTreeSet;
 use std::io::Write;
 use std::ops::{Deref, Range};
 use std::path::{Path, PathBuf};
 
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
-use run_record::{FileRecord, FrameRecord, RecordError, RunRecord, hash};
+use run_record::{FileRecord, FrameRecord, RecordError, RunRecord, TruthFrame, TruthRecord, hash};
 
 use crate::ReplayError;
 use crate::folder::is_of_run;
 use crate::journal::{self, JOURNAL};
+use crate::names::TRUTH;
+use crate::truth_files;
 
 /// Record of a run, in its folder.
 pub const RUN_RECORD: &str = "run.json";
@@ -61,6 +64,30 @@ impl HeldRun {
     pub fn into_record(self) -> RunRecord {
         self.0
     }
+}
+
+/// Files of `folder` that its records and journals list, whatever is in them now. A record that cannot be read lists nothing.
+pub(crate) fn listed_files(folder: &Path) -> BTreeSet<String> {
+    let truth = folder.join(TRUTH);
+    let mut files = BTreeSet::new();
+    if let Ok(record) = RunRecord::read(&folder.join(RUN_RECORD)) {
+        files.extend(record.files().map(str::to_owned));
+    }
+    if let Ok(Some(journal)) = journal::read::<FrameRecord>(&folder.join(JOURNAL)) {
+        files.extend(journal.frames.iter().flat_map(|frame| names_of(&frame.files)).map(str::to_owned));
+    }
+    if let Ok(record) = TruthRecord::read(&truth.join(truth_files::RECORD)) {
+        files.extend(record.files().map(|name| format!("{TRUTH}/{name}")));
+    }
+    if let Ok(Some(journal)) = journal::read::<TruthFrame>(&truth.join(truth_files::JOURNAL)) {
+        let names = journal.frames.iter().flat_map(|frame| names_of(&frame.files));
+        files.extend(names.map(|name| format!("{TRUTH}/{name}")));
+    }
+    files
+}
+
+fn names_of(files: &[FileRecord]) -> impl Iterator<Item = &str> {
+    files.iter().map(|file| file.file.as_str())
 }
 
 /// First and end of ascending frames.

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use limits::Limit;
-use run_record::{FrameRecord, TruthFrame, stays_inside};
+use run_record::{FrameRecord, TruthFrame, is_as_sealed, sealed};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -31,19 +31,19 @@ struct Heading {
 
 /// A line of a journal: a frame and the files that it became.
 pub(crate) trait Entry: Serialize + DeserializeOwned {
-    /// Names of its files, from the folder of the journal.
-    fn files(&self) -> impl Iterator<Item = &str>;
+    /// What no run can have written, in words.
+    fn fault(&self) -> Option<String>;
 }
 
 impl Entry for FrameRecord {
-    fn files(&self) -> impl Iterator<Item = &str> {
-        self.files.iter().map(|file| file.file.as_str())
+    fn fault(&self) -> Option<String> {
+        self.fault()
     }
 }
 
 impl Entry for TruthFrame {
-    fn files(&self) -> impl Iterator<Item = &str> {
-        self.files.iter().map(|file| file.file.as_str())
+    fn fault(&self) -> Option<String> {
+        self.fault()
     }
 }
 
@@ -61,7 +61,7 @@ pub(crate) struct Journal {
     file: Mutex<File>,
 }
 
-/// The journal at `path`, if there is one. A last line that was cut short is left out; one that leads out of the folder is refused.
+/// The journal at `path`, if there is one. A line that was cut short or changed is left out, so that its frame is drawn again.
 pub(crate) fn read<T: Entry>(path: &Path) -> Result<Option<Found<T>>, ReplayError> {
     if !path.exists() {
         return Ok(None);
@@ -73,9 +73,10 @@ pub(crate) fn read<T: Entry>(path: &Path) -> Result<Option<Found<T>>, ReplayErro
     let Some(Heading { fingerprint, of, .. }) = heading.filter(|heading| heading.schema == SCHEMA) else {
         return refuse(format!("the first line has no schema {SCHEMA:?}"));
     };
-    let frames: Vec<T> = lines.filter_map(|line| serde_json::from_slice(line).ok()).collect();
-    if let Some(file) = frames.iter().flat_map(T::files).find(|file| !stays_inside(file)) {
-        return refuse(format!("it lists `{file}`, expected files of its folder"));
+    let whole = lines.filter_map(|line| str::from_utf8(line).ok()).filter(|line| is_as_sealed(line));
+    let frames: Vec<T> = whole.filter_map(|line| serde_json::from_str(line).ok()).collect();
+    if let Some(fault) = frames.iter().find_map(T::fault) {
+        return refuse(fault);
     }
     Ok(Some(Found { fingerprint: Fingerprint { hash: fingerprint, of }, frames }))
 }
@@ -116,9 +117,7 @@ fn failed(path: &Path, source: std::io::Error) -> ReplayError {
 }
 
 fn line(value: &impl Serialize) -> std::io::Result<Vec<u8>> {
-    let mut line = serde_json::to_vec(value)?;
-    line.push(b'\n');
-    Ok(line)
+    Ok((sealed(&serde_json::to_string(value)?) + "\n").into_bytes())
 }
 
 #[cfg(test)]

@@ -16,6 +16,8 @@
 //! the pool has threads, so that encoding and writing of one frame overlap the drawing of others, and memory does
 //! not grow with the number of frames. The bytes do not depend on the number of threads.
 //!
+//! A file is a run's if a record or a journal lists it, or if it says so itself. No other file is removed or replaced.
+//!
 //! Every finished frame is written to a journal; the same job again verifies what stands there and draws the rest.
 
 mod camera;
@@ -29,6 +31,7 @@ mod folder;
 mod held;
 mod job;
 mod journal;
+mod names;
 mod performance;
 mod picture_png;
 mod record;
@@ -36,12 +39,14 @@ mod run;
 mod truth;
 mod truth_files;
 mod world;
+mod written;
 
 pub use error::ReplayError;
 pub use film::write_y4m;
-pub use folder::{PAGE, PAGE_DATA, RunFolder, SCOPE_KIND, SCOPES, is_run_file, picture_name, scope_name};
+pub use folder::RunFolder;
 pub use held::{HeldRun, RUN_RECORD};
 pub use job::{Control, Job, Pictures, Progress};
+pub use names::{PAGE, PAGE_DATA, SCOPE_KIND, SCOPES, is_run_file, picture_name, scope_name};
 pub use performance::{Phase, peak_memory};
 pub use picture_png::picture_png;
 pub use run::{Outcome, run};

@@ -3,7 +3,7 @@
 use generator::Omission;
 use run_record::{
     FileRecord, FrameRecord, LimitRecord, ModelRecord, OmissionRecord, PathRecord, PicturesRecord,
-    RUN_SCHEMA, RunRecord, ScenarioRecord, SkyRecord, SunRecord, VehicleRecord, total_work,
+    RUN_FORMAT, RUN_SCHEMA, RunRecord, ScenarioRecord, SkyRecord, SunRecord, VehicleRecord, total_work,
 };
 use scenario::LimitReport;
 
@@ -28,7 +28,7 @@ pub(crate) fn run_record(job: &Job, finished: Finished<'_>) -> RunRecord {
     let World { ground, scenery, view, settings } = finished.world.clone();
     RunRecord {
         schema: RUN_SCHEMA.into(),
-        format: 1,
+        format: RUN_FORMAT,
         fingerprint: finished.fingerprint.into(),
         program: job.program.clone(),
         scenario: scenario_record(job),

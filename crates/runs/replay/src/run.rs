@@ -19,10 +19,11 @@ use crate::check::{Check, expect_available};
 use crate::draw::{Drawing, draw_all};
 use crate::film::{sheet, write_film};
 use crate::fingerprint::{Fingerprint, differences};
-use crate::folder::{ANIMATION, CAMERA, CONTACT_SHEET, FRAMES, PERFORMANCE, POSES, RunFolder};
+use crate::folder::RunFolder;
 use crate::held::{HeldRun, RUN_RECORD, frame_range, whole, write_changed};
 use crate::job::{Control, Job, Progress};
 use crate::journal::{self, Found, JOURNAL, Journal};
+use crate::names::{ANIMATION, CAMERA, CONTACT_SHEET, FRAMES, PERFORMANCE, POSES, picture_name};
 use crate::performance::{Phase, StepTimes, performance};
 use crate::record::{Finished, run_record};
 use crate::world::World;
@@ -141,7 +142,19 @@ impl<'a> Run<'a> {
             drawn: 0,
         };
         run.verify(listed);
+        run.expect_room()?;
         Ok(run)
+    }
+
+    /// Nobody else has a file where one is to be written.
+    fn expect_room(&self) -> Result<(), ReplayError> {
+        let missing = self.frames.clone().filter(|frame| !self.kept.contains_key(frame));
+        let showings = self.showings();
+        let pictures =
+            missing.flat_map(|frame| (0..showings).map(move |nth| picture_name(frame * showings + nth)));
+        let film = self.job.pictures.film.then_some(ANIMATION);
+        let outputs = [PERFORMANCE, POSES, CAMERA, CONTACT_SHEET].into_iter().chain(film).map(str::to_owned);
+        self.folder.expect_own(pictures.chain(outputs))
     }
 
     /// Keeps the frames whose files are what the record says.
@@ -171,8 +184,11 @@ impl<'a> Run<'a> {
     /// Leaves what is whole for the next time; a run that has nothing leaves nothing.
     fn leave(&self, journal: Journal) -> Result<(), ReplayError> {
         let found = journal::read::<FrameRecord>(&self.folder.join(JOURNAL))?;
-        let has_frames = found.is_some_and(|found| !found.frames.is_empty());
-        if has_frames { Ok(()) } else { journal.end() }
+        if found.is_some_and(|found| !found.frames.is_empty()) {
+            return Ok(());
+        }
+        self.folder.remove_strays(|_| false)?;
+        journal.end()
     }
 
     /// Pictures that are kept of one update.

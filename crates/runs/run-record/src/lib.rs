@@ -12,6 +12,7 @@
 //! - [`ViewRecord`], [`GroundRecord`], [`SceneryRecord`]: what was drawn, for any generator.
 //! - [`TruthRecord`]: the record of the truth.
 //! - [`Inputs`], [`FileRecord`]: the files that a run was made from.
+//! - [`sealed`], [`is_as_sealed`]: the hash at the end of a record, which tells whether the record was changed.
 
 mod differences;
 mod file;
@@ -22,6 +23,7 @@ mod mission;
 mod omission;
 mod run;
 mod scenery;
+mod seal;
 mod sky;
 mod truth;
 mod view;
@@ -34,10 +36,11 @@ pub use inputs::{Inputs, ModelRecord, ModelValue};
 pub use mission::{LimitRecord, PathRecord, SunRecord, VehicleRecord};
 pub use omission::{OmissionRecord, WeightRecord};
 pub use run::{
-    CheckRecord, CheckedSweep, ErrorRecord, PicturesRecord, Program, RUN_SCHEMA, RecordError, RunRecord,
-    ScenarioRecord,
+    CheckRecord, CheckedSweep, ErrorRecord, PicturesRecord, Program, RUN_FORMAT, RUN_SCHEMA, RecordError,
+    RunRecord, ScenarioRecord,
 };
 pub use scenery::{SceneryRecord, hash_of};
+pub use seal::{is_as_sealed, sealed};
 pub use sky::{PhaseRecord, PlaceRecord, SeenRecord, SkyRecord};
 pub use truth::{TRUTH_SCHEMA, TruthFrame, TruthRecord};
 pub use view::{DisplayRecord, LevelsRecord, ShadowsRecord, ViewRecord, YokeRecord};

@@ -10,14 +10,15 @@ use serde_json::Value;
 
 use crate::{
     FileRecord, FrameRecord, GroundRecord, LimitRecord, ModelRecord, OmissionRecord, PathRecord,
-    SceneryRecord, SkyRecord, SunRecord, VehicleRecord, ViewRecord, stays_inside,
+    SceneryRecord, SkyRecord, SunRecord, VehicleRecord, ViewRecord, frame::fault_of_files, is_as_sealed,
+    sealed,
 };
-
-/// Most that a frame counts of anything: sums over all frames of a mission stay far from the end of 64 bits.
-const MOST_WORK: u64 = 1 << 40;
 
 /// Schema of the record.
 pub const RUN_SCHEMA: &str = "lunoid.run/2";
+
+/// Version of the format within the schema. From 2 on a record ends with its seal.
+pub const RUN_FORMAT: u32 = 2;
 
 /// Why a record cannot be read.
 #[derive(Debug, thiserror::Error)]
@@ -35,7 +36,7 @@ pub enum RecordError {
 pub struct RunRecord {
     /// Name of the schema: [`RUN_SCHEMA`].
     pub schema: String,
-    /// Version of the format within its schema.
+    /// Version of the format within its schema: [`RUN_FORMAT`], or 1 of a record without a seal.
     pub format: u32,
     /// BLAKE3 of everything that decides the pixels, hexadecimal.
     pub fingerprint: String,
@@ -188,18 +189,38 @@ impl RunRecord {
             return Err(RecordError::Content(format!("schema {schema:?}, expected {RUN_SCHEMA:?}")));
         }
         let record: Self = serde_json::from_slice(bytes).map_err(refused)?;
-        if let Some(listed) = record.files().find(|listed| !stays_inside(&listed.file)) {
-            let file = &listed.file;
-            return Err(RecordError::Content(format!("it lists `{file}`, expected files of its folder")));
+        record.expect_sealed(bytes).map_err(RecordError::Content)?;
+        let fault = record.frames.iter().find_map(FrameRecord::fault);
+        if let Some(fault) = fault.or_else(|| fault_of_files(&record.outputs)) {
+            return Err(RecordError::Content(fault));
         }
         record.expect_frames_in_a_row().map_err(RecordError::Content)?;
-        record.expect_counts().map_err(RecordError::Content)?;
         Ok(record)
     }
 
-    /// The document, ending with a newline.
+    /// Names of the files of the run's folder that it lists.
+    pub fn files(&self) -> impl Iterator<Item = &str> {
+        let files = self.frames.iter().flat_map(|frame| &frame.files).chain(&self.outputs);
+        files.map(|listed| listed.file.as_str())
+    }
+
+    /// The document with its seal, ending with a newline.
     pub fn text(&self) -> String {
-        serde_json::to_string_pretty(self).expect("records are plain values") + "\n"
+        sealed(&serde_json::to_string_pretty(self).expect("records are plain values"))
+    }
+
+    /// The record is as it was written.
+    fn expect_sealed(&self, bytes: &[u8]) -> Result<(), String> {
+        let is_whole = || str::from_utf8(bytes).is_ok_and(is_as_sealed);
+        match self.format {
+            1 => Ok(()),
+            RUN_FORMAT if is_whole() => Ok(()),
+            RUN_FORMAT => {
+                Err("it was changed since it was written: its `seal` is not the hash of the lines above"
+                    .into())
+            }
+            other => Err(format!("format {other}, expected 1 to {RUN_FORMAT}")),
+        }
     }
 
     /// The frames are those of the range, each once: whoever reads the record counts on it.
@@ -218,25 +239,6 @@ impl RunRecord {
             }
             None => Ok(()),
         }
-    }
-
-    /// No frame has done more work than one frame can.
-    fn expect_counts(&self) -> Result<(), String> {
-        let too_large = |frame: &FrameRecord| {
-            let odd = frame.counts.named().find(|(_, count)| *count > MOST_WORK);
-            odd.map(|(name, count)| (frame.frame, name.to_owned(), count))
-        };
-        match self.frames.iter().find_map(too_large) {
-            None => Ok(()),
-            Some((frame, name, count)) => {
-                Err(format!("frame {frame} counts {count} {name}; expected at most {MOST_WORK}"))
-            }
-        }
-    }
-
-    /// Files of the run's folder that it lists.
-    fn files(&self) -> impl Iterator<Item = &FileRecord> {
-        self.frames.iter().flat_map(|frame| &frame.files).chain(&self.outputs)
     }
 }
 

@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use crate::{
     FileRecord, GroundRecord, OmissionRecord, Program, RecordError, ScenarioRecord, SceneryRecord,
-    ViewRecord, stays_inside,
+    ViewRecord, frame::fault_of_files,
 };
 
 /// Schema of the record.
@@ -83,13 +83,22 @@ impl TruthRecord {
             let text = format!("schema {:?}, expected {TRUTH_SCHEMA:?}", record.schema);
             return Err(RecordError::Content(text));
         }
-        let mut files = record.frames.iter().flat_map(|frame| &frame.files);
-        match files.find(|file| !stays_inside(&file.file)) {
-            Some(file) => {
-                let text = format!("it lists `{}`, expected files of its folder", file.file);
-                Err(RecordError::Content(text))
-            }
+        match record.frames.iter().find_map(TruthFrame::fault) {
+            Some(fault) => Err(RecordError::Content(fault)),
             None => Ok(record),
         }
+    }
+
+    /// Names of the files that it lists, from the folder of the truth.
+    pub fn files(&self) -> impl Iterator<Item = &str> {
+        let files = self.frames.iter().flat_map(|frame| &frame.files).chain(&self.outputs);
+        files.map(|listed| listed.file.as_str())
+    }
+}
+
+impl TruthFrame {
+    /// What no run can have written of a frame, in words: a file that leads out of the folder.
+    pub fn fault(&self) -> Option<String> {
+        fault_of_files(&self.files)
     }
 }

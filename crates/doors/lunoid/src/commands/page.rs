@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use replay::{HeldRun, RunFolder};
+use replay::{HeldRun, PAGE, RunFolder};
 use report::write_page;
 use serde_json::json;
 
@@ -33,6 +33,7 @@ impl PageCommand {
         // Before the folder is claimed: a claim would make one that is not there.
         HeldRun::read(&self.run)?;
         let folder = RunFolder::claim(&self.run, false)?;
+        folder.expect_own([PAGE.to_owned()])?;
         let page = write_page(folder.path())?;
         let page = page.display().to_string();
         match self.json {

@@ -231,7 +231,31 @@ fn tampered(room: &Room, change: impl Fn(&mut Value)) {
     copy(&room.join("s"), &room.join("r"));
     let mut record: Value = serde_json::from_slice(&room.read("r/run.json")).unwrap();
     change(&mut record);
-    room.write("r/run.json", record.to_string());
+    // Whoever changes a record on purpose seals it again.
+    record.as_object_mut().unwrap().remove("seal");
+    room.write("r/run.json", run_record::sealed(&record.to_string()));
+}
+
+#[test]
+fn records_that_were_changed_by_hand_are_told() {
+    let room = room();
+    for (old, new) in [
+        ("\"samples\": ", "\"samples\": 1"),
+        ("\"time_s\": 0.0", "\"time_s\": 9.0"),
+        ("\"pixels_blake3\": \"", "\"pixels_blake3\": \"0"),
+        ("\"title\": \"", "\"title\": \"My "),
+    ] {
+        clear(&room);
+        copy(&room.join("s"), &room.join("r"));
+        let whole = String::from_utf8(room.read("r/run.json")).unwrap();
+        assert!(whole.contains(old), "{old}");
+        room.write("r/run.json", whole.replacen(old, new, 1));
+        for arguments in [&REPLAY[..], &["info", "r"]] {
+            room.refused(INPUT, arguments, &["r/run.json", "changed since it was written", "--fresh"]);
+        }
+        room.done(&[&REPLAY[..], &["--fresh"]].concat());
+        assert_eq!(room.read("r/run.json"), whole.as_bytes());
+    }
 }
 
 #[test]
@@ -270,10 +294,11 @@ fn records_that_were_tampered_with_are_refused_within_limits() {
         let record: Value = serde_json::from_slice(&room.read("r/run.json")).unwrap();
         let heading =
             serde_json::json!({ "schema": "lunoid.journal/1", "fingerprint": record["fingerprint"] });
-        let frames = record["frames"].as_array().unwrap().iter().map(Value::to_string);
+        let frames = record["frames"].as_array().unwrap().iter();
+        let frames = frames.map(|frame| run_record::sealed(&frame.to_string().replace(old, new)));
         let lines: Vec<String> = [heading.to_string()].into_iter().chain(frames).collect();
         fs::remove_file(room.join("r/run.json")).unwrap();
-        room.write("r/frames.journal", (lines.join("\n") + "\n").replace(old, new));
+        room.write("r/frames.journal", lines.join("\n") + "\n");
         room.refused(INPUT, &REPLAY, &["r/frames.journal", word]);
     }
 }

@@ -41,18 +41,81 @@ fn folders_and_files_of_somebody_else_are_left_alone() {
     room.refused(OUTPUT, &out("folder"), &["which no run wrote"]);
 }
 
+/// A name does not make a file a run's: it is neither removed nor replaced.
+#[test]
+fn files_of_somebody_else_with_names_of_a_run_stay() {
+    let room = Room::new();
+    room.done(&REPLAY);
+    let whole = content(&room.join("r"));
+    let write = |name: &str, text: &str| {
+        let path = room.join("r").join(name);
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, text).unwrap();
+    };
+    let remove = |name: &str| {
+        let path = room.join("r").join(name);
+        fs::remove_file(&path).unwrap();
+        let _ = fs::remove_dir(path.parent().unwrap());
+    };
+    for name in ["frames/frame-000099.png", "animation.png", "scopes/frame-000000-sweep-0005.svg"] {
+        write(name, "mine");
+        room.done(&REPLAY);
+        assert_eq!(room.read(&format!("r/{name}")), b"mine", "{name}");
+        room.refused(OUTPUT, &with(&["--fresh"]), &[name, "which no run wrote"]);
+        remove(name);
+    }
+    for (name, options) in [("animation.png", &["--apng"][..]), ("truth/poses.csv", &["--truth", "pose"])] {
+        write(name, "mine");
+        room.refused(OUTPUT, &with(options), &[name, "which no run wrote"]);
+        remove(name);
+    }
+    for name in ["index.html", "poses.csv", "page.json"] {
+        fs::rename(room.join("r").join(name), room.join("kept")).unwrap();
+        fs::create_dir(room.join("r").join(name)).unwrap();
+        room.refused(OUTPUT, &with(&["--fresh"]), &[name]);
+        fs::remove_dir(room.join("r").join(name)).unwrap();
+        fs::rename(room.join("kept"), room.join("r").join(name)).unwrap();
+    }
+    write("index.html", "<title>mine</title>");
+    room.refused(OUTPUT, &REPLAY, &["index.html", "which no run wrote"]);
+    room.done(&with(&["--no-page"]));
+    fs::remove_file(room.join("r/index.html")).unwrap();
+    room.done(&REPLAY);
+    assert_eq!(content(&room.join("r")).len(), whole.len());
+}
+
+/// Frames of a run without record and journal are still a run's.
+#[test]
+fn a_killed_run_without_its_journal_is_drawn_anew() {
+    let room = Room::new();
+    room.done(&REPLAY);
+    let record = room.read("r/run.json");
+    let beside =
+        ["poses.csv", "camera.json", "performance.json", "contact-sheet.png", "index.html", "page.json"];
+    for journal in [Some(""), None] {
+        for name in ["run.json"].iter().chain(&beside) {
+            fs::remove_file(room.join("r").join(name)).unwrap();
+        }
+        journal.into_iter().for_each(|text| room.write("r/frames.journal", text));
+        room.refused(INPUT, &REPLAY, &["--fresh"]);
+        room.done(&with(&["--fresh"]));
+        assert_eq!(room.read("r/run.json"), record);
+    }
+}
+
 #[test]
 fn records_that_are_damaged_or_newer_are_said_to_be_so() {
     let room = Room::new();
     room.done(&REPLAY);
     let whole = String::from_utf8(room.read("r/run.json")).unwrap();
-    let elsewhere = whole.replacen("frames/frame-000000.png", "../../tiny.toml", 1);
-    let absolute = whole.replacen("frames/frame-000000.png", "/etc/passwd", 1);
+    let leads_to = |place| sealed_again(&whole.replacen("frames/frame-000000.png", place, 1));
+    let (elsewhere, absolute) = (leads_to("../../tiny.toml"), leads_to("/etc/passwd"));
     for (text, word) in [
         (&whole[..whole.len() / 2], "EOF while parsing"),
         ("{\"schema\": \"lunoid.run/2\"}", "missing field `format`"),
         (&whole.replace("lunoid.run/2", "lunoid.run/3"), "lunoid.run/3"),
         (&whole.replace("lunoid.run/2", "lunoid.run/1"), "lunoid.run/1"),
+        (&whole.replacen("\"format\": 2", "\"format\": 3", 1), "format 3, expected 1 to 2"),
         (&elsewhere, "it lists `../../tiny.toml`, expected files of its folder"),
         (&absolute, "it lists `/etc/passwd`"),
     ] {
@@ -149,11 +212,18 @@ fn damaged_frames_are_drawn_again_and_nothing_else() {
     assert_eq!(ours(content(&room.join("r"))), ours(whole));
 }
 
+/// The record as somebody seals it who has changed it.
+fn sealed_again(record: &str) -> String {
+    let end = record.rfind(",\n  \"seal\"").unwrap();
+    run_record::sealed(&format!("{}\n}}\n", &record[..end]))
+}
+
 /// The journal of a run that stops before its record is written.
 fn journal(record: &[u8]) -> Vec<u8> {
     let run: run_record::RunRecord = serde_json::from_slice(record).unwrap();
     let heading = format!("{{\"schema\":\"lunoid.journal/1\",\"fingerprint\":\"{}\"}}\n", run.fingerprint);
-    let lines = run.frames.iter().map(|frame| serde_json::to_string(frame).unwrap() + "\n");
+    let lines =
+        run.frames.iter().map(|frame| run_record::sealed(&serde_json::to_string(frame).unwrap()) + "\n");
     lines.fold(heading, |text, line| text + &line).into_bytes()
 }
 

@@ -26,12 +26,12 @@ use serde_json::json;
 use signal::Probe;
 
 use crate::fingerprint::Fingerprint;
-use crate::folder::{TRUTH, truth_name};
 use crate::held::{frame_range, whole, write_changed};
 use crate::job::{Control, Job, Progress};
 use crate::journal::{self, Journal};
+use crate::names::{TRUTH, truth_name};
 use crate::run::pretty;
-use crate::truth_files::{JOURNAL, POSES_CSV, POSES_JSON, RECORD};
+use crate::truth_files::{JOURNAL, POSES_CSV, POSES_JSON, RECORD, TRUTH_FILES};
 use crate::{HeldRun, ReplayError, RunFolder};
 use record::{FORMAT, Finished, truth_record};
 
@@ -106,7 +106,11 @@ impl<'a> Truth<'a> {
         (control.progress)(Progress::Verifying { frames: listed.len() as u64 });
         let listed = listed.into_values().collect();
         let check = || whole(listed, &folder.join(TRUTH), |frame: &TruthFrame| &frame.files);
-        let frames = control.pool.install(check).into_iter().map(|frame| (frame.frame, frame)).collect();
+        let frames: BTreeMap<_, _> =
+            control.pool.install(check).into_iter().map(|frame| (frame.frame, frame)).collect();
+        let missing = rows.iter().filter(|row| !frames.contains_key(&row.frame));
+        let names = missing.map(|row| truth_name(row.frame)).chain(TRUTH_FILES.map(str::to_owned));
+        folder.expect_own(names.map(|name| format!("{TRUTH}/{name}")))?;
         Ok(Self { job, items, folder, control, run, session, fingerprint, rows, frames })
     }
 

@@ -124,7 +124,7 @@ fn a_claim_without_a_run_leaves_nothing() {
     ));
 }
 
-/// A folder stands where a file should be written, for each file of a run in turn.
+/// A folder comes to stand where a file should be written, for each file of a run in turn.
 #[test]
 fn a_failing_write_is_one_error_and_can_be_resumed() {
     let at = tempdir().unwrap();
@@ -134,8 +134,7 @@ fn a_failing_write_is_one_error_and_can_be_resumed() {
     for (index, name) in names.iter().enumerate() {
         let out = at.path().join(index.to_string());
         let folder = RunFolder::claim(&out, false).unwrap();
-        fs::create_dir_all(out.join(name)).unwrap();
-        let failed = Wish::default().run_in(&folder);
+        let failed = Wish { blocked: Some(name), ..Wish::default() }.run_in(&folder);
         let Err(ReplayError::File(FileError::IsFolder { path, .. })) = failed else { panic!("{failed:?}") };
         assert_eq!(path, out.join(name));
         assert!(!out.join("run.json").exists());
@@ -145,8 +144,7 @@ fn a_failing_write_is_one_error_and_can_be_resumed() {
     for (index, name) in ["poses.csv", "contact-sheet.png", "run.json"].iter().enumerate() {
         let out = at.path().join(format!("late-{index}"));
         let folder = RunFolder::claim(&out, false).unwrap();
-        fs::create_dir(out.join(name)).unwrap();
-        let failed = Wish::default().run_in(&folder);
+        let failed = Wish { blocked: Some(name), ..Wish::default() }.run_in(&folder);
         assert!(failed.is_err(), "{name}");
         drop(folder);
         resume(&whole, &out, name);

@@ -82,8 +82,8 @@ fn a_killed_run_leaves_nothing_that_stays() {
     let text = fs::read_to_string(&journal).unwrap();
     fs::write(&journal, &text[..text.len() - 20]).unwrap();
     fs::write(out.join("frames/.frame-000008.png.77-1.tmp"), "half").unwrap();
-    fs::write(out.join("frames/frame-000010.png"), "stale").unwrap();
-    fs::write(out.join("frames/frame-000500.png"), "stray").unwrap();
+    fs::copy(whole.join("frames/frame-000004.png"), out.join("frames/frame-000010.png")).unwrap();
+    fs::copy(whole.join("frames/frame-000004.png"), out.join("frames/frame-000500.png")).unwrap();
     fs::write(out.join(".run.json.77-2.tmp"), "half").unwrap();
     fs::write(out.join(".lunoid.lock"), "77").unwrap();
     Wish::default().run(&out).unwrap();

@@ -65,6 +65,8 @@ pub struct Wish {
     pub fresh: bool,
     /// Cancel after so many frames.
     pub cancel_after: Option<u64>,
+    /// A folder that comes in the way of a file when drawing begins.
+    pub blocked: Option<&'static str>,
     /// Sweeps to be checked.
     pub check: u32,
     /// Shades of grey in the video, which is without noise if there is no number.
@@ -81,6 +83,7 @@ impl Default for Wish {
             scenario: SCENARIO.into(),
             fresh: false,
             cancel_after: None,
+            blocked: None,
             check: 0,
             grey: None,
         }
@@ -107,6 +110,9 @@ impl Wish {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(self.threads).build().expect("threads");
         let cancel = AtomicBool::new(self.cancel_after == Some(0));
         let progress = |progress| {
+            if let (Progress::Begins { .. }, Some(name)) = (progress, self.blocked) {
+                fs::create_dir_all(folder.path().join(name)).expect("a folder");
+            }
             if let (Progress::Frame { done }, Some(after)) = (progress, self.cancel_after)
                 && done >= after
             {

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use picture::encode_png;
+use picture::{SOFTWARE, encode_png};
 use scenario::Display;
 use scope::{Choice, Looking, ScopeError, Written, sweep_space};
 use signal::{Axis, Signal};
@@ -62,8 +62,7 @@ impl ProbeCommand {
         let waveforms = look.at(names, sweeps)?;
         let picture = sweep_space(&waveforms, &choice.wires[0].signal, display)?;
         let text = format!("frame {}: {}, a column a sweep", self.chosen.frame, choice.names()[0]);
-        let png = encode_png(&picture, &[("Software", "lunoid"), ("Description", &text)])
-            .map_err(ScopeError::Picture)?;
+        let png = encode_png(&picture, &[SOFTWARE, ("Description", &text)]).map_err(ScopeError::Picture)?;
         files::write_atomic(&self.out, |out| out.write_all(&png))?;
         Ok(Written { estimate: 0, files: vec![self.out.clone()] })
     }

@@ -16,8 +16,8 @@ use picture::Depth;
 use quantities::Rate;
 use rayon::ThreadPool;
 use replay::{
-    Control, HeldRun, Job, Outcome, Phase, Pictures, RunFolder, TruthItems, TruthOutcome, is_run_file, run,
-    write_truth, write_y4m,
+    Control, HeldRun, Job, Outcome, PAGE, PAGE_DATA, Phase, Pictures, ReplayError, RunFolder, TruthItems,
+    TruthOutcome, is_run_file, run, write_truth, write_y4m,
 };
 use run_page::{Making, Request, check};
 use run_record::Program;
@@ -144,7 +144,7 @@ impl Replay {
         let lines = generator.scan(&opened.settings.view()).map_or(0, |scan| scan.timebase.sweeps);
         check(&self.probe, &frames, lines, generator)?;
         let pool = self.threads.pool()?;
-        let folder = RunFolder::claim(&out, self.fresh)?;
+        let folder = self.claim(&out)?;
         interrupt::listen();
         let read = Phase::since("read", start);
         let start = Instant::now();
@@ -153,6 +153,14 @@ impl Replay {
         let job = self.job(&opened, built, frames);
         let (outcome, truth) = self.draw((&stage, phases), &opened, &job, &folder, &pool)?;
         self.tell(&opened, &folder, outcome, truth)
+    }
+
+    /// The run folder, with room for the run's page where one is to be written.
+    fn claim(&self, out: &Path) -> Result<RunFolder, ReplayError> {
+        let folder = RunFolder::claim(out, self.fresh)?;
+        let page = if self.no_page { &[][..] } else { &[PAGE, PAGE_DATA] };
+        folder.expect_own(page.iter().map(|name| (*name).to_owned()))?;
+        Ok(folder)
     }
 
     fn stage(&self, machine: Option<String>) -> StageArgs {

@@ -7,7 +7,7 @@ use std::time::Instant;
 use files::Kind;
 use generator::Stage;
 use rayon::ThreadPool;
-use replay::{Job, Outcome, Phase, RUN_RECORD, ReplayError, RunFolder};
+use replay::{Job, Outcome, Phase, RUN_RECORD, ReplayError};
 use report::{SIDE_BY_SIDE, write_side_by_side};
 use serde_json::{Value, json};
 
@@ -43,7 +43,7 @@ impl Replay {
         let stages = stages(&mut entries, &pool)?;
         let jobs = entries.iter().zip(stages).map(|(entry, stage)| self.drawable(entry, stage, &pool));
         let jobs = jobs.collect::<Result<Vec<_>, _>>()?;
-        let claim = |entry: &Entry| RunFolder::claim(&out.join(&entry.name), self.fresh);
+        let claim = |entry: &Entry| self.claim(&out.join(&entry.name));
         let folders = entries.iter().map(claim).collect::<Result<Vec<_>, _>>()?;
         let mut summaries = Vec::new();
         for ((Entry { name, stage, opened, phases }, job), folder) in entries.iter().zip(&jobs).zip(&folders)

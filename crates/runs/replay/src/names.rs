@@ -1,0 +1,125 @@
+//! Names of the files that a run writes, counted from its folder, with `/`.
+
+use crate::held::RUN_RECORD;
+use crate::journal::JOURNAL;
+use crate::truth_files::TRUTH_FILES;
+
+/// Frames of a run.
+pub(crate) const FRAMES: &str = "frames";
+/// Folder of the ground truth.
+pub(crate) const TRUTH: &str = "truth";
+/// File of the wall times.
+pub(crate) const PERFORMANCE: &str = "performance.json";
+/// Where the eye was.
+pub(crate) const POSES: &str = "poses.csv";
+/// From pixel to ray.
+pub(crate) const CAMERA: &str = "camera.json";
+/// Some frames side by side.
+pub(crate) const CONTACT_SHEET: &str = "contact-sheet.png";
+/// The film that a browser plays.
+pub(crate) const ANIMATION: &str = "animation.png";
+/// The page of the run, which whoever asked for the run writes.
+pub const PAGE: &str = "index.html";
+/// What the page shows beside the record.
+pub const PAGE_DATA: &str = "page.json";
+/// Plots of recorded sweeps.
+pub const SCOPES: &str = "scopes";
+/// Media type of a plot.
+pub const SCOPE_KIND: &str = "image/svg+xml";
+
+/// A film for other programs, which its user may put there.
+const FILM: &str = "video.y4m";
+
+/// Every file that a run writes beside its folders. Files are removed from the last to the first, so that what a kill leaves is still
+/// known as a run's.
+pub(crate) const OWN: [&str; 9] =
+    [RUN_RECORD, JOURNAL, PERFORMANCE, POSES, CAMERA, CONTACT_SHEET, ANIMATION, PAGE, PAGE_DATA];
+
+/// Folders that a run makes in its own.
+pub(crate) const FOLDERS: [&str; 3] = [FRAMES, TRUTH, SCOPES];
+
+/// Whether a run writes a file of this name, or its user may put the film there.
+pub(crate) fn is_own(name: &str) -> bool {
+    name == FILM || is_run_file(name)
+}
+
+/// Whether a run writes a file of this name, counted from its folder, with `/`.
+pub fn is_run_file(name: &str) -> bool {
+    match name.split_once('/') {
+        None => OWN.contains(&name),
+        Some((FRAMES, name)) => frame_index(name).is_some(),
+        Some((SCOPES, name)) => scope_frame(name).is_some(),
+        Some((TRUTH, name)) => truth_index(name).is_some() || TRUTH_FILES.contains(&name),
+        Some(_) => false,
+    }
+}
+
+/// Name of a picture from the run folder: the index goes on from 0 for the whole mission.
+pub fn picture_name(index: u64) -> String {
+    format!("{FRAMES}/frame-{index:06}.png")
+}
+
+pub(crate) fn frame_index(name: &str) -> Option<u64> {
+    let digits = name.strip_prefix("frame-")?.strip_suffix(".png")?;
+    let index = digits.parse().ok()?;
+    (picture_name(index).ends_with(name)).then_some(index)
+}
+
+/// Name of the plot of a sweep from the run folder.
+pub fn scope_name(frame: u64, sweep: u32) -> String {
+    format!("{SCOPES}/frame-{frame:06}-sweep-{sweep:04}.svg")
+}
+
+pub(crate) fn scope_frame(name: &str) -> Option<u64> {
+    let (frame, sweep) = name.strip_prefix("frame-")?.strip_suffix(".svg")?.split_once("-sweep-")?;
+    let (frame, sweep) = (frame.parse().ok()?, sweep.parse().ok()?);
+    scope_name(frame, sweep).ends_with(&format!("/{name}")).then_some(frame)
+}
+
+/// Name of the truth of a frame, from the folder of the truth.
+pub(crate) fn truth_name(frame: u64) -> String {
+    format!("frame-{frame:06}.npz")
+}
+
+pub(crate) fn truth_index(name: &str) -> Option<u64> {
+    let frame = name.strip_prefix("frame-")?.strip_suffix(".npz")?.parse().ok()?;
+    (truth_name(frame) == name).then_some(frame)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{frame_index, is_run_file, picture_name, scope_frame, scope_name, truth_index, truth_name};
+
+    #[test]
+    fn files_of_a_run_by_name() {
+        for own in
+            ["run.json", "frames/frame-000012.png", "truth/truth.json", "scopes/frame-000012-sweep-0500.svg"]
+        {
+            assert!(is_run_file(own), "{own}");
+        }
+        for foreign in ["video.y4m", "x.json", "frames/run.json", "frames/x.png", "truth/x.npz", "a/run.json"]
+        {
+            assert!(!is_run_file(foreign), "{foreign}");
+        }
+    }
+
+    #[test]
+    fn only_names_that_a_run_writes_are_frames() {
+        assert_eq!(picture_name(12), "frames/frame-000012.png");
+        assert_eq!(picture_name(1_234_567), "frames/frame-1234567.png");
+        assert_eq!(frame_index("frame-000012.png"), Some(12));
+        for foreign in ["frame-12.png", "frame-000012.jpg", "frame--00012.png", "frame-+00012.png", "x.png"] {
+            assert_eq!(frame_index(foreign), None, "{foreign}");
+        }
+        assert_eq!(scope_name(12, 500), "scopes/frame-000012-sweep-0500.svg");
+        assert_eq!(scope_frame("frame-000012-sweep-0500.svg"), Some(12));
+        for foreign in ["frame-12-sweep-500.svg", "frame-000012.svg", "frame-000012-sweep-0500.png", "x.svg"]
+        {
+            assert_eq!(scope_frame(foreign), None, "{foreign}");
+        }
+        assert_eq!(truth_index(&truth_name(12)), Some(12));
+        for foreign in ["frame-12.npz", "frame-000012.npy", "frame_000012.npz", "frame-+00012.npz"] {
+            assert_eq!(truth_index(foreign), None, "{foreign}");
+        }
+    }
+}
