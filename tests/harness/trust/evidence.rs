@@ -26,6 +26,8 @@ pub enum Form {
     Coverage,
     /// The lines that it printed.
     Lines,
+    /// The tests that it ran, with how each ended.
+    Tests,
 }
 
 /// All of it, in the order of the page: closed forms first, then a second computation, then what is only unchanged.
@@ -89,6 +91,18 @@ pub const EVIDENCE: &[Evidence] = &[
         title: "Damaged and hostile files",
         command: "cargo test --quiet -p lunoid-tests --test hostile_long -- --nocapture long_",
         form: Form::Lines,
+    },
+    Evidence {
+        name: "elevation",
+        title: "Elevation files as GDAL reads them",
+        command: "env LUNOID_GDAL_PYTHON=../../../runs/gdal/bin/python cargo test --quiet -p survey --test elevation -- --nocapture as_gdal_reads_them",
+        form: Form::Lines,
+    },
+    Evidence {
+        name: "attacks",
+        title: "Attacks on folders, records, locks and limits",
+        command: "cargo test -p lunoid --test bad_input attacks",
+        form: Form::Tests,
     },
     Evidence {
         name: "fuzz",

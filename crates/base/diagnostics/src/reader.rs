@@ -244,22 +244,31 @@ fn list_of_keys(known: &[&str]) -> String {
     }
 }
 
-/// The known word most like `word`, where one is alike at all.
-pub fn nearest<'k>(word: &str, known: &[&'k str]) -> Option<&'k str> {
-    // The likeness from which clap, too, offers a suggestion.
-    const ALIKE: f64 = 0.7;
-    let scored = known.iter().map(|known| (strsim::jaro(word, known), *known));
-    let alike = scored.filter(|(likeness, _)| *likeness > ALIKE);
-    alike.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, known)| known)
+/// The likeness from which clap, too, offers a suggestion.
+const ALIKE: f64 = 0.7;
+
+fn is_alike(word: &str, known: &str) -> bool {
+    strsim::jaro(word, known) > ALIKE
 }
 
-/// The file beside a path that nobody finds whose name is most like it, if one is alike at all.
+/// The known word most like `word`, where one is alike at all.
+pub fn nearest<'k>(word: &str, known: &[&'k str]) -> Option<&'k str> {
+    let alike = known.iter().filter(|known| is_alike(word, known));
+    let scored = alike.map(|known| (strsim::jaro(word, known), *known));
+    scored.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, known)| known)
+}
+
+/// The file beside a path that nobody finds whose name is most like it, if one is alike at all. Endings count only where the names are alike
+/// without them.
 pub fn similar_file(path: &Path) -> Option<PathBuf> {
     let folder = path.parent()?;
     let listed = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
     let entries = fs::read_dir(listed).ok()?.filter_map(Result::ok);
     let mut names: Vec<String> = entries.filter_map(|entry| entry.file_name().into_string().ok()).collect();
     names.sort();
-    let known: Vec<&str> = names.iter().map(String::as_str).collect();
-    nearest(path.file_name()?.to_str()?, &known).map(|name| folder.join(name))
+    let stem = |name: &str| name.split('.').next().unwrap_or_default().to_owned();
+    let wanted = path.file_name()?.to_str()?;
+    let known: Vec<&str> =
+        names.iter().map(String::as_str).filter(|name| is_alike(&stem(wanted), &stem(name))).collect();
+    nearest(wanted, &known).map(|name| folder.join(name))
 }

@@ -28,11 +28,18 @@ where
     }
 }
 
-/// A scenario: a path, or the name of a file in `scenarios/` of the current folder, without its ending.
+/// Folders of the current one in which a scenario goes by its name.
+const SCENARIOS: [&str; 2] = ["scenarios", "scenarios/real"];
+
+/// A scenario: a path, or the name of a file in one of [`SCENARIOS`], with its ending or without.
 pub fn scenario(text: &str) -> Result<PathBuf, Infallible> {
-    let (path, folder) = (PathBuf::from(text), Path::new("scenarios"));
-    let is_name = !text.contains(['/', '\\', '.']) && !path.exists() && folder.is_dir();
-    Ok(if is_name { folder.join(format!("{text}.toml")) } else { path })
+    let path = PathBuf::from(text);
+    let name = text.strip_suffix(".toml").unwrap_or(text);
+    if name.contains(['/', '\\', '.']) || path.exists() || !Path::new(SCENARIOS[0]).is_dir() {
+        return Ok(path);
+    }
+    let named = SCENARIOS.map(|folder| Path::new(folder).join(format!("{name}.toml")));
+    Ok(named.iter().find(|file| file.exists()).unwrap_or(&named[0]).clone())
 }
 
 /// Reads a setting `key=value`.

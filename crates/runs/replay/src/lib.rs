@@ -46,7 +46,7 @@ pub use film::write_y4m;
 pub use folder::RunFolder;
 pub use held::{HeldRun, RUN_RECORD};
 pub use job::{Control, Job, Pictures, Progress};
-pub use names::{PAGE, PAGE_DATA, SCOPE_KIND, SCOPES, is_run_file, picture_name, scope_name};
+pub use names::{CONTACT_SHEET, PAGE, PAGE_DATA, SCOPE_KIND, SCOPES, is_run_file, picture_name, scope_name};
 pub use performance::{Phase, peak_memory};
 pub use picture_png::picture_png;
 pub use run::{Outcome, run};

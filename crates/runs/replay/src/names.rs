@@ -15,7 +15,7 @@ pub(crate) const POSES: &str = "poses.csv";
 /// From pixel to ray.
 pub(crate) const CAMERA: &str = "camera.json";
 /// Some frames side by side.
-pub(crate) const CONTACT_SHEET: &str = "contact-sheet.png";
+pub const CONTACT_SHEET: &str = "contact-sheet.png";
 /// The film that a browser plays.
 pub(crate) const ANIMATION: &str = "animation.png";
 /// The page of the run, which whoever asked for the run writes.

@@ -166,7 +166,7 @@ fn one_error_names_file_and_place() {
     for (from, to, parts) in [
         ("format = 2", "format = 3", &["some/cartridge.toml: ", "format = 3: expected 2"][..]),
         ("format = 2\n", "", &["format", "expected"]),
-        ("title = \"A flat", "title = A flat", &["line 2"]),
+        ("title = \"A flat", "title = A flat", &["line 3"]),
         ("albedo =", "albido =", &["albido", "albedo"]),
         ("albedo = 0.8", "albedo = 1.8", &["scene: albedo = 1.8: expected 0 to 1"]),
         ("albedo = 0.8", "albedo = nan", &["scene.albedo = NaN: expected a number"]),

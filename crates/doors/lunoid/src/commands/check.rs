@@ -13,6 +13,7 @@ use limits::Limit;
 use serde_json::{Value, json};
 
 use crate::output::{Colour, print, print_json, tell, warn};
+use crate::values;
 use crate::{Failure, Verdict};
 
 const AFTER: &str = "Example:
@@ -26,8 +27,8 @@ generator ran on and cartridges are read too. Exit code 3 if there is any fault.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]
 pub struct Check {
-    /// The files to check.
-    #[arg(required = true)]
+    /// The files to check; a scenario also by its name in `scenarios/`.
+    #[arg(required = true, value_parser = values::scenario)]
     files: Vec<PathBuf>,
     /// Print the result as JSON.
     #[arg(long)]

@@ -15,6 +15,11 @@ const AFTER: &str = "Example:
 
 The pages say what --help says. They are lunoid.1 and, for each command, one such as lunoid-replay.1.";
 
+/// How the head of every page begins.
+const HEAD: &[u8] = b".TH lunoid";
+/// Largest page that is read back (bytes).
+const MOST_BYTES: u64 = 1 << 20;
+
 /// Write the manual: a page for each command, or print its first page.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]
@@ -32,6 +37,7 @@ impl ManCommand {
             return Ok(Verdict::Yes);
         };
         files::make_folder(folder)?;
+        expect_no_page_of_others(folder, whole, "lunoid")?;
         let mut written = 0;
         write_pages(folder, whole, "lunoid", &mut written)?;
         print(&format!("{}: {written} pages\n", folder.display()))?;
@@ -39,15 +45,38 @@ impl ManCommand {
     }
 }
 
+/// Nobody else has a file where a page is to be written.
+fn expect_no_page_of_others(folder: &Path, of: &clap::Command, name: &str) -> Result<(), Failure> {
+    let path = folder.join(format!("{name}.1"));
+    let is_page = |path: &Path| {
+        files::read_all(path, MOST_BYTES).is_ok_and(|text| text.windows(HEAD.len()).any(|at| at == HEAD))
+    };
+    if path.exists() && !is_page(&path) {
+        let path = path.display();
+        return Err(Failure::output(format!(
+            "{path}: this file is no page of the manual; choose another --out"
+        )));
+    }
+    let mut below = pages_below(of, name);
+    below.try_for_each(|(below, name)| expect_no_page_of_others(folder, below, &name))
+}
+
+/// Commands below a command that have a page, each with its name.
+fn pages_below<'c>(
+    of: &'c clap::Command,
+    name: &'c str,
+) -> impl Iterator<Item = (&'c clap::Command, String)> {
+    let below = of.get_subcommands().filter(|below| !below.is_hide_set() && below.get_name() != "help");
+    below.map(move |below| (below, format!("{name}-{}", below.get_name())))
+}
+
 /// Writes the page of a command, and those of the commands below it.
 fn write_pages(folder: &Path, of: &clap::Command, name: &str, written: &mut u32) -> Result<(), Failure> {
     let text = page(of, name)?;
     files::write_atomic(folder.join(format!("{name}.1")), |out| out.write_all(&text))?;
     *written += 1;
-    let below = of.get_subcommands().filter(|below| !below.is_hide_set() && below.get_name() != "help");
-    below
-        .into_iter()
-        .try_for_each(|below| write_pages(folder, below, &format!("{name}-{}", below.get_name()), written))
+    let mut below = pages_below(of, name);
+    below.try_for_each(|(below, name)| write_pages(folder, below, &name, written))
 }
 
 /// The page of a command, called `name` in its head.

@@ -60,7 +60,8 @@ pub struct ProbeCommand {
     #[command(flatten)]
     chosen: FrameArgs,
     /// Sweeps, from 0 at the left: S, S..T without T, or all.
-    #[arg(long, value_name = "S[..T]", value_parser = span, default_value = "..", required_unless_present = "line")]
+    #[arg(long, value_name = "S[..T]", value_parser = span, default_value = "..", hide_default_value = true,
+          required_unless_present = "line")]
     sweep: Span,
     /// Lines that the read beam scans, in the order of time, instead of sweeps: L, L..M without M, or all. With two fields a picture
     /// the lines of the first field come first. The signal is tube.video.

@@ -24,9 +24,15 @@ use pages::{Kind, Written, root};
 use workspace::Workspace;
 
 /// Commands of others that stand in blocks of a shell.
-const OTHERS: [&str; 7] = ["alias", "ffmpeg", "gtkwave", "ngspice", "rustup", "tests/fuzz/run", "xdg-open"];
+const OTHERS: [&str; 8] =
+    ["alias", "cp", "ffmpeg", "gtkwave", "ngspice", "rustup", "tests/fuzz/run", "xdg-open"];
 /// Folders of the repository that commands name files in.
 const FOLDERS: [&str; 5] = ["scenarios/", "hardware-models/", "tests/", "crates/", "docs/"];
+
+/// Options that name a file or a folder to be written.
+const OUTPUTS: [&str; 7] = ["--out", "-o", "--picture", "--waveforms", "--timing", "--junit", "--y4m"];
+/// Where the commands of pages may write: what is not kept, the standard output, and what the repository keeps of what it makes.
+const WRITABLE: [&str; 6] = ["runs/", "-", "docs/", "tests/", "crates/", "scenarios/real/"];
 
 /// What is wrong with a written command, if anything.
 fn fault(written: &Written, workspace: &Workspace) -> Result<(), String> {
@@ -42,7 +48,18 @@ fn fault(written: &Written, workspace: &Workspace) -> Result<(), String> {
         other if OTHERS.contains(&other) => {}
         other => return Err(format!("`{other}` is neither lunoid nor cargo; expected one of {OTHERS:?}")),
     }
+    if written.kind == Kind::Line && written.place.contains(".md") {
+        words.windows(2).try_for_each(|pair| expect_kept_apart(pair[0], pair[1]))?;
+    }
     words.iter().try_for_each(|word| expect_file(word))
+}
+
+/// Commands of pages leave their files where nothing of the repository is.
+fn expect_kept_apart(option: &str, path: &str) -> Result<(), String> {
+    if !OUTPUTS.contains(&option) || WRITABLE.iter().any(|folder| path.starts_with(folder)) {
+        return Ok(());
+    }
+    Err(format!("{option} {path}: expected a place below runs/"))
 }
 
 /// Whether the program takes the words.
@@ -108,7 +125,7 @@ fn stale_lines_are_noticed() {
     let workspace = Workspace::read();
     let refused = |kind: Kind, line: &str| {
         let written =
-            Written { place: "here".into(), kind, words: line.split(' ').map(str::to_owned).collect() };
+            Written { place: "here.md".into(), kind, words: line.split(' ').map(str::to_owned).collect() };
         fault(&written, &workspace).is_err()
     };
     for stale in [
@@ -116,6 +133,7 @@ fn stale_lines_are_noticed() {
         "lunoid replya scenarios/first-light.toml",
         "lunoid replay",
         "lunoid replay scenarios/first-light.toml --swepes 100",
+        "lunoid replay scenarios/first-light.toml --out picture",
         "lunoid replay scenarios/first-night.toml",
         "lunoid lockstep scenarios/first-light.toml --random 3",
         "lunoit replay scenarios/first-light.toml",

@@ -69,4 +69,25 @@ fn scenarios_go_by_name() {
     let (_, err) = scene.expect(3, &["replay", "scenarios/tiny.tml", "--out", "run2"]);
     assert!(err.contains("did you mean scenarios/tiny.toml?"), "{err}");
     assert!(!scene.join("run2").exists());
+    std::fs::create_dir(scene.join("scenarios/real")).unwrap();
+    std::fs::copy(scene.join("scenarios/tiny.toml"), scene.join("scenarios/real/other.toml")).unwrap();
+    std::fs::write(scene.join("clippy.toml"), "").unwrap();
+    scene.expect(0, &["check", "tiny", "tiny.toml", "other"]);
+    let (_, err) = scene.expect(3, &["replay", "full-drive.toml", "--out", "run2"]);
+    assert!(
+        err.contains("scenarios/full-drive.toml: no such file") && !err.contains("did you mean"),
+        "{err}"
+    );
+}
+
+/// A file that only has the name of a page stays.
+#[test]
+fn pages_of_the_manual_replace_pages_alone() {
+    let scene = Scene::new();
+    scene.expect(0, &["man", "--out", "m"]);
+    scene.expect(0, &["man", "--out", "m"]);
+    std::fs::write(scene.join("m/lunoid-replay.1"), "mine").unwrap();
+    let (_, err) = scene.expect(4, &["man", "--out", "m"]);
+    assert!(err.contains("lunoid-replay.1: this file is no page of the manual"), "{err}");
+    assert_eq!(std::fs::read(scene.join("m/lunoid-replay.1")).unwrap(), b"mine");
 }

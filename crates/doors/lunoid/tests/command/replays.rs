@@ -40,7 +40,7 @@ fn a_scenario_becomes_a_folder() {
     );
     assert!(!text.is_empty() && record["model"]["values"].as_array().unwrap().len() > 10);
     let (again, _) = scene.expect(0, &["replay", "tiny.toml"]);
-    assert_eq!(again, "runs/tiny: frames 0..4, all there already\n");
+    assert_eq!(again, "runs/tiny: frames 0..4, all there already\nopen runs/tiny/index.html\n");
     let (info, _) = scene.expect(0, &["info", "runs/tiny"]);
     assert!(info.contains("frames 0..4 of \"Tiny\" by hybrid (ideal), 40 sweeps of 80 samples"), "{info}");
 }

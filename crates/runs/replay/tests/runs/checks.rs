@@ -34,7 +34,7 @@ fn a_check_says_how_far_the_run_is_off() {
     assert!(before["check"].is_null());
     let check = after["check"].take();
     before["check"].take();
-    [&mut before, &mut after].map(|record| record["seal"].take());
+    [&mut before, &mut after].into_iter().for_each(|record| drop(record["seal"].take()));
     assert_eq!(before, after);
     assert_eq!((check["sweeps"].as_u64(), check["checked"].as_array().unwrap().len()), (Some(24), 24));
     let frames: Vec<u64> =

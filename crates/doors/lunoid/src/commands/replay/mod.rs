@@ -16,12 +16,12 @@ use picture::Depth;
 use quantities::Rate;
 use rayon::ThreadPool;
 use replay::{
-    Control, HeldRun, Job, Outcome, PAGE, PAGE_DATA, Phase, Pictures, ReplayError, RunFolder, TruthItems,
-    TruthOutcome, is_run_file, run, write_truth, write_y4m,
+    CONTACT_SHEET, Control, HeldRun, Job, Outcome, PAGE, PAGE_DATA, Phase, Pictures, ReplayError, RunFolder,
+    TruthItems, TruthOutcome, is_run_file, run, write_truth, write_y4m,
 };
 use run_page::{Making, Request, check};
 use run_record::Program;
-use serde_json::{Value, json};
+use serde_json::json;
 
 use crate::cli::{COMMIT, RESULT_FAMILY};
 use crate::commands::words::words;
@@ -30,7 +30,7 @@ use crate::loading::{PreviewArgs, StageArgs, StageOptions, Threads, choose_frame
 use crate::output::{Place, expect_outputs, print, print_json, tell};
 use crate::progress::Saying;
 use crate::{Failure, Verdict, values};
-use summary::Summary;
+use summary::{Summary, losses};
 use text::{Span, visible};
 
 const AFTER: &str = "Examples:
@@ -277,12 +277,16 @@ impl Replay {
             }
             (Outcome::Finished { frames, drawn, limits, performance }, truth) => {
                 self.write_film(opened, folder)?;
+                let held = HeldRun::read(folder.path())?;
+                let first = if self.no_page { CONTACT_SHEET } else { PAGE };
                 let summary = Summary {
                     folder: folder.path(),
                     frames: [frames.start, frames.end],
                     drawn,
                     truth,
-                    check: self.held_check(folder)?,
+                    check: held.check.as_ref().filter(|_| self.check > 0).map(|check| json!(check)),
+                    losses: losses(&held),
+                    open: Some(folder.path().join(first)),
                     limits: limits.iter().map(ToString::to_string).collect(),
                     performance: &performance,
                 };
@@ -290,14 +294,6 @@ impl Replay {
                 Ok(Verdict::Yes)
             }
         }
-    }
-
-    /// The check that was asked for, made now or before.
-    fn held_check(&self, folder: &RunFolder) -> Result<Option<Value>, Failure> {
-        if self.check == 0 {
-            return Ok(None);
-        }
-        Ok(HeldRun::read(folder.path())?.check.as_ref().map(|check| json!(check)))
     }
 
     fn write_film(&self, opened: &Opened, folder: &RunFolder) -> Result<(), Failure> {

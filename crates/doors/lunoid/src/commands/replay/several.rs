@@ -7,11 +7,11 @@ use std::time::Instant;
 use files::Kind;
 use generator::Stage;
 use rayon::ThreadPool;
-use replay::{Job, Outcome, Phase, RUN_RECORD, ReplayError};
+use replay::{HeldRun, Job, Outcome, Phase, RUN_RECORD, ReplayError};
 use report::{SIDE_BY_SIDE, write_side_by_side};
 use serde_json::{Value, json};
 
-use super::summary::Summary;
+use super::summary::{Summary, losses};
 use super::{Replay, interrupted};
 use crate::interrupt;
 use crate::loading::{StageArgs, choose_frames};
@@ -62,6 +62,8 @@ impl Replay {
                         drawn,
                         truth: None,
                         check: None,
+                        losses: losses(&HeldRun::read(folder.path())?),
+                        open: None,
                         limits: limits.iter().map(ToString::to_string).collect(),
                         performance: &performance,
                     };
@@ -81,7 +83,7 @@ impl Replay {
                 "side_by_side": figures,
             }))?,
             (_, true) => {}
-            _ => print(&format!("{}{}\n", texts.concat(), page.display()))?,
+            _ => print(&format!("{}open {}\n", texts.concat(), page.display()))?,
         }
         Ok(Verdict::Yes)
     }

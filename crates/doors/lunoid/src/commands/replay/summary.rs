@@ -1,8 +1,9 @@
 //! What a finished run comes to, in words and as JSON.
 
-use std::path::Path;
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
 
-use replay::TruthOutcome;
+use replay::{HeldRun, TruthOutcome};
 use serde_json::{Value, json};
 
 use text::rate;
@@ -16,7 +17,21 @@ pub struct Summary<'a> {
     /// As it stands in the record of the run, where one was asked for.
     pub check: Option<Value>,
     pub limits: Vec<String>,
+    /// What the frames lack that the scene has, with its number: late words, dropped features.
+    pub losses: Vec<(String, u64)>,
+    /// The file to look at first, where this run has one of its own.
+    pub open: Option<PathBuf>,
     pub performance: &'a Value,
+}
+
+/// Counters of faults begin with one of these words.
+const LOSSES: [&str; 2] = ["late_", "dropped_"];
+
+/// The counters of faults of a run that are not 0.
+pub fn losses(run: &HeldRun) -> Vec<(String, u64)> {
+    let is_loss = |name: &str| LOSSES.iter().any(|word| name.starts_with(word));
+    let lost = run.totals.named().filter(|(name, count)| *count > 0 && is_loss(name));
+    lost.map(|(name, count)| (name.to_owned(), count)).collect()
 }
 
 impl Summary<'_> {
@@ -31,6 +46,8 @@ impl Summary<'_> {
             "truth": self.truth.map(|truth| json!({ "frames": truth.frames, "made": truth.made })),
             "check": self.check,
             "limits": self.limits,
+            "losses": self.losses.iter().cloned().collect::<BTreeMap<_, _>>(),
+            "open": self.open.as_ref().map(|path| path.display().to_string()),
             "performance": self.performance,
         })
     }
@@ -49,7 +66,12 @@ impl Summary<'_> {
         });
         let limits = self.limits.iter().map(|limit| format!("  beyond the vehicle: {limit}\n"));
         let check = self.check.as_ref().map(checked);
-        text.trim_end().to_owned() + "\n" + &truth.into_iter().chain(check).chain(limits).collect::<String>()
+        let losses: Vec<String> =
+            self.losses.iter().map(|(name, count)| format!("{count} {}", name.replace('_', " "))).collect();
+        let losses = (!losses.is_empty()).then(|| format!("  in all frames: {}\n", losses.join(", ")));
+        let open = self.open.as_ref().map(|path| format!("open {}\n", path.display()));
+        let lines = truth.into_iter().chain(check).chain(limits).chain(losses).chain(open);
+        text.trim_end().to_owned() + "\n" + &lines.collect::<String>()
     }
 
     fn rates(&self) -> String {

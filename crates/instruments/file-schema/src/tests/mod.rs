@@ -1,4 +1,8 @@
-//! The committed schemas are those of the readers, every key of the pages is in them, and shipped files fit.
+//! The committed schemas are those of the readers, every key of the pages is in them, and shipped files fit and name them.
+
+mod lines;
+mod random;
+mod taplo;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,8 +15,8 @@ use serde_json::Value;
 
 use crate::{Keys, MODEL, Meanings, SCENARIO, Told};
 
-const SCENARIO_PAGE: &str = include_str!("../../../../docs/scenario-format.md");
-const MODEL_PAGE: &str = include_str!("../../../../docs/hardware-model-format.md");
+const SCENARIO_PAGE: &str = include_str!("../../../../../docs/scenario-format.md");
+const MODEL_PAGE: &str = include_str!("../../../../../docs/hardware-model-format.md");
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..")
@@ -207,6 +211,24 @@ fn shipped_files_fit() {
         .into_iter()
         .chain(files("hardware-models/faults"))
         .for_each(|path| of(&model, path));
+}
+
+/// An editor finds the schema of a shipped file by the file's first line.
+#[test]
+fn shipped_files_name_their_schema() {
+    let kinds = [("scenarios", "scenario"), ("hardware-models", "hardware-model")];
+    for (folder, kind) in kinds {
+        let below = if kind == "scenario" { "real" } else { "faults" };
+        for path in files(folder).into_iter().chain(files(&format!("{folder}/{below}"))) {
+            let text = fs::read_to_string(&path).expect("a text");
+            let named =
+                text.lines().next().and_then(|line| line.strip_prefix("#:schema ")).unwrap_or_default();
+            let schema = path.parent().expect("a folder").join(named);
+            let expected = root().join(format!("docs/schema/{kind}.schema.json"));
+            let is_there = |path: &Path| path.canonicalize().expect("a schema");
+            assert_eq!(is_there(&schema), is_there(&expected), "{}", path.display());
+        }
+    }
 }
 
 /// What the schema refuses, the reader refuses: one change of a shipped file each.
