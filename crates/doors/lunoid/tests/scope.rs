@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 use assert_cmd::Command;
 
 const PAGE: &str = "docs/scope.md";
-const PICTURES: [&str; 4] = ["height-and-reflectivity", "shadow-gates", "projection", "lunsim-row"];
+const PICTURES: [&str; 5] =
+    ["height-and-reflectivity", "shadow-gates", "projection", "lunsim-row", "sweep-x-over-y"];
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..")
@@ -76,4 +77,8 @@ fn places_that_cannot_be_are_refused() {
     refused(&["--signals", "tg.height", "--cursor", "near"], "ground range in metres");
     refused(&["--signals", "tg.height", "--from", "50", "--to", "20"], "upper end above the lower");
     refused(&["--signals", "sm.write"], "none of them runs along the sweep");
+    refused(&["--signals", "sweep.x", "--axis", "xy"], "--signals names 1; expected two analog signals");
+    refused(&["--signals", "sweep.x,sc.gate", "--axis", "xy"], "sc.gate is no analog signal along a sweep");
+    refused(&["--signals", "sweep.x,sweep.y", "--axis", "xy", "--linear"], "--axis xy has no ground range");
+    refused(&["--signals", "sweep.x,sweep.y", "--axis", "xy", "--cursor", "5000"], "the samples lie from");
 }

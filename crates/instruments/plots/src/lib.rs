@@ -3,6 +3,7 @@
 //! - [`bank_picture`]: shaded ground in the colours of its height, with contours and axes.
 //! - [`survey_picture`]: fitted ground beside the residuals of its samples, with their histogram.
 //! - [`scope_picture`]: one sweep as on an oscilloscope with a logic analyser.
+//! - [`xy_picture`]: one signal over another, as an oscilloscope in X-Y.
 //! - [`trace_picture`]: waveforms and digital lines against a common axis, as on an oscilloscope.
 //! - [`timeline_picture`]: digital events of one sweep, register by register, below its ramps.
 //! - [`bar_picture`]: histograms of one kind below one another.
@@ -45,6 +46,7 @@ mod survey_picture;
 mod svg;
 mod timeline_picture;
 mod trace_picture;
+mod xy_picture;
 
 pub use axis::{Axis, Scale};
 pub use bank_picture::{BankLook, bank_picture};
@@ -62,3 +64,4 @@ pub use scope::{
 pub use survey_picture::{SurveyLook, survey_picture};
 pub use timeline_picture::{EventLane, Span, Stops, Stretch, Timeline, timeline_picture};
 pub use trace_picture::{Lane, Panel, Trace, TraceLook, trace_picture};
+pub use xy_picture::{Xy, xy_picture};

@@ -301,7 +301,7 @@ fn bytes_do_not_depend_on_the_machine() {
         [page.svg().as_bytes(), page.rgb()].map(|bytes| blake3::hash(bytes).to_hex()[..16].to_owned())
     };
     let found = [of(Theme::Light, Along::LogRange), of(Theme::Dark, Along::Time)];
-    assert_eq!(found, [["d478ad225c1e31ba", "57cd5a7d2122b28f"], ["7bd26937ac05d9d7", "7df170c8e2ed32fd"]]);
+    assert_eq!(found, [["846a5787e9701306", "57cd5a7d2122b28f"], ["87a370b32d4258a0", "7df170c8e2ed32fd"]]);
 }
 
 /// A narrow page puts the entries of its key into more rows, and nothing into its right margin.

@@ -28,6 +28,11 @@ pub enum ScopeError {
         /// The signal that says where a sample is.
         place: &'static str,
     },
+    /// No two signals that can be drawn over each other.
+    #[error(
+        "--axis xy: {0}; expected two analog signals by their names, as sweep.x,sweep.y: the first runs across, the second up"
+    )]
+    NoPair(String),
     /// A row is asked for what only a sweep has.
     #[error(
         "{0}: a row has no sweep time; expected places to the right of the line of sight in metres, as -120.5"

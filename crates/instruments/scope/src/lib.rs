@@ -13,6 +13,7 @@ mod page;
 mod sweep_space;
 mod trace;
 mod wishes;
+mod xy;
 
 use generator::Scan;
 use plots::{Drawing, scope_picture, scope_svg};
@@ -72,12 +73,15 @@ pub fn light_or_dark_svg(recorded: &Recorded<'_>) -> Result<String, ScopeError> 
     scope_svg(&page.scope(), &look).map_err(ScopeError::Look)
 }
 
-/// Draws the page of one sweep.
+/// Draws the page of one sweep, or two signals of it over each other.
 ///
 /// # Errors
 /// If no signal runs along the sweep, a place lies beyond it, or the page cannot be drawn as asked.
 pub fn draw(recorded: &Recorded<'_>, wishes: &ScopeWishes) -> Result<Drawing, ScopeError> {
     let page = page::Page::new(recorded)?;
+    if let Some(pair) = &wishes.xy {
+        return xy::draw(recorded, &page, pair, wishes);
+    }
     let look = wishes.look(recorded.title, page.facts(), page.line())?;
     let scope = page.scope();
     wishes.expect_places(&scope.clock)?;

@@ -174,7 +174,7 @@ pub fn runs_along(signal: &Signal, scan: &Scan) -> bool {
     signal.axis != Axis::Display && signal.name != scan.place && Some(signal.name) != scan.ahead
 }
 
-fn find<'a>(recorded: &Recorded<'a>, name: &str) -> Option<&'a Waveform> {
+pub fn find<'a>(recorded: &Recorded<'a>, name: &str) -> Option<&'a Waveform> {
     recorded.waveforms.iter().find(|waveform| waveform.signal.name == name)
 }
 

@@ -13,6 +13,8 @@ pub struct ScopeWishes {
     pub from: Option<Place>,
     /// Place where the page ends.
     pub to: Option<Place>,
+    /// Two signals, the first across and the second up, in place of a page.
+    pub xy: Option<[String; 2]>,
     /// Whether it runs along sweep time, not along ground range.
     pub by_time: bool,
     /// Whether ground range runs evenly, not by its decades.

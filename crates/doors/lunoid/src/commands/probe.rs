@@ -19,14 +19,14 @@ use limits::Limit;
 use lockstep::Engines;
 use rayon::ThreadPool;
 use scope::{
-    Choice, Look, Looking, Order, Recorded, ScopeError, Tracing, WINDOW, Written, columns_of, draw,
-    expect_known, needs, size, trace,
+    Choice, Look, Looking, Order, Recorded, ScopeError, ScopeWishes, Tracing, WINDOW, Written, columns_of,
+    draw, expect_known, needs, size, trace,
 };
 use serde_json::json;
 use signal::Wire;
 use waveform::{Format, Header};
 
-use crate::commands::scope::ScopeArgs;
+use crate::commands::scope::{AxisWord, ScopeArgs};
 use crate::frame::FrameArgs;
 use crate::loading::{expect_machine, machine_stage};
 use crate::output::{expect_outputs, print, print_json, tell};
@@ -245,8 +245,22 @@ impl ProbeCommand {
             display: opened.settings.display,
             columns,
         };
-        draw(&recorded, &self.scope.wishes())?.write(&self.out).map_err(ScopeError::Write)?;
+        draw(&recorded, &self.wishes()?)?.write(&self.out).map_err(ScopeError::Write)?;
         Ok(Written { estimate: 0, files: vec![self.out.clone()] })
+    }
+
+    /// How the page is asked for; in X-Y the two signals are those of `--signals`, in their order.
+    fn wishes(&self) -> Result<ScopeWishes, Failure> {
+        let mut wishes = self.scope.wishes();
+        if self.scope.axis == AxisWord::Xy {
+            let pair: Result<[String; 2], _> = self.signals.clone().try_into();
+            wishes.xy =
+                Some(pair.map_err(|names| ScopeError::NoPair(format!("--signals names {}", names.len())))?);
+            if self.scope.linear {
+                return Err(Failure::usage("--linear: --axis xy has no ground range; leave one of them out"));
+            }
+        }
+        Ok(wishes)
     }
 
     fn tell(

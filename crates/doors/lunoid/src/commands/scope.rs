@@ -21,7 +21,7 @@ pub struct ScopeArgs {
     /// Where the picture ends: ground range (m), or sweep time with `us`.
     #[arg(long, value_name = "PLACE", value_parser = place, allow_hyphen_values = true)]
     pub to: Option<Place>,
-    /// Along what it runs; the other one stands at the top.
+    /// Along what it runs; the other one stands at the top. With `xy` two signals are drawn, the second over the first.
     #[arg(long, value_enum, default_value_t)]
     pub axis: AxisWord,
     /// Ground range evenly, not its decades.
@@ -46,6 +46,8 @@ pub enum AxisWord {
     Range,
     /// Horizontal axis of sweep time.
     Time,
+    /// The second of two signals over the first.
+    Xy,
 }
 
 /// Paper of a page.
@@ -80,6 +82,7 @@ impl ScopeArgs {
             cursors: self.cursor.clone(),
             from: self.from,
             to: self.to,
+            xy: None,
             by_time: self.axis == AxisWord::Time,
             linear: self.linear,
             width: self.width,
