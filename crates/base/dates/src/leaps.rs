@@ -71,12 +71,10 @@ mod tests {
     fn leap_seconds_are_counted_as_they_end() {
         let day = days_from_civil([2017, 1, 1]);
         assert_eq!([before_day(day - 1), before_day(day)], [26, 27]);
-        assert_eq!([-1.0, 0.0, 0.5, 1.0].map(|after| by((day * DAY + 26) as f64 + after)), [
-            (26, false),
-            (26, true),
-            (26, true),
-            (27, false)
-        ]);
+        assert_eq!(
+            [-1.0, 0.0, 0.5, 1.0].map(|after| by((day * DAY + 26) as f64 + after)),
+            [(26, false), (26, true), (26, true), (27, false)]
+        );
         assert_eq!((by(-1e9), by(5e9)), ((0, false), (27, false)));
     }
 }

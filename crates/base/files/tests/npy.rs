@@ -214,6 +214,11 @@ fn a_layout_tells_where_the_values_stand() {
     assert_eq!(of(&text, 60).expect("a good file"), expected);
     let bytes = of(&dictionary("|u1", "False", "(7,)"), 7).expect("a good file");
     assert_eq!((bytes.value_bytes, bytes.is_real, bytes.is_signed, bytes.is_little), (1, false, false, true));
-    assert!(of(&text, 59).expect_err("a short file").to_string().contains("a.npy: NPY shape [3, 5] needs 60 bytes"));
+    assert!(
+        of(&text, 59)
+            .expect_err("a short file")
+            .to_string()
+            .contains("a.npy: NPY shape [3, 5] needs 60 bytes")
+    );
     assert!(of(&dictionary("<c8", "False", "(7,)"), 56).expect_err("complex").to_string().contains("'<c8'"));
 }

@@ -127,9 +127,12 @@ impl Table {
             let name = &self.source.name;
             problems.note(format!("{name}: commas in numbers are decimal commas: 1,234 is read as 1.234"));
         }
-        let angles = self.header.places.iter().zip(&self.largest).filter_map(|(place, largest)| {
-            beyond_a_turn(place.as_ref()?.name, *largest)
-        });
+        let angles = self
+            .header
+            .places
+            .iter()
+            .zip(&self.largest)
+            .filter_map(|(place, largest)| beyond_a_turn(place.as_ref()?.name, *largest));
         angles.for_each(|note| problems.note(format!("{}: {note}", self.source.name)));
         self.faults.finish(read, problems)
     }

@@ -13,7 +13,9 @@ pub(crate) fn beyond_a_turn(name: &str, largest: f64) -> Option<String> {
         ));
     }
     name.strip_suffix("_deg").filter(|_| is_beyond(360.0)).map(|angle| {
-        format!("{name} goes up to {largest}, more than a turn of 360 degrees: check that {angle} is in degrees")
+        format!(
+            "{name} goes up to {largest}, more than a turn of 360 degrees: check that {angle} is in degrees"
+        )
     })
 }
 

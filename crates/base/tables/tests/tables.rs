@@ -168,9 +168,10 @@ fn dates_are_times() {
     assert_eq!(rows.iter().map(|row| row.0).collect::<Vec<_>>(), [0.0, 0.25, 1.0]);
     assert_eq!(read("t_s,x_m\n2026-11-26T22:00:00Z,1\n5,2\n").unwrap_err().len(), 1);
     assert_eq!(read("t_s,x_m\n26.11.2026 22:00,1\n").unwrap_err().len(), 1);
-    assert_eq!(faults("t_s,x_m\n2026-02-30T22:00:00Z,1\n"), [
-        "2:1 `t_s` must be a date with day 1 to 28, not 2026-02-30T22:00:00Z"
-    ]);
+    assert_eq!(
+        faults("t_s,x_m\n2026-02-30T22:00:00Z,1\n"),
+        ["2:1 `t_s` must be a date with day 1 to 28, not 2026-02-30T22:00:00Z"]
+    );
 }
 
 #[test]

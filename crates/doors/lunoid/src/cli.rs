@@ -54,7 +54,10 @@ pub fn command() -> clap::Command {
 fn with_negative_numbers(command: clap::Command) -> clap::Command {
     let taken = |argument: clap::Arg| {
         let mut names = argument.get_value_names().unwrap_or_default().iter();
-        match (argument.get_action().takes_values(), names.any(|name| name.contains("..") || name.contains(','))) {
+        match (
+            argument.get_action().takes_values(),
+            names.any(|name| name.contains("..") || name.contains(',')),
+        ) {
             (false, _) => argument,
             (true, false) => argument.allow_negative_numbers(true),
             (true, true) => argument.allow_hyphen_values(true),

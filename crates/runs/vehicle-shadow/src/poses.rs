@@ -136,7 +136,11 @@ fn read_into(path: &Path, problems: &Problems) -> Option<BTreeMap<u64, FramePose
     let poses = table.finish(poses, problems)?;
     let waypoints: Vec<Waypoint> = poses.values().map(|pose| pose.value.waypoint()).collect();
     let doubt = column.and_then(|column| other_unit(column, &waypoints));
-    clock.note().into_iter().chain(doubt).for_each(|note| problems.note(format!("{}: {note}", path.display())));
+    clock
+        .note()
+        .into_iter()
+        .chain(doubt)
+        .for_each(|note| problems.note(format!("{}: {note}", path.display())));
     let late = poses.values().zip(poses.values().skip(1)).find(|(a, b)| b.value.time <= a.value.time);
     if let Some((before, pose)) = late {
         let title =

@@ -107,8 +107,8 @@ mod tests {
 
     #[test]
     fn leap_seconds_count_between_instants() {
-        let [before, leap, after] =
-            ["2016-12-31T23:59:59Z", "2016-12-31T23:59:60Z", "2017-01-01T00:00:00Z"].map(|text| read(text).unwrap());
+        let [before, leap, after] = ["2016-12-31T23:59:59Z", "2016-12-31T23:59:60Z", "2017-01-01T00:00:00Z"]
+            .map(|text| read(text).unwrap());
         assert_eq!([leap, after], [before.later(1.0), before.later(2.0)]);
         assert_eq!((after.since(before), leap.to_string()), (2.0, "2016-12-31T23:59:60Z".into()));
         let terrestrial = |instant: Instant| (instant.centuries() * 36_525.0 + 0.5) * 86_400.0;

@@ -27,7 +27,11 @@ fn begin(year: i64) -> f64 {
 /// Terrestrial time less UTC (s).
 pub fn ahead_of_utc(moment: Moment) -> f64 {
     let days = moment.without_leaps() / DAY;
-    if days >= begin(1972) { ATOMIC + (FIRST_AHEAD + moment.leap_seconds()) as f64 } else { before_leaps(days) }
+    if days >= begin(1972) {
+        ATOMIC + (FIRST_AHEAD + moment.leap_seconds()) as f64
+    } else {
+        before_leaps(days)
+    }
 }
 
 fn before_leaps(days: f64) -> f64 {

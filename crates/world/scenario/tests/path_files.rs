@@ -220,9 +220,12 @@ fn degrees_that_look_like_radians_are_told() {
 
 #[test]
 fn angles_in_the_other_unit_are_told() {
-    let told = |name: &str, rows: &str| notes(&read("p.csv", &format!("t_s,x_m,y_m,{name}\n{rows}"))).join("; ");
+    let told =
+        |name: &str, rows: &str| notes(&read("p.csv", &format!("t_s,x_m,y_m,{name}\n{rows}"))).join("; ");
     // East, in degrees under a header of radians; beyond a turn under either.
-    assert!(told("heading_rad", "0,1,1,90\n1,1,2,90\n").contains("heading_rad goes up to 90, more than 2 pi"));
+    assert!(
+        told("heading_rad", "0,1,1,90\n1,1,2,90\n").contains("heading_rad goes up to 90, more than 2 pi")
+    );
     assert!(told("heading_deg", "0,1,1,450\n1,1,2,450\n").contains("heading_deg goes up to 450"));
     // A few degrees from north, either side.
     let north = "0,1,1,2\n1,9,1.3,2.5\n2,18,1,-2\n3,26,1,0\n";
@@ -348,14 +351,18 @@ fn keyframes_have_the_coordinates_of_files() {
     };
     let [latitude, longitude] = polar_degrees([100.0, 200.0]);
     let on_sphere = format!("t_s = 0, lat_deg = {latitude}, lon_deg = {longitude}, heading_deg = 10");
-    let waypoint = |path: &str| read(path).unwrap_or_else(|said| panic!("{path}: {said}")).path.waypoints()[0];
+    let waypoint =
+        |path: &str| read(path).unwrap_or_else(|said| panic!("{path}: {said}")).path.waypoints()[0];
     let lon_lat = waypoint(&format!("coordinates = \"lon-lat\"\nkeyframes = [{{ {on_sphere} }}]\n"));
     assert!((lon_lat.at[0] - 100.0).abs() < 1e-6 && (lon_lat.at[1] - 200.0).abs() < 1e-6, "{lon_lat:?}");
     assert!((degrees(lon_lat.heading.unwrap()) - 10.0 - longitude).abs() < 1e-4);
     let in_file = "coordinates = \"file\"\nkeyframes = [{ t_s = 0, x_m = 150100, y_m = -14800 }]\n";
     assert_eq!(waypoint(in_file).at, [100.0, 200.0]);
     let mixed = read(&format!("keyframes = [{{ {on_sphere} }}]\n")).unwrap_err();
-    assert!(mixed.contains("unknown key `path.keyframes[0].lat_deg`") || mixed.contains("lat_deg"), "{mixed}");
+    assert!(
+        mixed.contains("unknown key `path.keyframes[0].lat_deg`") || mixed.contains("lat_deg"),
+        "{mixed}"
+    );
     assert!(read("coordinates = \"lon-lat\"\nkeyframes = []\n").is_err());
 }
 
@@ -564,7 +571,10 @@ fn tracks_that_are_no_path_are_refused_with_their_line() {
     for (text, said) in [
         (whole.replace("version=\"1.1\"", "version=\"2.0\""), "GPX of version 2.0"),
         (whole.replace("GPX/1/1", "GPX/2/0"), "a `gpx` of the namespace http://www.topografix.com/GPX/2/0"),
-        (whole.replace(" xmlns=\"http://www.topografix.com/GPX/1/1\"", ""), "a `gpx` of the namespace nothing"),
+        (
+            whole.replace(" xmlns=\"http://www.topografix.com/GPX/1/1\"", ""),
+            "a `gpx` of the namespace nothing",
+        ),
     ] {
         assert!(over_equator(&text, "").unwrap_err()[0].contains(said), "{said}");
     }

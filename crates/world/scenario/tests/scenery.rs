@@ -290,7 +290,10 @@ fn dates_without_a_sun_are_refused() {
     // A mission that goes on beyond what is measured, with the sun up.
     let beyond = "place = { longitude_deg = -103, latitude_deg = 0 }";
     let beyond = said(&format!("at = '2050-12-31T23:58:59Z'\n{beyond}"), &valley(Some(0.0)));
-    assert!(beyond.contains("at 2051-01-01T00:00:59Z, t = 120 s, the error of the sun is not measured"), "{beyond}");
+    assert!(
+        beyond.contains("at 2051-01-01T00:00:59Z, t = 120 s, the error of the sun is not measured"),
+        "{beyond}"
+    );
     // Imported ground has its x axis to the north.
     let placed = dated(&format!("{AT}\nplace = {{ longitude_deg = 30.77, latitude_deg = 20.19 }}"));
     assert_eq!(Scenery::of(&placed, &plain, rate()).unwrap().sky().unwrap().true_north, 0.0);

@@ -1,7 +1,6 @@
 //! GeoTIFF files built here, whole and damaged.
 
 use std::fs::{self, File};
-use std::fs;
 use std::path::PathBuf;
 
 use quantities::{degrees, radians};

@@ -210,12 +210,7 @@ const CASES: &[Case] = &[
         make: |room| array(room, "(2, 2, 9)", 36),
         command: &["bank", "import", "a.npy", "--region-size-m", "40", "-o", "new.bank"],
     },
-    Case {
-        limit: "elevation-bytes",
-        file: "a.npy",
-        make: heights,
-        command: SURVEY,
-    },
+    Case { limit: "elevation-bytes", file: "a.npy", make: heights, command: SURVEY },
     Case { limit: "shape-bytes", file: "cube.obj", make: cube, command: CHECK },
     Case { limit: "picture-bytes", file: "a.png", make: picture_bytes, command: &["info", "a.png"] },
     Case { limit: "pixels", file: "a.png", make: pixels, command: &["info", "a.png"] },

@@ -178,7 +178,8 @@ fn sizes_are_the_cameras() {
 fn angles_in_the_other_unit_are_told() {
     let notes = |name: &str, headings: [f64; 2]| {
         let folder = Folder::new();
-        let row = |(index, heading): (usize, &f64)| format!("{index},{index},{},5,3,{heading},0,0\n", 10 * index);
+        let row =
+            |(index, heading): (usize, &f64)| format!("{index},{index},{},5,3,{heading},0,0\n", 10 * index);
         let rows: String = headings.iter().enumerate().map(row).collect();
         folder.write("poses.csv", &format!("frame,t_s,x_m,y_m,z_m,{name},pitch_deg,roll_deg\n{rows}"));
         vehicle_shadow::read_poses(&folder.join("poses.csv")).unwrap().notes.join("; ")

@@ -152,7 +152,9 @@ fn join(points: Points, start: &Place, help: &str, problems: &Problems) -> Optio
     waypoints.dedup_by(|later, first| later.value == first.value);
     if waypoints.len() < count {
         let repeated = count - waypoints.len();
-        problems.note(format!("{name}: {repeated} points repeat the one before, time and place: they are left out"));
+        problems.note(format!(
+            "{name}: {repeated} points repeat the one before, time and place: they are left out"
+        ));
     }
     let mut faults = LongList::new(name);
     for pair in waypoints.windows(2).filter(|pair| pair[1].value.time <= pair[0].value.time) {

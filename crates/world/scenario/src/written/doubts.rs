@@ -51,8 +51,8 @@ pub(super) fn radians_named_degrees(waypoints: &[Waypoint], is_of_plane: bool) -
     let headings: Vec<f64> = waypoints.iter().filter_map(|waypoint| waypoint.heading).collect();
     let is_within = headings.iter().all(|heading| degrees(*heading).abs() <= 2.0 * PI);
     let is_open = headings.iter().all(|heading| *heading == 0.0);
-    let fits =
-        is_of_plane && Bearing::of(waypoints.iter(), |heading| heading).is_some_and(|bearing| bearing.turn < FITS);
+    let fits = is_of_plane
+        && Bearing::of(waypoints.iter(), |heading| heading).is_some_and(|bearing| bearing.turn < FITS);
     let is_doubtful = headings.len() > 1 && is_within && !is_open && !fits;
     is_doubtful.then(|| {
         "every heading_deg lies within 2 pi: if they are radians, name the column heading_rad".to_owned()
@@ -68,8 +68,11 @@ pub fn other_unit(column: &str, waypoints: &[Waypoint]) -> Option<String> {
     };
     let own = Bearing::of(waypoints.iter(), |heading| heading)?;
     let other_way = Bearing::of(waypoints.iter(), in_other)?;
-    (own.turn >= FITS && other_way.turn < FITS)
-        .then(|| format!("headings fit the way that is driven only if they are those of a column {other}, not {column}"))
+    (own.turn >= FITS && other_way.turn < FITS).then(|| {
+        format!(
+            "headings fit the way that is driven only if they are those of a column {other}, not {column}"
+        )
+    })
 }
 
 /// Says so if the headings of a path lie across its way from its beginning to its end.

@@ -185,13 +185,14 @@ impl Reading {
     }
 
     fn point(&mut self, point: &Node, clock: &mut Clock) -> Option<PlacedWaypoint> {
+        let mut met = Vec::new();
         for child in point.children().filter(Node::is_element) {
             match name_in(point, &child) {
                 Some(tag) if OF_POINT.contains(&tag) => {}
-                Some(tag @ ("ele" | "time")) if self::child(point, tag) != Some(child) => {
+                Some(tag @ ("ele" | "time")) if met.contains(&tag) => {
                     self.fault(&child, format!("a second `{tag}` in a `trkpt`"), &format!("one `{tag}`"));
                 }
-                Some("ele" | "time") => {}
+                Some(tag @ ("ele" | "time")) => met.push(tag),
                 _ => self.unknown(point, &child, &format!("ele, time, or one of {}", OF_POINT.join(", "))),
             }
         }
@@ -220,8 +221,9 @@ impl Reading {
             return None;
         };
         let text = time.text().unwrap_or_default().trim();
-        let counted =
-            dates::read(text).map_err(|error| error.expected()).and_then(|date| clock.count(Time::Date(date)));
+        let counted = dates::read(text)
+            .map_err(|error| error.expected())
+            .and_then(|date| clock.count(Time::Date(date)));
         counted
             .map_err(|expected| {
                 self.fault(&time, format!("`time` must be {expected}, not {}", shown(text)), &expected);

@@ -54,12 +54,7 @@ impl Raw {
                 "{} lines of {} samples of {} bytes from byte {}",
                 self.lines, self.columns, self.kind.bytes, self.first
             );
-            return Err(SurveyError::Truncated {
-                path: self.path.clone(),
-                place,
-                found,
-                expected,
-            });
+            return Err(SurveyError::Truncated { path: self.path.clone(), place, found, expected });
         }
         Ok(())
     }

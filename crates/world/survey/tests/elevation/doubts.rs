@@ -29,7 +29,8 @@ fn a_second_mark_of_voids_is_told() {
     ] {
         let read = made.plain().unwrap();
         let told = format!("if they mark voids, give --no-data {known}-32768.0");
-        let note = read.notes.iter().find(|note| note.starts_with("2 samples are -32768.0, far from the others"));
+        let note =
+            read.notes.iter().find(|note| note.starts_with("2 samples are -32768.0, far from the others"));
         assert!(note.is_some_and(|note| note.ends_with(&told)), "{}: {:?}", made.path.display(), read.notes);
         let declared = ReadOptions { no_data: vec![-9999.0, -1.0, -32768.0], ..ReadOptions::default() };
         let read = made.read(&declared).unwrap();
@@ -96,7 +97,8 @@ fn windows_of_arrays_are_read_without_the_rest() {
     for (is_by_columns, samples) in [(false, &by_lines), (true, &by_columns)] {
         let values: Vec<u8> = samples.iter().flat_map(|height| height.to_le_bytes()).collect();
         let made = Made::new(&[("a.npy", &[array("(24, 24)", is_by_columns), values].concat())]);
-        let part = open(&made.path, &options).unwrap().window(&Window { lines: 3..9, columns: 7..20 }).unwrap();
+        let part =
+            open(&made.path, &options).unwrap().window(&Window { lines: 3..9, columns: 7..20 }).unwrap();
         let whole = made.read(&options).unwrap();
         for (line, column) in (0..6).flat_map(|line| (0..13).map(move |column| (line, column))) {
             assert_eq!(part.height(line, column), Some(by_lines[(3 + line) * SIDE + 7 + column]));
@@ -133,7 +135,11 @@ fn what_is_no_file_is_refused() {
     fs::create_dir(at("made.dat")).unwrap();
     fs::write(at("made.xml"), PDS4).unwrap();
     let said = |name: &str| read(at(name), &ReadOptions::default()).unwrap_err().to_string();
-    assert!(said("a.tif").contains("a.tif: cannot read: this is a folder, expected a file"), "{}", said("a.tif"));
+    assert!(
+        said("a.tif").contains("a.tif: cannot read: this is a folder, expected a file"),
+        "{}",
+        said("a.tif")
+    );
     assert!(said("made.xml").contains("made.dat: cannot read: this is a folder"), "{}", said("made.xml"));
     assert!(said("absent.tif").contains("absent.tif: no such file"), "{}", said("absent.tif"));
 }

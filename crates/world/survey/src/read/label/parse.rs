@@ -153,12 +153,7 @@ pub fn parse(bytes: &[u8]) -> Result<Vec<Statement>, LabelFault> {
 }
 
 /// Ends the innermost block, which `keyword` must be the end of, and `name` the name of, if one is given.
-fn close(
-    blocks: &mut Vec<Block>,
-    line: usize,
-    keyword: &str,
-    name: Option<&str>,
-) -> Result<(), LabelFault> {
+fn close(blocks: &mut Vec<Block>, line: usize, keyword: &str, name: Option<&str>) -> Result<(), LabelFault> {
     let Some(open) = blocks.pop() else {
         return Err(fault(line, keyword, "the OBJECT or GROUP that it ends before it"));
     };

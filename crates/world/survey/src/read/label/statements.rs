@@ -70,8 +70,7 @@ impl<'a> Label<'a> {
         let (mut met, mut left_out) = (BTreeSet::new(), BTreeSet::new());
         for statement in statements {
             for block in &statement.blocks {
-                if met.insert((block.line, block.name.clone())) && !label.is_read(decider, block)?
-                {
+                if met.insert((block.line, block.name.clone())) && !label.is_read(decider, block)? {
                     left_out.insert(block.line);
                 }
             }
