@@ -131,6 +131,10 @@ fn check_globe(path: &Path, grid: &Grid) -> Result<(), SurveyError> {
 fn unknown(path: &Path, start: &[u8]) -> SurveyError {
     let found = match start {
         [] => "nothing: the file is empty".to_string(),
+        [0x89, b'P', b'N', b'G', ..] => {
+            "the mark of a PNG picture, which has no heights in metres".to_string()
+        }
+        [0xff, 0xd8, 0xff, ..] => "the mark of a JPEG picture, which has no heights in metres".to_string(),
         _ => start.iter().take(8).map(|byte| format!("{byte:02X}")).collect::<Vec<_>>().join(" "),
     };
     SurveyError::UnknownFormat { path: path.to_path_buf(), found }

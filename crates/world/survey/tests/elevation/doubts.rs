@@ -66,6 +66,8 @@ fn pictures_are_told_or_refused() {
         .with(262, Field::Shorts(vec![2]))
         .with(277, Field::Shorts(vec![3]));
     assert!(colours.made().refusal().contains("a picture"));
+    let png = Made::new(&[("a.png", b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR")]);
+    assert!(png.refusal().contains("starts with the mark of a PNG picture"), "{}", png.refusal());
 }
 
 #[test]
