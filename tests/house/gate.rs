@@ -20,14 +20,13 @@ const ROUND: [(&str, &str); 10] = [
     ("fs::", "hard_link("),
 ];
 
-/// Who may: the gate, tools that measure and are no part of the program, a study that asks the system about its threads, a reader of what a simulator left in a folder of its own, and
-/// readers of elevation, which follow links to files that a user names and ask first whether they are files.
-const MAY: [&str; 5] = [
+/// Who may: the gate, tools that measure and are no part of the program, a study that asks the system about its threads, and a
+/// reader of what a simulator left in a folder of its own.
+const MAY: [&str; 4] = [
     "crates/base/files/src/",
     "crates/studies/benchmarks/src/",
     "crates/studies/study/src/economy/mod.rs",
     "crates/instruments/netlist/src/run.rs",
-    "crates/world/survey/src/read/",
 ];
 
 /// Lines of a source file that go round the gate, tests aside.

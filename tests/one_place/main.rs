@@ -1,7 +1,7 @@
-//! One drive in three files over one place in two: places, times and poses are the same to the millimetre.
+//! One drive in three files over one place in three: places, times and poses are the same to the millimetre.
 //!
 //! The drive takes ten minutes at 100 Hz. It is written as CSV with times since 1970, as GPX and as TUM. The place is a cell
-//! of made heights, written as DTED and as GeoTIFF.
+//! of made heights, written as DTED, as PDS4 and as GeoTIFF.
 
 mod place;
 
@@ -17,7 +17,7 @@ use survey::{Area, Plane, ReadOptions, SurveyOptions, survey};
 /// Middle of the area (degrees) and its size (m).
 const MIDDLE: [f64; 2] = [10.5, 20.5];
 const SIZE: f64 = 8_000.0;
-/// Sphere that stands for the Earth in both formats (m).
+/// Sphere that stands for the Earth in all formats (m).
 const EARTH: f64 = 6_378_137.0;
 /// Rows of the drive, 0.01 s apart.
 const ROWS: u32 = 60_001;
@@ -127,10 +127,12 @@ fn a_drive_is_the_same_in_every_file() {
     let at = |name: &str| folder.path().join(name);
     fs::write(at("cell.dt0"), place::dted()).unwrap();
     fs::write(at("cell.tif"), place::geotiff()).unwrap();
+    fs::write(at("cell.xml"), place::pds4()).unwrap();
+    fs::write(at("cell.dat"), place::samples()).unwrap();
     fs::write(at("drive.csv"), csv()).unwrap();
     fs::write(at("drive.gpx"), gpx()).unwrap();
     let mut first: Option<Vec<Pose>> = None;
-    for file in ["cell.dt0", "cell.tif"] {
+    for file in ["cell.dt0", "cell.xml", "cell.tif"] {
         let ground = bank(&at(file));
         bank_file::write(at("place.bank"), &ground).unwrap();
         let fine = poses(folder.path(), "drive.csv", &ground, 100);

@@ -1,4 +1,4 @@
-//! One cell of made heights in two formats.
+//! One cell of made heights in three formats.
 
 /// Samples to a side: one degree, 30 seconds apart.
 const SIDE: u32 = 121;
@@ -38,14 +38,53 @@ pub fn dted() -> Vec<u8> {
     bytes
 }
 
+/// The samples line by line, the northern line first, the lowest byte first.
+pub fn samples() -> Vec<u8> {
+    let line = |north: u32| (0..SIDE).flat_map(move |east| height(north, east).to_le_bytes());
+    (0..SIDE).rev().flat_map(line).collect()
+}
+
+/// A PDS4 label of the samples, which stand in `cell.dat`. Its bounds are the edges of the outermost samples.
+pub fn pds4() -> String {
+    let step = 1.0 / 120.0;
+    format!(
+        "<?xml version=\"1.0\"?>
+<Product_Observational xmlns=\"http://pds.nasa.gov/pds4/pds/v1\" xmlns:cart=\"c\" xmlns:disp=\"d\">
+<Identification_Area><title>Cell</title></Identification_Area>
+<Observation_Area><Discipline_Area>
+<disp:Display_Settings>
+<disp:vertical_display_direction>Top to Bottom</disp:vertical_display_direction>
+</disp:Display_Settings>
+<cart:Cartography>
+<cart:map_projection_name>Equirectangular</cart:map_projection_name>
+<cart:latitude_resolution unit=\"deg\">{step:.17}</cart:latitude_resolution>
+<cart:longitude_resolution unit=\"deg\">{step:.17}</cart:longitude_resolution>
+<cart:north_bounding_coordinate unit=\"deg\">{north:.12}</cart:north_bounding_coordinate>
+<cart:west_bounding_coordinate unit=\"deg\">{west:.12}</cart:west_bounding_coordinate>
+<cart:a_axis_radius unit=\"m\">6378137</cart:a_axis_radius>
+<cart:b_axis_radius unit=\"m\">6378137</cart:b_axis_radius>
+<cart:c_axis_radius unit=\"m\">6378137</cart:c_axis_radius>
+</cart:Cartography>
+</Discipline_Area></Observation_Area>
+<File_Area_Observational><File><file_name>cell.dat</file_name></File>
+<Array_2D_Image>
+<offset unit=\"byte\">0</offset><axes>2</axes><axis_index_order>Last Index Fastest</axis_index_order>
+<Element_Array><data_type>SignedLSB2</data_type><unit>m</unit></Element_Array>
+<Axis_Array><axis_name>Line</axis_name><elements>{SIDE}</elements><sequence_number>1</sequence_number></Axis_Array>
+<Axis_Array><axis_name>Sample</axis_name><elements>{SIDE}</elements><sequence_number>2</sequence_number></Axis_Array>
+</Array_2D_Image>
+</File_Area_Observational>
+</Product_Observational>\n",
+        north = 11.0 + 0.5 * step,
+        west = 20.0 - 0.5 * step,
+    )
+}
+
 /// A GeoTIFF of the same samples: WGS 84, each sample a point, the northern line first.
 pub fn geotiff() -> Vec<u8> {
     let shorts = |values: &[u16]| values.iter().flat_map(|value| value.to_le_bytes()).collect::<Vec<u8>>();
     let doubles = |values: &[f64]| values.iter().flat_map(|value| value.to_le_bytes()).collect::<Vec<u8>>();
-    let data: Vec<u8> = (0..SIDE)
-        .rev()
-        .flat_map(|north| (0..SIDE).flat_map(move |east| height(north, east).to_le_bytes()))
-        .collect();
+    let data = samples();
     let step = 1.0 / 120.0;
     let keys = [1, 1, 0, 4, 1024, 0, 1, 2, 1025, 0, 1, 2, 2048, 0, 1, 4326, 4099, 0, 1, 9001];
     // Tag, type (3: u16, 4: u32, 12: f64), values.

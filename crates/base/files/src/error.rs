@@ -35,6 +35,17 @@ pub enum FileError {
         /// What stands there instead.
         kind: Kind,
     },
+    /// A file of the program's own that another name leads to as well.
+    #[error(
+        "{path}: {action}: this file has another name too (a hard link), expected a file with one name; remove it, or \
+         choose another place"
+    )]
+    OtherNames {
+        /// The path as given.
+        path: PathBuf,
+        /// Step that was being tried.
+        action: Action,
+    },
     /// The file is larger than the reader allows.
     #[error("{path}: the file has {bytes} bytes, expected at most {limit}; is it the right file?{}", advice(.raised_by))]
     TooLarge {
@@ -145,6 +156,7 @@ impl FileError {
             Self::Missing { path }
             | Self::IsFolder { path, .. }
             | Self::NoFile { path, .. }
+            | Self::OtherNames { path, .. }
             | Self::TooLarge { path, .. }
             | Self::MissingFolder { path, .. }
             | Self::Denied { path, .. }

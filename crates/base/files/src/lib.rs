@@ -6,7 +6,7 @@
 //! - [`open()`], [`open_own`] and [`expect_output`] are the gate: whatever is opened is a file. Nothing is written through a link.
 //! - [`remove_leftovers`] removes what killed commands have left.
 //! - [`read_all`] reads a file up to a limit that the caller states, [`FilePieces`] piece by piece to where each stays.
-//! - [`Npy`] and [`write_npz`] are numpy's formats; the bytes depend on the values alone.
+//! - [`Npy`] and [`write_npz`] are numpy's formats; the bytes depend on the values alone. [`npy_layout`] tells where values stand.
 //!
 //! ```
 //! let folder = tempfile::tempdir()?;
@@ -24,6 +24,7 @@ mod kind;
 mod leftovers;
 mod lock;
 mod npy;
+mod npy_error;
 mod npy_header;
 mod npz;
 mod open;
@@ -37,7 +38,8 @@ pub use folder::{Folder, FolderError, make_folder};
 pub use kind::{Kind, leads_outside};
 pub use leftovers::{remove_leftovers, remove_leftovers_of};
 pub use lock::LOCK;
-pub use npy::{Npy, NpyData, NpyError, NpyFileError, read_npy, write_npy};
+pub use npy::{Npy, NpyData, NpyLayout, npy_layout, read_npy, write_npy};
+pub use npy_error::{NpyError, NpyFileError};
 pub use npz::write_npz;
 pub use open::{append_own, expect_output, open, open_own, open_stream};
 pub use pieces::{FilePieces, Pieces, PiecesError};

@@ -1,10 +1,11 @@
 //! Arrays in numpy's NPY format.
 
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use crate::atomic::write_atomic;
 use crate::error::FileError;
+use crate::npy_error::{NpyError, NpyFileError};
 use crate::npy_header::{self as header, Header};
 use crate::pieces::{FilePieces, Pieces, PiecesError};
 use crate::read::Most;
@@ -14,86 +15,6 @@ use crate::read::Most;
 pub struct Npy {
     shape: Vec<usize>,
     data: NpyData,
-}
-
-/// Bytes that are not the NPY file they should be.
-#[derive(Debug, PartialEq, Eq, thiserror::Error)]
-pub enum NpyError {
-    /// The magic bytes are missing.
-    #[error("not an NPY file: it does not begin with the bytes 93 4E 55 4D 50 59")]
-    NotNpy,
-    /// A version of the format that does not exist yet.
-    #[error("NPY version {major}.{minor}, expected 1.0, 2.0 or 3.0")]
-    Version {
-        /// First number of the version.
-        major: u8,
-        /// Second number of the version.
-        minor: u8,
-    },
-    /// The header is not the dictionary it should be.
-    #[error("NPY header at byte {offset}: expected {expected}")]
-    Header {
-        /// Byte of the file.
-        offset: usize,
-        /// What should stand there.
-        expected: &'static str,
-    },
-    /// Values of a type that is not read.
-    #[error("NPY values of type '{found}', expected whole numbers or floats of 1 to 8 bytes, such as '<f8'")]
-    Type {
-        /// As in the header.
-        found: String,
-    },
-    /// The file ends too early.
-    #[error("NPY file ends after {found} bytes, expected {expected}; copy it again")]
-    Truncated {
-        /// Number of bytes that the reader needs.
-        expected: u64,
-        /// Number of bytes in the file.
-        found: u64,
-    },
-    /// Shape and number of bytes do not agree.
-    #[error("NPY shape {shape:?} needs {expected} bytes of values from byte {offset} on, found {found}")]
-    Size {
-        /// The shape of the header.
-        shape: Vec<usize>,
-        /// Where the values begin.
-        offset: usize,
-        /// Bytes that the shape needs.
-        expected: u64,
-        /// Number of bytes of values that are there.
-        found: u64,
-    },
-    /// The product of the shape does not fit.
-    #[error("NPY shape {shape:?} has more values than this machine can count")]
-    Overflow {
-        /// The shape of the header.
-        shape: Vec<usize>,
-    },
-    /// An array was put together with a shape that does not fit its values.
-    #[error("shape {shape:?} does not hold {values} values")]
-    Shape {
-        /// Shape that was given for the array.
-        shape: Vec<usize>,
-        /// How many values there are.
-        values: usize,
-    },
-}
-
-/// An NPY file that could not be read.
-#[derive(Debug, thiserror::Error)]
-pub enum NpyFileError {
-    /// The file could not be read.
-    #[error(transparent)]
-    File(#[from] FileError),
-    /// What is in it.
-    #[error("{path}: {source}")]
-    Format {
-        /// The path as given.
-        path: PathBuf,
-        /// Fault in the contents of the file.
-        source: NpyError,
-    },
 }
 
 macro_rules! data_types {
@@ -252,18 +173,10 @@ impl Npy {
 
     /// The same of bytes that are read piece by piece.
     fn of<B: Pieces>(bytes: &mut B) -> Result<Self, Fault<B::Error>> {
-        let header = header_of(bytes)?;
-        let wrong_type = || NpyError::Type { found: header.descr.clone() };
-        let size = size_of_value(&header.descr).ok_or_else(wrong_type)?;
-        let overflow = || NpyError::Overflow { shape: header.shape.clone() };
-        let count = count(&header.shape).ok_or_else(overflow)?;
-        let expected = count.checked_mul(size).ok_or_else(overflow)? as u64;
-        let (offset, found) = (header.data_offset, bytes.length() - header.data_offset as u64);
-        if expected != found {
-            return Err(NpyError::Size { shape: header.shape, offset, expected, found }.into());
-        }
-        let data = NpyData::read(&header.descr, count, |values| bytes.fill(offset as u64, values));
-        let data = data.ok_or_else(wrong_type)?.map_err(PiecesError::Read)?;
+        let (header, count) = held(bytes)?;
+        let offset = header.data_offset as u64;
+        let data = NpyData::read(&header.descr, count, |values| bytes.fill(offset, values));
+        let data = data.ok_or_else(|| wrong_type(&header))?.map_err(PiecesError::Read)?;
         let data = if header.fortran_order { data.reordered(fortran_indices(&header.shape)) } else { data };
         Ok(Self { shape: header.shape, data })
     }
@@ -303,6 +216,24 @@ fn header_of<B: Pieces>(bytes: &mut B) -> Result<Header, Fault<B::Error>> {
     }
 }
 
+/// The header of an array and the number of its values, where the bytes hold just these.
+fn held<B: Pieces>(bytes: &mut B) -> Result<(Header, usize), Fault<B::Error>> {
+    let header = header_of(bytes)?;
+    let size = size_of_value(&header.descr).ok_or_else(|| wrong_type(&header))?;
+    let overflow = || NpyError::Overflow { shape: header.shape.clone() };
+    let count = count(&header.shape).ok_or_else(overflow)?;
+    let expected = count.checked_mul(size).ok_or_else(overflow)? as u64;
+    let (offset, found) = (header.data_offset, bytes.length() - header.data_offset as u64);
+    if expected != found {
+        return Err(NpyError::Size { shape: header.shape, offset, expected, found }.into());
+    }
+    Ok((header, count))
+}
+
+fn wrong_type(header: &Header) -> NpyError {
+    NpyError::Type { found: header.descr.clone() }
+}
+
 fn count(shape: &[usize]) -> Option<usize> {
     shape.iter().try_fold(1_usize, |product, size| product.checked_mul(*size))
 }
@@ -327,9 +258,52 @@ fn fortran_indices(shape: &[usize]) -> impl Iterator<Item = usize> + '_ {
 /// [`NpyFileError`], which names the file.
 pub fn read_npy(path: impl AsRef<Path>, most: impl Into<Most>) -> Result<Npy, NpyFileError> {
     let path = path.as_ref();
-    Npy::of(&mut FilePieces::open(path, most)?).map_err(|fault| match fault {
+    Npy::of(&mut FilePieces::open(path, most)?).map_err(|fault| of_file(path, fault))
+}
+
+fn of_file(path: &Path, fault: Fault<FileError>) -> NpyFileError {
+    match fault {
         PiecesError::Read(error) => NpyFileError::File(error),
         PiecesError::Format(source) => NpyFileError::Format { path: path.to_owned(), source },
+    }
+}
+
+/// How the values of an NPY file stand in it, for readers that need a part of them.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NpyLayout {
+    /// Sizes of the dimensions.
+    pub shape: Vec<usize>,
+    /// Whether the first index is the fastest; else the last one is.
+    pub fortran_order: bool,
+    /// Byte of the file where the values begin.
+    pub offset: u64,
+    /// Bytes of a value: 1, 2, 4 or 8.
+    pub value_bytes: usize,
+    /// Whether values are floats.
+    pub is_real: bool,
+    /// Whether values can be negative.
+    pub is_signed: bool,
+    /// Whether the lowest byte of a value stands first.
+    pub is_little: bool,
+}
+
+/// Looks at the header of an NPY file, whose values stay where they are: it may be of any size.
+///
+/// # Errors
+/// [`NpyFileError`], which names the file.
+pub fn npy_layout(path: impl AsRef<Path>) -> Result<NpyLayout, NpyFileError> {
+    let path = path.as_ref();
+    let (header, _) = held(&mut FilePieces::open(path, u64::MAX)?).map_err(|fault| of_file(path, fault))?;
+    let value_bytes = size_of_value(&header.descr).unwrap_or_default();
+    let kind = |letter: char| header.descr[1..].starts_with(letter);
+    Ok(NpyLayout {
+        fortran_order: header.fortran_order,
+        offset: header.data_offset as u64,
+        value_bytes,
+        is_real: kind('f'),
+        is_signed: !kind('u'),
+        is_little: !header.descr.starts_with('>'),
+        shape: header.shape,
     })
 }
 

@@ -1,6 +1,6 @@
 //! The header of an NPY file: magic, version, and a dictionary in Python's notation.
 
-use crate::npy::NpyError;
+use crate::npy_error::NpyError;
 
 pub(crate) const MAGIC: &[u8] = b"\x93NUMPY";
 /// Most dimensions of an array: numpy's own limit.

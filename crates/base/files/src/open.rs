@@ -43,7 +43,7 @@ fn expect_file(path: &Path, found: fs::FileType) -> Result<(), FileError> {
 /// another name leads to.
 ///
 /// # Errors
-/// [`FileError::NoFile`], and failures of the system.
+/// [`FileError::NoFile`], [`FileError::OtherNames`], and failures of the system.
 pub fn open_own(path: &Path) -> Result<File, FileError> {
     opened_own(path, OpenOptions::new().read(true).write(true).create(true).truncate(false))
 }
@@ -66,11 +66,12 @@ fn opened_own(path: &Path, options: &mut OpenOptions) -> Result<File, FileError>
     never_through_links(options);
     let file = options.open(path).map_err(failed)?;
     let found = file.metadata().map_err(failed)?;
-    let kind = if has_other_names(&found) { Kind::Link } else { Kind::of_type(found.file_type()) };
-    if kind == Kind::File {
-        return Ok(file);
+    let (path, action) = (path.to_owned(), Action::Open);
+    match Kind::of_type(found.file_type()) {
+        Kind::File if has_other_names(&found) => Err(FileError::OtherNames { path, action }),
+        Kind::File => Ok(file),
+        kind => Err(FileError::NoFile { path, action, kind }),
     }
-    Err(FileError::NoFile { path: path.to_owned(), action: Action::Open, kind })
 }
 
 /// Opens what a user names to be written directly: a [`Kind::Stream`].

@@ -2,7 +2,7 @@
 
 use std::io::Read;
 
-use files::{Npy, NpyData, NpyError, NpyFileError, read_npy, write_npy, write_npz};
+use files::{Npy, NpyData, NpyError, NpyFileError, NpyLayout, npy_layout, read_npy, write_npy, write_npz};
 use proptest::prelude::{any, prop_assert_eq, proptest};
 
 fn bytes_of(array: &Npy) -> Vec<u8> {
@@ -191,4 +191,34 @@ proptest! {
     fn any_dictionary_is_survived(text in "[{}()':,a-z0-9L<>|TF \n]{0,80}") {
         let _ = Npy::parse(&file(1, &text, &[0; 8]));
     }
+}
+
+#[test]
+fn a_layout_tells_where_the_values_stand() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("a.npy");
+    let of = |text: &str, values: usize| {
+        std::fs::write(&path, file(1, text, &vec![0; values])).expect("written");
+        npy_layout(&path)
+    };
+    let text = dictionary(">f4", "True", "(3, 5)");
+    let expected = NpyLayout {
+        shape: vec![3, 5],
+        fortran_order: true,
+        offset: 10 + text.len() as u64,
+        value_bytes: 4,
+        is_real: true,
+        is_signed: true,
+        is_little: false,
+    };
+    assert_eq!(of(&text, 60).expect("a good file"), expected);
+    let bytes = of(&dictionary("|u1", "False", "(7,)"), 7).expect("a good file");
+    assert_eq!((bytes.value_bytes, bytes.is_real, bytes.is_signed, bytes.is_little), (1, false, false, true));
+    assert!(
+        of(&text, 59)
+            .expect_err("a short file")
+            .to_string()
+            .contains("a.npy: NPY shape [3, 5] needs 60 bytes")
+    );
+    assert!(of(&dictionary("<c8", "False", "(7,)"), 56).expect_err("complex").to_string().contains("'<c8'"));
 }

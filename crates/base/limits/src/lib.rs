@@ -36,7 +36,7 @@ pub enum Limit {
     ListBytes,
     /// Bytes of a coefficient bank, or of the corners for one.
     BankBytes,
-    /// Bytes of an elevation file of NumPy.
+    /// Bytes that the heights of a survey take in memory, eight a sample.
     ElevationBytes,
     /// Bytes of an OBJ file.
     ShapeBytes,
@@ -89,7 +89,13 @@ pub const ROWS: [Row; 22] = [
     row(Limit::TextBytes, "text-bytes", "bytes of a scenario or a hardware model", 16 << 20, 1 << 30),
     row(Limit::ListBytes, "list-bytes", "bytes of a list of craters or of a path", 1 << 28, 1 << 40),
     row(Limit::BankBytes, "bank-bytes", "bytes of a bank, or of the corners for one", 1 << 32, 1 << 44),
-    row(Limit::ElevationBytes, "elevation-bytes", "bytes of an elevation file of NumPy", 16 << 30, 1 << 44),
+    row(
+        Limit::ElevationBytes,
+        "elevation-bytes",
+        "bytes of the heights that a survey reads",
+        16 << 30,
+        1 << 44,
+    ),
     row(Limit::ShapeBytes, "shape-bytes", "bytes of an OBJ file", 1 << 24, 1 << 30),
     row(Limit::PictureBytes, "picture-bytes", "bytes of a picture that is read", 256 << 20, 1 << 40),
     row(Limit::Pixels, "pixels", "pixels of a picture that is read or drawn", 64 << 20, 1 << 34),

@@ -1,6 +1,6 @@
 //! Times of a table, as seconds from its start.
 
-use crate::date::Moment;
+use dates::Written;
 
 /// A time as a table has it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -8,7 +8,7 @@ pub enum Time {
     /// Seconds since an instant that the table does not name.
     Seconds(f64),
     /// A date and a time of day.
-    Date(Moment),
+    Date(Written),
 }
 
 /// From this many seconds on, a time is one since 1970, and a pause in a table is a mistake (3 years).
@@ -59,7 +59,7 @@ impl Clock {
         });
         let counted = seconds - start.origin;
         match (start.first, time) {
-            (Time::Date(first), Time::Date(moment)) if first.has_zone != moment.has_zone => Err(format!(
+            (Time::Date(first), Time::Date(date)) if first.has_zone != date.has_zone => Err(format!(
                 "a date {} a zone, as in the first row",
                 if first.has_zone { "with" } else { "without" }
             )),
@@ -87,7 +87,7 @@ impl Time {
     fn seconds(self) -> f64 {
         match self {
             Self::Seconds(seconds) => seconds,
-            Self::Date(moment) => moment.seconds,
+            Self::Date(date) => date.moment.elapsed(),
         }
     }
 
@@ -100,7 +100,6 @@ impl Time {
 #[cfg(test)]
 mod tests {
     use super::{Clock, Time};
-    use crate::date_time;
 
     fn counted(mut clock: Clock, times: &[f64]) -> Vec<Option<f64>> {
         times.iter().map(|time| clock.count(Time::Seconds(*time)).ok()).collect()
@@ -124,7 +123,7 @@ mod tests {
 
     #[test]
     fn kinds_of_times_are_not_mixed() {
-        let date = |text| Time::Date(date_time(text).expect("a date"));
+        let date = |text| Time::Date(dates::read(text).expect("a date"));
         let mut clock = Clock::from_zero();
         assert_eq!(clock.count(date("2023-11-14T22:13:20Z")), Ok(0.0));
         assert_eq!(clock.count(date("2023-11-14T23:13:21+01:00")), Ok(1.0));

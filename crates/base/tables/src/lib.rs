@@ -14,7 +14,8 @@
 //! | quotes, doubled quotes, empty cells in quotes | read; a quote must end in its line |
 //! | capitals in names of columns | read |
 //! | unknown columns | refused by name, except those that the form lists as harmless |
-//! | times since 1970 and dates | counted from the first row, with a note |
+//! | times since 1970 and dates | counted from the first row, with a note; leap seconds between dates count |
+//! | angles (`_rad`, `_deg`) beyond one turn | read, with a note |
 //!
 //! ```
 //! use diagnostics::Problems;
@@ -36,7 +37,6 @@
 //! ```
 
 mod clock;
-mod date;
 mod decode;
 mod form;
 mod header;
@@ -44,9 +44,9 @@ mod line;
 mod number;
 mod row;
 mod table;
+mod turn;
 
 pub use clock::{Clock, Time};
-pub use date::{Moment, date_time};
 pub use decode::{decode, read_text};
 pub use form::{Column, Form};
 pub use row::{Faulty, Row};

@@ -3,10 +3,10 @@
 use std::borrow::Cow;
 use std::ops::{Range, RangeInclusive};
 
+use dates::DateError;
 use diagnostics::{Place, Problem};
 
 use crate::clock::{Clock, Time};
-use crate::date::date_time;
 use crate::line::unquoted;
 use crate::number::{NoNumber, Number, number};
 use crate::table::Table;
@@ -103,21 +103,22 @@ impl<'t> Row<'t> {
 
     /// A time, in seconds or as a date, counted by `clock` (s).
     pub fn time(&mut self, column: usize, clock: &mut Clock) -> Option<f64> {
-        let factor = self.table.header().places[column]?.factor;
-        let date = self.text(column).and_then(|text| date_time(&text));
-        let content = if date.is_some() { Content::Empty } else { self.content(column) };
-        let time = match (date, content) {
-            (Some(moment), _) => Time::Date(moment),
-            (None, Content::Number(number)) if self.keeps_sign(column, &number) => {
-                Time::Seconds(number.value * factor)
-            }
-            (None, Content::Number(_)) => return None,
-            (None, content) => {
-                self.fault(column, &content, "a number of seconds, or a date such as 2026-11-26T22:00:00Z");
+        let time = match self.text(column).map(|text| dates::read(&text)) {
+            Some(Ok(date)) => Time::Date(date),
+            Some(Err(error @ DateError::Calendar { .. })) => {
+                self.refuse(column, &error.expected());
                 return None;
             }
+            _ => Time::Seconds(self.seconds(column)?),
         };
         clock.count(time).map_err(|expected| self.refuse(column, &expected)).ok()
+    }
+
+    /// A time as a number (s), whatever it counts from.
+    fn seconds(&mut self, column: usize) -> Option<f64> {
+        let content = self.content(column);
+        let expected = "a number of seconds, or a date such as 2026-11-26T22:00:00Z";
+        self.that(column, content, |_| true, expected).ok().flatten()
     }
 
     /// Records that a cell is not what was expected: "`x_m` must be EXPECTED, not FOUND".
@@ -178,10 +179,11 @@ impl<'t> Row<'t> {
         match content {
             Content::NoColumn => Ok(None),
             Content::Number(number) if is_good(number.value * factor) => {
-                match self.keeps_sign(column, &number) {
-                    true => Ok(Some(number.value * factor)),
-                    false => Err(Faulty),
+                if !self.keeps_sign(column, &number) {
+                    return Err(Faulty);
                 }
+                self.table.met(column, number.value);
+                Ok(Some(number.value * factor))
             }
             content => {
                 self.fault(column, &content, expected);

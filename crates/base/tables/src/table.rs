@@ -11,6 +11,7 @@ use crate::header::{Header, HeaderFault, missing};
 use crate::line::{QuoteFault, Separator, separator, split, unquoted};
 use crate::number::{Number, Sign, number};
 use crate::row::Row;
+use crate::turn::beyond_a_turn;
 
 /// A table that is being read row by row. Lines that are empty, begin with `#` or have only empty cells are passed over.
 #[derive(Debug)]
@@ -28,6 +29,8 @@ pub struct Table {
     /// Rows read so far.
     rows: u64,
     sign: Option<Sign>,
+    /// Largest number of each column so far, either way, in the unit that its header names.
+    largest: Vec<f64>,
     /// All decimal commas so far could stand between thousands.
     is_ambiguous: bool,
     faults: LongList,
@@ -62,6 +65,7 @@ impl Table {
             cells: Vec::new(),
             rows: 0,
             sign: None,
+            largest: vec![0.0; form.columns.len()],
             is_ambiguous: true,
             source,
             form,
@@ -108,8 +112,8 @@ impl Table {
         }
     }
 
-    /// What was `read`, if nothing was wrong. Otherwise the first faults go to `problems`, and the number of the others. A
-    /// note says so where decimal commas could be read otherwise.
+    /// What was `read`, if nothing was wrong. Otherwise the first faults go to `problems`, and the number of the others. Notes
+    /// tell of decimal commas that could be read otherwise, and of angles beyond a turn.
     pub fn finish<T>(mut self, read: T, problems: &Problems) -> Option<T> {
         if self.rows == 0 && self.faults.is_empty() {
             let title = format!("a {} without rows", self.form.what);
@@ -123,6 +127,13 @@ impl Table {
             let name = &self.source.name;
             problems.note(format!("{name}: commas in numbers are decimal commas: 1,234 is read as 1.234"));
         }
+        let angles = self
+            .header
+            .places
+            .iter()
+            .zip(&self.largest)
+            .filter_map(|(place, largest)| beyond_a_turn(place.as_ref()?.name, *largest));
+        angles.for_each(|note| problems.note(format!("{}: {note}", self.source.name)));
         self.faults.finish(read, problems)
     }
 
@@ -145,6 +156,11 @@ impl Table {
 
     pub(crate) fn push(&mut self, problem: Problem) {
         self.faults.push(problem);
+    }
+
+    /// Keeps the largest number of a column, either way.
+    pub(crate) fn met(&mut self, column: usize, number: f64) {
+        self.largest[column] = self.largest[column].max(number.abs());
     }
 
     /// Bytes of the row that is being read.

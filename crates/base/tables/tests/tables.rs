@@ -25,7 +25,7 @@ fn read(bytes: impl AsRef<[u8]>) -> Result<Rows, Vec<String>> {
             (Table::with_header(source, &FORM), Vec::new(), Clock::from_zero());
         while let Some(mut row) = table.next_row() {
             let (time, x) = (row.time(0, &mut clock), row.number(1, -1e4..=1e4));
-            let angle = row.optional_number(2, -360.0..=360.0);
+            let angle = row.optional_number(2, -3600.0..=3600.0);
             rows.extend(time.zip(x).zip(angle.ok()).map(|((time, x), angle)| (time, x, angle)));
         }
         table.finish(rows, &problems)
@@ -134,14 +134,14 @@ fn cells_say_what_is_wrong_with_them() {
     assert_eq!(of("1,\"\",2"), ["3:3 `x_m` must be a number from -10000 to 10000, not nothing"]);
     assert_eq!(of("1,\"1,5\",2"), ["3:3 `x_m` must be a number from -10000 to 10000, not 1,5"]);
     assert_eq!(of("1,20000,2"), ["3:3 `x_m` must be a number from -10000 to 10000, not 20000"]);
-    assert_eq!(of("1,5,north"), ["3:5 `angle_deg` must be a number from -360 to 360, not north"]);
+    assert_eq!(of("1,5,north"), ["3:5 `angle_deg` must be a number from -3600 to 3600, not north"]);
     assert_eq!(of("1,5"), ["3:1 a row of 2 cells under a header of 3"]);
     assert_eq!(of("1,\"5,2"), ["3:3 a quote that is not closed"]);
     assert_eq!(of("1,\"5\"6,2"), ["3:6 text behind a quote"]);
     assert_eq!(of("noon,5,6").len(), 1);
     // The limit is told in the unit of the column.
-    let in_radians = faults("t_s,x_m,angle_rad\n0,1,7\n");
-    assert!(in_radians[0].starts_with("2:5 `angle_rad` must be a number from -6.28318"), "{in_radians:?}");
+    let in_radians = faults("t_s,x_m,angle_rad\n0,1,70\n");
+    assert!(in_radians[0].starts_with("2:5 `angle_rad` must be a number from -62.8318"), "{in_radians:?}");
     let long = "9".repeat(100_000);
     assert!(of(&format!("1,{long},2")).iter().all(|title| title.len() < 200));
 }
@@ -168,6 +168,29 @@ fn dates_are_times() {
     assert_eq!(rows.iter().map(|row| row.0).collect::<Vec<_>>(), [0.0, 0.25, 1.0]);
     assert_eq!(read("t_s,x_m\n2026-11-26T22:00:00Z,1\n5,2\n").unwrap_err().len(), 1);
     assert_eq!(read("t_s,x_m\n26.11.2026 22:00,1\n").unwrap_err().len(), 1);
+    assert_eq!(
+        faults("t_s,x_m\n2026-02-30T22:00:00Z,1\n"),
+        ["2:1 `t_s` must be a date with day 1 to 28, not 2026-02-30T22:00:00Z"]
+    );
+}
+
+#[test]
+fn leap_seconds_pass_as_seconds_do() {
+    let text = "t_s,x_m\n2016-12-31T23:59:59Z,1\n2016-12-31T23:59:60Z,2\n2017-01-01T00:00:00Z,3\n";
+    assert_eq!(read(text).unwrap().0.iter().map(|row| row.0).collect::<Vec<_>>(), [0.0, 1.0, 2.0]);
+    let said = faults(text.replace("2016", "2017").replace("2017-01-01", "2018-01-01"));
+    assert!(said[0].contains("no leap second ends that minute"), "{said:?}");
+}
+
+#[test]
+fn angles_beyond_a_turn_are_told() {
+    let notes = |name: &str, angle: &str| {
+        read(format!("t_s,x_m,{name}\n0,1,2\n1,1,{angle}\n2,1,\n")).unwrap().1.join("; ")
+    };
+    assert!(notes("angle_rad", "-45").contains("t.csv: angle_rad goes up to 45, more than 2 pi"));
+    assert!(notes("angle_rad", "7").contains("name the column angle_deg"));
+    assert!(notes("angle_deg", "361").contains("angle_deg goes up to 361"));
+    assert_eq!([notes("angle_rad", "6.28"), notes("angle_deg", "-360")], ["", ""]);
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! What people write and read: ranges of numbers ([`Span`]), tables in columns, numbers in words, control characters made visible
+//! What people write and read: ranges of numbers ([`Span`]), tables in columns, numbers and places in words, control characters made visible
 //! ([`visible`]).
 
 mod span;
@@ -62,9 +62,27 @@ pub fn shortened(value: f64, places: usize) -> String {
     if short == "-0" { "0".into() } else { short.into() }
 }
 
+/// A latitude (degrees) with its side of the equator, as [`shortened`] has it: `85 S`.
+pub fn latitude(degrees: f64, places: usize) -> String {
+    on_side(degrees, places, ["N", "S"])
+}
+
+/// A longitude (degrees, positive east) with its side of the prime meridian: `20.5 W`.
+pub fn longitude(degrees: f64, places: usize) -> String {
+    on_side(degrees, places, ["E", "W"])
+}
+
+fn on_side(degrees: f64, places: usize, [positive, negative]: [&str; 2]) -> String {
+    let text = shortened(degrees, places);
+    match text.strip_prefix('-') {
+        Some(rest) => format!("{rest} {negative}"),
+        None => format!("{text} {positive}"),
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{markdown, named_frames, rate, shortened};
+    use super::{latitude, longitude, markdown, named_frames, rate, shortened};
 
     #[test]
     fn one_frame_is_a_frame() {
@@ -81,6 +99,12 @@ mod tests {
     fn a_bar_in_a_cell_ends_no_cell() {
         let rows = [["sun", "mean |z| (m)"], ["own", "1.5"]].map(|row| row.map(str::to_owned).to_vec());
         assert_eq!(markdown(&rows), "| sun | mean \\|z\\| (m) |\n|---|---|\n| own | 1.5 |\n");
+    }
+
+    #[test]
+    fn places_have_a_side() {
+        assert_eq!([-85.0, 20.25, -0.000_01].map(|angle| latitude(angle, 3)), ["85 S", "20.25 N", "0 N"]);
+        assert_eq!([-5.5, 180.0].map(|angle| longitude(angle, 6)), ["5.5 W", "180 E"]);
     }
 
     #[test]

@@ -49,12 +49,15 @@ pub fn command() -> clap::Command {
     with_negative_numbers(Cli::command())
 }
 
-/// A number or a span that begins below 0 is a value, so that whoever gives one hears what is expected, and not of an
+/// A number, a span (`A..B`) or a list (`A,B`) that begins below 0 is a value, so that whoever gives one hears what is expected, and not of an
 /// unknown option.
 fn with_negative_numbers(command: clap::Command) -> clap::Command {
     let taken = |argument: clap::Arg| {
         let mut names = argument.get_value_names().unwrap_or_default().iter();
-        match (argument.get_action().takes_values(), names.any(|name| name.contains(".."))) {
+        match (
+            argument.get_action().takes_values(),
+            names.any(|name| name.contains("..") || name.contains(',')),
+        ) {
             (false, _) => argument,
             (true, false) => argument.allow_negative_numbers(true),
             (true, true) => argument.allow_hyphen_values(true),

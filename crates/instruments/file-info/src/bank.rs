@@ -15,7 +15,9 @@ pub fn bank_text(bank: &Bank) -> String {
         let [latitude, longitude] = [place.latitude, place.longitude].map(degrees);
         let [north, east] = place.at;
         text += &format!(
-            "  touches the Moon at {latitude:.6} N, {longitude:.6} E (x = {} m, y = {} m)\n",
+            "  touches the Moon at {}, {} (x = {} m, y = {} m)\n",
+            text::latitude(latitude, 6),
+            text::longitude(longitude, 6),
             shortened(north, 3),
             shortened(east, 3)
         );

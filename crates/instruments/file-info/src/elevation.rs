@@ -73,16 +73,17 @@ fn projection(frame: Frame) -> String {
         Frame::Plane(None) => return "projection unknown".into(),
         Frame::Geographic { radius } => ("latitude and longitude".to_owned(), radius),
         Frame::Plane(Some(projection)) => {
-            let [latitude, longitude] =
-                [projection.latitude, projection.longitude].map(|angle| shortened(degrees(angle), 6));
+            let latitude = |angle: f64| text::latitude(degrees(angle), 6);
             let method = match projection.method {
                 Method::Equirectangular { parallel } => {
-                    format!("equirectangular, true along {} N", shortened(degrees(parallel), 6))
+                    format!("equirectangular, true along {}", latitude(parallel))
                 }
                 Method::PolarStereographic { .. } => "polar stereographic".into(),
                 Method::Orthographic => "orthographic".into(),
             };
-            (format!("{method}, centre {latitude} N, {longitude} E"), projection.radius)
+            let centre = latitude(projection.latitude);
+            let longitude = text::longitude(degrees(projection.longitude), 6);
+            (format!("{method}, centre {centre}, {longitude}"), projection.radius)
         }
     };
     format!("{method}, on a sphere of {} m", shortened(radius, 3))

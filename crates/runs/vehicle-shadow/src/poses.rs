@@ -6,6 +6,7 @@ use std::path::Path;
 use diagnostics::{Placed, Problem, Problems};
 use landscape::Attitude;
 use quantities::radians;
+use scenario::{Waypoint, other_unit};
 use tables::{Clock, Column, Form, Row, Table, read_text};
 
 use crate::{AugmentError, Camera, Shot};
@@ -79,6 +80,12 @@ pub struct FramePose {
 }
 
 impl FramePose {
+    /// Where the vehicle was, and whither it looked.
+    fn waypoint(&self) -> Waypoint {
+        let ([x, y, _], heading) = (self.eye, Some(self.attitude.heading));
+        Waypoint { time: self.time, at: [x, y], heading, eye_height: None, pitch: None, roll: None }
+    }
+
     /// The shot of `camera` there; a vehicle whose height is not told stands with its eye `eye_height` (m) up.
     pub fn shot(&self, camera: &Camera, eye_height: f64) -> Shot {
         let drawn = if camera.rolls { self.attitude.roll } else { 0.0 };
@@ -125,8 +132,15 @@ fn read_into(path: &Path, problems: &Problems) -> Option<BTreeMap<u64, FramePose
         }
         poses.insert(frame, Placed { value: pose, place: row.place(T), key: "t_s".into() });
     }
+    let column = table.name(ANGLES[0]);
     let poses = table.finish(poses, problems)?;
-    clock.note().into_iter().for_each(|note| problems.note(format!("{}: {note}", path.display())));
+    let waypoints: Vec<Waypoint> = poses.values().map(|pose| pose.value.waypoint()).collect();
+    let doubt = column.and_then(|column| other_unit(column, &waypoints));
+    clock
+        .note()
+        .into_iter()
+        .chain(doubt)
+        .for_each(|note| problems.note(format!("{}: {note}", path.display())));
     let late = poses.values().zip(poses.values().skip(1)).find(|(a, b)| b.value.time <= a.value.time);
     if let Some((before, pose)) = late {
         let title =

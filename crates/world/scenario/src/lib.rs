@@ -64,5 +64,5 @@ pub use tracks::Tracks;
 pub use vehicle::{Stand, Vehicle};
 pub use vehicle_shape::VehicleShape;
 pub use view::View;
-pub use written::{FORMAT, Overrides};
+pub use written::{FORMAT, Overrides, other_unit};
 pub use yoke::Yoke;

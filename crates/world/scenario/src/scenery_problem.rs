@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use ephemeris::Instant;
+use ephemeris::{FIRST, Instant, LAST};
 use limits::Limit;
 use solids::{RockFieldError, SolidError};
 
@@ -76,6 +76,17 @@ pub enum SceneryProblem {
         time: f64,
         /// Elevation of the sun (deg).
         elevation_deg: f64,
+    },
+    /// A mission that goes on beyond the years for which the sun is known.
+    #[error(
+        "[sun]: at {at}, t = {time} s, the error of the sun is not measured, expected years from {FIRST} to {LAST}; shorten \
+         the mission, or begin it earlier"
+    )]
+    SunUnmeasured {
+        /// Date and time beyond these years.
+        at: Instant,
+        /// The same from the start of the mission (s).
+        time: f64,
     },
     /// More suns than can be kept.
     #[error(

@@ -100,7 +100,7 @@ impl Sunlight {
     /// Every sun of a mission of `length` (s) over the ground of `bank`, and the sky of its start where it has a date.
     ///
     /// # Errors
-    /// If the date comes to no sun above the horizon, or to too many steps.
+    /// If the date comes to no sun above the horizon, to too many steps, or beyond the years that are measured.
     pub(crate) fn suns(&self, bank: &Bank, length: f64) -> Result<(Suns, Option<DatedSky>), SceneryProblem> {
         match self {
             Self::Angles { first, drift: None } => Ok((vec![(0.0, *first)], None)),
@@ -121,6 +121,9 @@ impl SunDate {
         let sun = |step: u64| {
             let time = step as f64 * self.step;
             let at = self.at.later(time);
+            if !at.is_measured() {
+                return Err(SceneryProblem::SunUnmeasured { at, time });
+            }
             let sky = DatedSky { at, sky: Sky::over(start.place, at), ..start };
             match sky.sun() {
                 sun if sun.elevation > 0.0 => Ok((time, sun)),

@@ -6,6 +6,7 @@ mod course;
 mod doubts;
 mod events;
 mod features;
+mod gpx_names;
 mod ground;
 mod guests;
 mod light;
@@ -28,6 +29,7 @@ use limits::Limit;
 use quantities::radians;
 
 use coordinates::Ground;
+pub use doubts::other_unit;
 
 use crate::{
     Display, GroundSource, LawWishes, Length, LevelSwitch, RollDisplay, Scalar, Scenario, Vehicle,

@@ -232,7 +232,7 @@ fn faults_of_path_files_have_line_and_column() {
             "2:1 `t_s` must be a number of seconds below 1e11; t_ms, t_us and t_ns are columns of smaller units, not 1e300"
         ]
     );
-    assert_eq!(csv("0,1,2,3\n0,1,2,3\n"), ["3:1 t = 0 s after t = 0 s: times must ascend"]);
+    assert_eq!(csv("0,1,2,3\n0,1,2,4\n"), ["3:1 t = 0 s after t = 0 s: times must ascend"]);
     assert_eq!(csv("0,1,2\n"), ["2:1 a row of 3 cells under a header of 4"]);
     assert_eq!(csv(""), ["1:1 a path file without rows"]);
     assert_eq!(path_faults("p.csv", ""), ["1:1 an empty path file"]);

@@ -88,7 +88,7 @@ fn parse(text: &str) -> Scenario {
 #[test]
 fn all_examples_are_read() {
     let (examples, pieces) = examples();
-    assert_eq!((examples.len(), pieces.len()), (6, 5));
+    assert_eq!((examples.len(), pieces.len()), (7, 5));
     let drive = parse(examples[1]);
     assert_eq!(drive.path.waypoints().len(), 3);
     let tum = parse(&examples[1].replace("drive.csv", "drive.tum"));
@@ -169,9 +169,11 @@ const CHANGES: &[(&str, usize, &str, &str)] = &[
     ("path.keyframes.heading_deg", 0, "heading_deg = 40", "heading_deg = 41"),
     ("path.file", 1, "drive.csv", "drive.tum"),
     ("path.coordinates", 1, "file = \"drive.csv\"", "file = \"drive.csv\"\ncoordinates = \"file\""),
-    ("path.track", 5, "track = 1", "track = 2"),
-    ("path.segment", 5, "segment = 1", "segment = 2"),
-    ("path.heights", 5, "\"unused\"", "\"above-ground\""),
+    ("path.keyframes.lat_deg", 5, "8.1207", "8.1208"),
+    ("path.keyframes.lon_deg", 5, "-38.0093", "-38.0094"),
+    ("path.track", 6, "track = 1", "track = 2"),
+    ("path.segment", 6, "segment = 1", "segment = 2"),
+    ("path.heights", 6, "\"unused\"", "\"above-ground\""),
     ("raster.sweeps", 0, "sweeps = 525", "sweeps = 526"),
     ("raster.samples_per_sweep", 0, "samples_per_sweep = 1000", "samples_per_sweep = 999"),
     ("raster.columns", 0, "columns = 525", "columns = 526"),

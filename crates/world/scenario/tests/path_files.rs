@@ -124,6 +124,7 @@ fn times_since_1970_drive() {
 fn times_that_do_not_rise_are_refused_with_their_line() {
     for (rows, line) in [
         ("0,1,2\n1,2,2\n1,3,2\n", "4 t = 1 s after t = 1 s"),
+        ("0,1,2\n1,2,2\n1,2,2\n1,3,2\n", "5 t = 1 s after t = 1 s"),
         ("0,1,2\n2,2,2\n1,3,2\n3,4,2\n", "4 t = 1 s after t = 2 s"),
         ("1700000005,1,2\n1700000004,2,2\n", "3 t = -1 s after t = 0 s"),
         ("2026-01-01T00:00:01Z,1,2\n2026-01-01T01:00:01+01:00,2,2\n", "3 t = 0 s after t = 0 s"),
@@ -131,6 +132,10 @@ fn times_that_do_not_rise_are_refused_with_their_line() {
         let found = faults("drive.csv", &format!("t_s,x_m,y_m\n{rows}"));
         assert!(found.len() == 1 && found[0].starts_with(line), "{found:?}");
     }
+    // What stands there twice is there once.
+    let twice = read("p.csv", "t_s,x_m,y_m\n0,1,2\n1,2,2\n1,2,2\n1,2,2\n2,3,2\n");
+    assert_eq!(places(&twice), [(0.0, [1.0, 2.0]), (1.0, [2.0, 2.0]), (2.0, [3.0, 2.0])]);
+    assert!(notes(&twice)[0].contains("2 points repeat the one before"), "{:?}", twice.notes);
 }
 
 #[test]
@@ -211,6 +216,23 @@ fn degrees_that_look_like_radians_are_told() {
     assert!(!told("0,1,1,3\n1,1,1,6\n2,1,1,9\n"));
     assert!(!told("0,1,1,3\n"));
     assert!(!told("0,1,1,0\n1,1,2,0\n"));
+}
+
+#[test]
+fn angles_in_the_other_unit_are_told() {
+    let told =
+        |name: &str, rows: &str| notes(&read("p.csv", &format!("t_s,x_m,y_m,{name}\n{rows}"))).join("; ");
+    // East, in degrees under a header of radians; beyond a turn under either.
+    assert!(
+        told("heading_rad", "0,1,1,90\n1,1,2,90\n").contains("heading_rad goes up to 90, more than 2 pi")
+    );
+    assert!(told("heading_deg", "0,1,1,450\n1,1,2,450\n").contains("heading_deg goes up to 450"));
+    // A few degrees from north, either side.
+    let north = "0,1,1,2\n1,9,1.3,2.5\n2,18,1,-2\n3,26,1,0\n";
+    assert!(told("heading_rad", north).contains("only if they are those of a column heading_deg"));
+    assert_eq!(told("heading_deg", north), "");
+    assert_eq!(told("heading_rad", "0,1,1,1.5708\n1,1,2,1.5708\n"), "");
+    assert_eq!(told("heading_deg,pitch_deg", "0,1,1,90,-3\n1,1,2,90,3\n"), "");
 }
 
 #[test]
@@ -320,6 +342,31 @@ fn places_come_into_the_axes_of_the_bank() {
 }
 
 #[test]
+fn keyframes_have_the_coordinates_of_files() {
+    let folder = tempfile::tempdir().unwrap();
+    bank_file::write(folder.path().join("ground.bank"), &bank(Some(polar()))).unwrap();
+    let read = |path: &str| {
+        let name = folder.path().join("s.toml");
+        Scenario::parse(name.to_str().unwrap(), &text(path, true)).map_err(|list| list.to_string())
+    };
+    let [latitude, longitude] = polar_degrees([100.0, 200.0]);
+    let on_sphere = format!("t_s = 0, lat_deg = {latitude}, lon_deg = {longitude}, heading_deg = 10");
+    let waypoint =
+        |path: &str| read(path).unwrap_or_else(|said| panic!("{path}: {said}")).path.waypoints()[0];
+    let lon_lat = waypoint(&format!("coordinates = \"lon-lat\"\nkeyframes = [{{ {on_sphere} }}]\n"));
+    assert!((lon_lat.at[0] - 100.0).abs() < 1e-6 && (lon_lat.at[1] - 200.0).abs() < 1e-6, "{lon_lat:?}");
+    assert!((degrees(lon_lat.heading.unwrap()) - 10.0 - longitude).abs() < 1e-4);
+    let in_file = "coordinates = \"file\"\nkeyframes = [{ t_s = 0, x_m = 150100, y_m = -14800 }]\n";
+    assert_eq!(waypoint(in_file).at, [100.0, 200.0]);
+    let mixed = read(&format!("keyframes = [{{ {on_sphere} }}]\n")).unwrap_err();
+    assert!(
+        mixed.contains("unknown key `path.keyframes[0].lat_deg`") || mixed.contains("lat_deg"),
+        "{mixed}"
+    );
+    assert!(read("coordinates = \"lon-lat\"\nkeyframes = []\n").is_err());
+}
+
+#[test]
 fn headings_on_the_sphere_count_from_true_north() {
     let [latitude, longitude] = polar_degrees([0.0, 0.0]);
     let text = format!("t_s,lat_deg,lon_deg,heading_deg\n0,{latitude},{longitude},10\n");
@@ -377,7 +424,7 @@ fn coordinates_that_lead_nowhere_are_refused() {
     }
     let keyframes = text("keyframes = [{ t_s = 0, x_m = 50, y_m = 80 }]\ncoordinates = \"file\"\n", false);
     let found = Scenario::parse("s.toml", &keyframes).unwrap_err().to_string();
-    assert!(found.contains("`path.coordinates` without path.file"), "{found}");
+    assert!(found.contains("over generated ground"), "{found}");
     // The bank of the command line takes the place of the scenario's.
     let folder = tempfile::tempdir().unwrap();
     let other = folder.path().join("other.bank");
@@ -452,11 +499,14 @@ fn a_track_is_a_path() {
     assert_eq!(heights("unused"), (HeightOver::Datum, None));
     assert_eq!(heights("above-datum"), (HeightOver::Datum, Some(13.5)));
     assert_eq!(heights("above-ground"), (HeightOver::Ground, Some(13.5)));
-    // Windows, a byte order mark, GPX 1.0, no namespace.
+    // Windows, a byte order mark, GPX 1.0, a prefix, no version, a point that stands there twice.
+    let prefixed = whole.replace("xmlns=", "xmlns:g=").replace("</", "</g:").replace('<', "<g:");
     for text in [
         format!("\u{feff}{}", whole.replace('\n', "\r\n")),
-        whole.replace("GPX/1/1", "GPX/1/0"),
-        whole.replace(" xmlns=\"http://www.topografix.com/GPX/1/1\"", ""),
+        whole.replace("GPX/1/1", "GPX/1/0").replace("version=\"1.1\"", "version=\"1.0\""),
+        prefixed.replace("<g:/g:", "</g:").replace("<g:?xml", "<?xml"),
+        whole.replace(" version=\"1.1\"", ""),
+        whole.replace(NEXT, &format!("{NEXT}{NEXT}")),
     ] {
         let waypoints: Vec<Waypoint> = over_equator(&text, "").unwrap().path.waypoints().to_vec();
         assert_eq!(waypoints, [first, last]);
@@ -482,7 +532,7 @@ fn tracks_and_segments_are_named() {
 fn tracks_that_are_no_path_are_refused_with_their_line() {
     let cases = [
         (track(&POINT.replace("<time>2026-11-26T22:00:00Z</time>", "")), "5 a track point without a time"),
-        (track(&POINT.replace("22:00:00Z", "25:00:00Z")), "5 `time` must be a date"),
+        (track(&POINT.replace("22:00:00Z", "25:00:00Z")), "5 `time` must be a date with hour 0 to 23"),
         (track(&POINT.replace("1.001", "91")), "5 `lat` must be a number of degrees from -90 to 90, not 91"),
         (
             track(&POINT.replace(" lon=\"2.001\"", "")),
@@ -491,7 +541,15 @@ fn tracks_that_are_no_path_are_refused_with_their_line() {
         (track(&POINT.replace("ele>", "height>")), "5 unknown element `height` in `trkpt`"),
         (track(""), "5 a track segment without points"),
         (track(&format!("{NEXT}\n{POINT}")), "6 t = -10.5 s after t = 0 s"),
-        (track(&format!("{POINT}\n{POINT}")), "6 t = 0 s after t = 0 s"),
+        (track(&format!("{POINT}\n{}", POINT.replace("1.001", "1.002"))), "6 t = 0 s after t = 0 s"),
+        (track(&POINT.replace("12.5", "NaN")), "5 `ele` must be a number of metres"),
+        (track(&POINT.replace("12.5", "1e9")), "5 `ele` must be a number of metres"),
+        (track(&POINT.replace("<ele>", "<ele>1</ele><ele>")), "5 a second `ele` in a `trkpt`"),
+        (track(&POINT.replace("<time>", "<time>2026-11-26T21:00:00Z</time><time>")), "5 a second `time`"),
+        (
+            track(&POINT.replace("<ele>", "<ele xmlns=\"urn:depth\">")),
+            "5 element `ele` of another namespace in `trkpt`",
+        ),
         (String::new(), "2 a GPX file without a track"),
         ("<trk><name>x</name></trk>".into(), "5 a GPX file without a segment"),
         ("<waypoint/>".into(), "5 unknown element `waypoint` in `gpx`"),
@@ -509,6 +567,17 @@ fn tracks_that_are_no_path_are_refused_with_their_line() {
     let document_type = "<!DOCTYPE gpx [<!ENTITY a \"b\">]><gpx>&a;</gpx>";
     assert!(over_equator(document_type, "").unwrap_err()[0].contains("not XML"));
     assert!(over_equator("<kml/>", "").unwrap_err()[0].contains("the element `kml`"));
+    let whole = gpx(&track(POINT));
+    for (text, said) in [
+        (whole.replace("version=\"1.1\"", "version=\"2.0\""), "GPX of version 2.0"),
+        (whole.replace("GPX/1/1", "GPX/2/0"), "a `gpx` of the namespace http://www.topografix.com/GPX/2/0"),
+        (
+            whole.replace(" xmlns=\"http://www.topografix.com/GPX/1/1\"", ""),
+            "a `gpx` of the namespace nothing",
+        ),
+    ] {
+        assert!(over_equator(&text, "").unwrap_err()[0].contains(said), "{said}");
+    }
     assert!(
         over_equator(&gpx(&track(POINT)), "coordinates = \"bank\"\n").unwrap_err()[0]
             .contains("a GPX file has latitudes")

@@ -287,6 +287,13 @@ fn dates_without_a_sun_are_refused() {
     assert!(evening.contains("t = 120 s, the sun stands at an elevation of -0.0"), "{evening}");
     let steps = said(&format!("{AT}\nstep_s = 1e-3"), &valley(Some(0.0)));
     assert!(steps.contains("150000 steps of 0.001 s") && steps.contains("sun-steps"), "{steps}");
+    // A mission that goes on beyond what is measured, with the sun up.
+    let beyond = "place = { longitude_deg = -103, latitude_deg = 0 }";
+    let beyond = said(&format!("at = '2050-12-31T23:58:59Z'\n{beyond}"), &valley(Some(0.0)));
+    assert!(
+        beyond.contains("at 2051-01-01T00:00:59Z, t = 120 s, the error of the sun is not measured"),
+        "{beyond}"
+    );
     // Imported ground has its x axis to the north.
     let placed = dated(&format!("{AT}\nplace = {{ longitude_deg = 30.77, latitude_deg = 20.19 }}"));
     assert_eq!(Scenery::of(&placed, &plain, rate()).unwrap().sky().unwrap().true_north, 0.0);

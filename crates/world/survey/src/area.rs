@@ -277,11 +277,11 @@ pub(crate) fn check_resampled(
     }
     let [s, w, n, e] = held.map(degrees);
     let found = format!(
-        "{} m x {} m around {:.4} N {:.4} E",
+        "{} m x {} m around {}, {}",
         size[0],
         size[1],
-        degrees(plane.latitude),
-        degrees(plane.longitude)
+        text::latitude(degrees(plane.latitude), 4),
+        text::longitude(degrees(plane.longitude), 4)
     );
     let extent = format!("south {s:.4}, west {w:.4}, north {n:.4}, east {e:.4} deg");
     Err(SurveyError::AreaOutside { found, extent })

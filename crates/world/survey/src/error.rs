@@ -4,11 +4,14 @@ use std::io;
 use std::path::PathBuf;
 
 use landscape::BankError;
+use limits::Limit;
+
+use crate::read::listed;
 
 /// Each message names the file, the place in it, what was found and expected, and what to do.
 #[derive(Debug, thiserror::Error)]
 pub enum SurveyError {
-    /// The file cannot be opened or read.
+    /// The file cannot be read.
     #[error("{path}: cannot be read ({source}); expected an elevation file; check the name and permissions", path = .path.display())]
     Read {
         /// Path of the file.
@@ -16,9 +19,23 @@ pub enum SurveyError {
         /// What the system says.
         source: io::Error,
     },
-    /// A folder or device in place of a file.
-    #[error("{path}: is not a file; expected an elevation file, as docs/elevation-words.md lists them; name the file itself", path = .0.display())]
-    NotAFile(PathBuf),
+    /// A file that cannot be opened, or a folder or a device in place of one.
+    #[error(transparent)]
+    File(#[from] files::FileError),
+    /// More heights than may be in memory.
+    #[error("{path}: {lines} x {columns} samples take {bytes} bytes of memory; expected at most {most}; give a smaller area; {advice}", path = .path.display(), advice = Limit::ElevationBytes)]
+    TooLarge {
+        /// Path of the file.
+        path: PathBuf,
+        /// Lines that were asked for.
+        lines: usize,
+        /// Samples of a line that were asked for.
+        columns: usize,
+        /// Bytes that their heights take.
+        bytes: u64,
+        /// Largest number of bytes that is allowed.
+        most: u64,
+    },
     /// None of the formats read here.
     #[error("{path}: starts with {found}; expected a TIFF, a label of PDS3, PDS4 or ISIS, an ENVI header, an Arc ASCII grid, a DTED cell, an SRTM tile (NAME.hgt) or a NumPy array; convert it with gdal_translate -of GTiff", path = .path.display())]
     UnknownFormat {
@@ -166,15 +183,10 @@ pub enum SurveyError {
         /// Most coefficients that are allowed for so many samples.
         most: usize,
     },
-    /// A `.npy` file is missing, damaged or too large.
+    /// A `.npy` file is missing or damaged.
     #[error(transparent)]
     Npy(#[from] files::NpyFileError),
     /// The fit cannot be a bank.
     #[error("the fit is not a bank: {0}")]
     Bank(#[from] BankError),
-}
-
-/// Numbers as an option takes them: joined by commas, exact to the bit.
-fn listed(values: &[f64]) -> String {
-    values.iter().map(|value| format!("{value:?}")).collect::<Vec<_>>().join(",")
 }

@@ -181,6 +181,14 @@ fn bands_are_listed_and_chosen() {
     let data: Vec<f32> = (0..12).map(|index| index as f32).collect();
     let (_folder, path) = write::<RGB32Float>(2, 2, &data, &tags);
     let message = read(&path, &ReadOptions::default()).unwrap_err().to_string();
+    assert!(message.contains("tag 262 (PhotometricInterpretation): found 2"), "{message}");
+    // The writer knows three bands as colours only: the meaning (tag 262, one short) becomes grey.
+    let mut bytes = fs::read(&path).unwrap();
+    let entry = [6, 1, 3, 0, 1, 0, 0, 0, 2, 0];
+    let at = bytes.windows(entry.len()).position(|window| window == entry).unwrap();
+    bytes[at + 8] = 1;
+    fs::write(&path, bytes).unwrap();
+    let message = read(&path, &ReadOptions::default()).unwrap_err().to_string();
     assert!(message.contains("3 bands") && message.contains("2 (height)"), "{message}");
     let with = |band| read(&path, &ReadOptions { band: Some(band), ..ReadOptions::default() });
     let second = with(2).unwrap();

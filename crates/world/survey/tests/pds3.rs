@@ -207,8 +207,9 @@ fn npy_arrays() {
 #[test]
 fn what_is_no_elevation_file() {
     let folder = tempfile::tempdir().unwrap();
-    assert!(matches!(plain(folder.path()), Err(SurveyError::NotAFile(_) | SurveyError::Read { .. })));
-    assert!(matches!(plain(&folder.path().join("absent.tif")), Err(SurveyError::Read { .. })));
+    assert!(matches!(plain(folder.path()), Err(SurveyError::File(files::FileError::IsFolder { .. }))));
+    let absent = plain(&folder.path().join("absent.tif"));
+    assert!(matches!(absent, Err(SurveyError::File(files::FileError::Missing { .. }))));
     let path = folder.path().join("text.tif");
     for (bytes, found) in [(&b""[..], "empty"), (b"hello", "68 65 6C")] {
         fs::write(&path, bytes).unwrap();

@@ -47,7 +47,7 @@ struct Import {
     #[arg(long, value_name = "METRES", value_parser = values::metres)]
     region_size_m: f64,
     /// North and east of the first corner.
-    #[arg(long, value_name = "X,Y", value_parser = values::place, default_value = "0,0", allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y", value_parser = values::place, default_value = "0,0")]
     origin_m: [f64; 2],
     /// What the ground is.
     #[arg(long)]
@@ -89,7 +89,7 @@ struct Show {
     level: usize,
     /// Azimuth and elevation of the sun in the picture (degrees).
     #[arg(long, value_name = "AZIMUTH,ELEVATION", requires = "out", value_parser = values::sun,
-          allow_hyphen_values = true, default_value = "315,20")]
+          default_value = "315,20")]
     sun: [f64; 2],
     /// The longer side of the map (pixels).
     #[arg(long, requires = "out", default_value_t = 800, value_parser = values::whole(120..=8000_u32))]

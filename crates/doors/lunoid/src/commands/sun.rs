@@ -8,9 +8,9 @@ use landscape::bank_file;
 use limits::Limit;
 use quantities::radians;
 use run_record::{PlaceRecord, SkyRecord};
-use scenario::DatedSky;
+use scenario::{DatedSky, SceneryProblem};
 use serde_json::json;
-use text::{shortened, table};
+use text::{latitude, longitude, shortened, table};
 
 use crate::output::{print, print_json};
 use crate::{Failure, Verdict, values};
@@ -32,7 +32,7 @@ pub struct SunCommand {
     #[arg(long, value_name = "DATE")]
     at: Instant,
     /// Longitude (positive east) and latitude in degrees, instead of the bank's place.
-    #[arg(long, value_name = "LON,LAT", value_parser = place, allow_hyphen_values = true)]
+    #[arg(long, value_name = "LON,LAT", value_parser = place)]
     place: Option<[f64; 2]>,
     /// Last date and time of a table.
     #[arg(long, value_name = "DATE", requires = "step")]
@@ -81,7 +81,7 @@ impl SunCommand {
         match (&self.bank, place) {
             (Some(path), place) => {
                 let bank = bank_file::read(path)?;
-                let said = |error| Failure::input(format!("{}: {error}", path.display()));
+                let said = |error| Failure::input(format!("{}: {}", path.display(), without_sky(&error)));
                 DatedSky::over(&bank, self.at, place).map_err(said)
             }
             (None, Some(place)) => {
@@ -107,6 +107,23 @@ impl SunCommand {
             )));
         }
         Ok(rows as u64)
+    }
+}
+
+/// Why a bank has no sky, and what to do about it on this command line.
+fn without_sky(problem: &SceneryProblem) -> String {
+    match problem {
+        SceneryProblem::SunWithoutPlace => {
+            "the bank knows no place on the Moon (imported words, a file without a \
+             projection, or ground of another body), expected one; give --place LON,LAT"
+                .into()
+        }
+        SceneryProblem::SunWithoutNorth => {
+            "the bank was made without the direction of true north, expected one; make \
+             it again with `lunoid survey`, or give --place LON,LAT without the bank"
+                .into()
+        }
+        other => other.to_string(),
     }
 }
 
@@ -143,10 +160,7 @@ fn one(sky: &SkyRecord) -> String {
 }
 
 fn where_on_moon(place: &PlaceRecord) -> String {
-    let side = |angle: f64, positive: char, negative: char| {
-        format!("{:.3} {}", angle.abs(), if angle < 0.0 { negative } else { positive })
-    };
-    format!("{}, {}", side(place.latitude_deg, 'N', 'S'), side(place.longitude_deg, 'E', 'W'))
+    format!("{}, {}", latitude(place.latitude_deg, 3), longitude(place.longitude_deg, 3))
 }
 
 /// Skies over one place as a table; angles in degrees, azimuths from true north and, for the sun, from the x axis too.

@@ -21,7 +21,7 @@ const AFTER: &str = "Examples:
 Reads GeoTIFF (also BigTIFF and cloud-optimised), PDS3 images and PDS4 arrays (data or label), ISIS cubes, ENVI rasters
 (samples or header), Arc ASCII grids, DTED cells, SRTM tiles (.hgt) and .npy arrays.
 Coordinates of --area are metres of the file's own projection. With --area or --centre only the blocks of the file are
-read that the area needs, so the file may be larger than memory (.npy is read whole).";
+read that the area needs, so the file may be larger than memory.";
 
 /// Fit a bank to an elevation file.
 #[derive(Debug, Args)]
@@ -36,10 +36,10 @@ pub struct SurveyCommand {
     #[arg(long, value_name = "METRES", value_parser = values::metres)]
     region_size_m: Option<f64>,
     /// Edges of the area in the file's projected metres. All of the file if left out.
-    #[arg(long, value_name = "S,W,N,E", value_parser = values::edges, allow_hyphen_values = true)]
+    #[arg(long, value_name = "S,W,N,E", value_parser = values::edges)]
     area: Option<[f64; 4]>,
     /// Latitude and longitude of the middle of the area (degrees), with --size-m.
-    #[arg(long, value_name = "LAT,LON", value_parser = values::pair, allow_hyphen_values = true,
+    #[arg(long, value_name = "LAT,LON", value_parser = values::pair,
           conflicts_with = "area", requires = "size_m")]
     centre: Option<[f64; 2]>,
     /// Size of the area to the north and to the east.
@@ -49,7 +49,7 @@ pub struct SurveyCommand {
     #[arg(long, value_enum, default_value = "equirectangular", requires = "centre")]
     plane: PlaneWord,
     /// Region sizes of all levels in units of the finest, as 1,4.
-    #[arg(long, value_delimiter = ',', default_value = "1", value_name = "FACTORS",
+    #[arg(long, value_delimiter = ',', default_value = "1", value_name = "FACTOR[,FACTOR]",
           value_parser = values::at_least(0_usize))]
     levels: Vec<usize>,
     /// Smoothing length in region sizes; shorter waves than about six times this are smoothed.
@@ -74,8 +74,8 @@ pub struct SurveyCommand {
     /// Band with the heights, from 1.
     #[arg(long, value_parser = values::at_least(0_usize))]
     band: Option<usize>,
-    /// Metres between samples of a file that does not say: one number, or NORTH,EAST.
-    #[arg(long, value_name = "METRES", value_parser = spacing)]
+    /// Metres between samples of a file that does not say: one number, or one to the north and one to the east.
+    #[arg(long, value_name = "METRES[,METRES]", value_parser = spacing)]
     spacing_m: Option<[f64; 2]>,
     /// The first line of a file without a place is the southernmost.
     #[arg(long)]

@@ -140,7 +140,8 @@ fn a_lock_that_leads_elsewhere_empties_nothing() {
         } else {
             symlink("../far/victim.txt", lock).unwrap();
         }
-        room.refused(OUTPUT, &REPLAY, &["r/.lunoid.lock", "this is a link"]);
+        let what = if is_hard { "has another name too (a hard link)" } else { "this is a link" };
+        room.refused(OUTPUT, &REPLAY, &["r/.lunoid.lock", what]);
     }
 }
 

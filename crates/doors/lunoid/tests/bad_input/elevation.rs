@@ -18,8 +18,10 @@ fn files_that_are_none() {
     let room = Room::new();
     room.write("empty.tif", "");
     room.write("text.tif", "hello\n");
-    refused(&room, "gone.tif", &["No such file"]);
-    refused(&room, "folder", &["is not a file", "name the file itself"]);
+    refused(&room, "gone.tif", &["no such file"]);
+    refused(&room, "folder", &["this is a folder, expected a file", "name a file inside it"]);
+    room.write("picture.png", "\u{89}PNG".chars().map(|letter| letter as u8).collect::<Vec<u8>>());
+    refused(&room, "picture.png", &["the mark of a PNG picture"]);
     refused(&room, "empty.tif", &["the file is empty", "expected a TIFF"]);
     refused(&room, "text.tif", &["starts with 68 65", "gdal_translate"]);
 }
@@ -96,7 +98,7 @@ fn damaged_pds3_labels() {
         ("\"GROUND.IMG\"", "\"GONE.IMG\"", &["label line 3, ^IMAGE", "GONE.IMG"][..]),
         ("\"GROUND.IMG\"", "\"../GROUND.IMG\"", &["^IMAGE", "expected a file in the folder of the label"]),
         ("\"GROUND.IMG\"", "\"/etc/passwd\"", &["^IMAGE", "expected a file in the folder of the label"]),
-        ("\"GROUND.IMG\"", "\"folder\"", &["folder", "is not a file"]),
+        ("\"GROUND.IMG\"", "\"folder\"", &["folder", "this is a folder"]),
         ("LINES = 2", "LINES = 900", &["GROUND.IMG", "has 12 bytes; expected at least 5400"]),
         ("LINES = 2", "LINES = -2", &["label line 6, LINES", "found -2"]),
         ("LINES = 2", "LINES = 0", &["0 lines of 3 samples"]),
@@ -112,7 +114,7 @@ fn damaged_pds3_labels() {
     }
     room.write("ground.lbl", &LABEL[..135]);
     refused(&room, "ground.lbl", &["label line 8", "followed by the end", "fetch it again"]);
-    refused(&room, "gone.lbl", &["No such file"]);
+    refused(&room, "gone.lbl", &["no such file"]);
 }
 
 #[test]
@@ -136,6 +138,13 @@ fn surveys_that_cannot_be() {
         (&["--first-line-south"], "first line south: found true; expected nothing"),
         (&["--centre", "0,0"], "--size-m"),
         (&["--centre", "0,0", "--size-m", "9,9"], "give the area in metres"),
+        (
+            &["--centre", "-1,2", "--size-m", "-500,500"],
+            "expected two lengths in metres, A,B, each from 0.001",
+        ),
+        (&["--levels", "-1,4"], "expected a whole number of 0 or more"),
+        (&["--spacing-m", "-5,5"], "expected two lengths in metres"),
+        (&["--spacing-m", "-5"], "expected metres from 0.001 to 1e7"),
         (&["--held-out", "0.9"], "expected 0 to 0.5"),
         (&["--regularisation", "1e300"], "at most 10 region sizes"),
         (&["--spacing-m", "0"], "--spacing-m"),

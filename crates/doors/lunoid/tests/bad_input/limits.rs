@@ -95,6 +95,12 @@ fn array(room: &Room, shape: &str, values: usize) -> u64 {
     bytes(room, "a.npy")
 }
 
+/// Heights of 40 x 50 samples, eight bytes each.
+fn heights(room: &Room) -> u64 {
+    array(room, "(40, 50)", 2000);
+    8 * 2000
+}
+
 fn cube(room: &Room) -> u64 {
     let text = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n\
                 f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
@@ -204,12 +210,7 @@ const CASES: &[Case] = &[
         make: |room| array(room, "(2, 2, 9)", 36),
         command: &["bank", "import", "a.npy", "--region-size-m", "40", "-o", "new.bank"],
     },
-    Case {
-        limit: "elevation-bytes",
-        file: "a.npy",
-        make: |room| array(room, "(40, 50)", 2000),
-        command: SURVEY,
-    },
+    Case { limit: "elevation-bytes", file: "a.npy", make: heights, command: SURVEY },
     Case { limit: "shape-bytes", file: "cube.obj", make: cube, command: CHECK },
     Case { limit: "picture-bytes", file: "a.png", make: picture_bytes, command: &["info", "a.png"] },
     Case { limit: "pixels", file: "a.png", make: pixels, command: &["info", "a.png"] },

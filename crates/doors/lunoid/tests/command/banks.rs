@@ -54,6 +54,24 @@ fn a_generated_landscape_as_a_bank_gives_the_same_frames() {
     assert_eq!(record["ground"]["source"], "bank");
 }
 
+/// A map of the Moon in metres, south and west of its origin.
+#[test]
+fn places_have_the_side_that_they_lie_on() {
+    let scene = Scene::new();
+    let row = "1.5 2 2.5 3 2.5 2 1.5 2 2.5 3 2.5 2\n";
+    let head = "ncols 12\nnrows 12\nxllcorner -60000\nyllcorner -30000\ncellsize 10\nNODATA_value -9999\n";
+    scene.write("ground.asc", format!("{head}{}", row.repeat(12)));
+    let globe = "GEOGCS[\"g\",DATUM[\"d\",SPHEROID[\"s\",1737400.0,0.0]],PRIMEM[\"p\",0],UNIT[\"Degree\",0.0174532925199433]]";
+    let map = format!(
+        "PROJCS[\"m\",{globe},PROJECTION[\"Equidistant_Cylindrical\"],PARAMETER[\"Central_Meridian\",0],UNIT[\"Meter\",1.0]]"
+    );
+    scene.write("ground.prj", map);
+    scene.expect(0, &["survey", "ground.asc", "-o", "ground.bank"]);
+    let (out, _) = scene.expect(0, &["bank", "show", "ground.bank"]);
+    assert!(out.contains("touches the Moon at 0.98") && out.contains(" S, 1.97"), "{out}");
+    assert!(out.contains(" W (x = "), "{out}");
+}
+
 #[test]
 fn wrong_corners_are_refused() {
     let scene = Scene::new();

@@ -15,8 +15,12 @@ fn document(scene: &Scene, arguments: &[&str]) -> Value {
 fn sun_and_earth_over_a_place() {
     let scene = Scene::new();
     let (out, _) = scene.expect(0, &["sun", "--place", VALLEY, "--at", AT]);
-    assert!(out.starts_with("1972-12-11T22:00:00Z at 20.190 N, 30.770 E\n"), "{out}");
+    assert!(out.starts_with("1972-12-11T22:00:00Z at 20.19 N, 30.77 E\n"), "{out}");
     assert!(out.contains("sun    azimuth 96.") && out.contains("69 % lit, waning"), "{out}");
+    let leap = ["--at", "2016-12-31T23:59:59Z", "--until", "2017-01-01T00:00:00Z", "--step", "1"];
+    let (out, _) = scene.expect(0, &[&["sun", "--place", VALLEY][..], &leap].concat());
+    let times: Vec<&str> = out.lines().skip(1).filter_map(|line| line.split(' ').next()).collect();
+    assert_eq!(times, ["2016-12-31T23:59:59Z", "2016-12-31T23:59:60Z", "2017-01-01T00:00:00Z"]);
     let found =
         document(&scene, &["sun", "--place", "-17.47136,-3.6453", "--at", "1971-02-05T09:18:13Z", "--json"]);
     let sky = &found["skies"][0];
@@ -39,6 +43,12 @@ fn what_is_no_date_or_place_is_refused() {
         ),
         (&["--place", VALLEY, "--at", "1972-12-11T22:00:00"], "time zone is missing"),
         (&["--place", VALLEY, "--at", "1859-12-11T22:00:00Z"], "expected a year from 1960 to 2050"),
+        (&["--place", VALLEY, "--at", "2051-01-01T00:00:00Z"], "expected a year from 1960 to 2050"),
+        (
+            &["--place", VALLEY, "--at", AT, "--until", "2051-01-01T00:00:00Z", "--step", "60"],
+            "expected a year from 1960 to 2050",
+        ),
+        (&["--place", VALLEY, "--at", "2017-12-31T23:59:60Z"], "no leap second ends that minute"),
         (&["--place", "30", "--at", AT], "expected longitude"),
         (&["--place", "30,91", "--at", AT], "expected longitude"),
         (&["--at", AT], "BANK"),
@@ -54,7 +64,8 @@ fn what_is_no_date_or_place_is_refused() {
     }
     scene.expect(0, &["bank", "generate", "tiny.toml", "-o", "nowhere.bank"]);
     let (_, err) = scene.expect(3, &["sun", "nowhere.bank", "--at", AT]);
-    assert!(err.contains("nowhere.bank: [sun]: `at` needs a place on the Moon"), "{err}");
+    assert!(err.contains("nowhere.bank: the bank knows no place on the Moon"), "{err}");
+    assert!(err.contains("give --place LON,LAT") && !err.contains("[sun]"), "{err}");
 }
 
 /// The scenario of the scene with other keys under `[sun]`.

@@ -175,6 +175,22 @@ fn sizes_are_the_cameras() {
 }
 
 #[test]
+fn angles_in_the_other_unit_are_told() {
+    let notes = |name: &str, headings: [f64; 2]| {
+        let folder = Folder::new();
+        let row =
+            |(index, heading): (usize, &f64)| format!("{index},{index},{},5,3,{heading},0,0\n", 10 * index);
+        let rows: String = headings.iter().enumerate().map(row).collect();
+        folder.write("poses.csv", &format!("frame,t_s,x_m,y_m,z_m,{name},pitch_deg,roll_deg\n{rows}"));
+        vehicle_shadow::read_poses(&folder.join("poses.csv")).unwrap().notes.join("; ")
+    };
+    assert!(notes("heading_rad", [90.0, 45.0]).contains("heading_rad goes up to 90, more than 2 pi"));
+    assert!(notes("heading_rad", [3.0, 2.0]).contains("only if they are those of a column heading_deg"));
+    assert!(notes("heading_deg", [370.0, 360.0]).contains("heading_deg goes up to 370"));
+    assert_eq!([notes("heading_deg", [3.0, 2.0]), notes("heading_rad", [0.05, 0.03])], ["", ""]);
+}
+
+#[test]
 fn poses_are_refused_with_their_line() {
     let header = "frame,t_s,x_m,y_m,z_m,heading_deg,pitch_deg,roll_deg";
     for (rest, words) in [

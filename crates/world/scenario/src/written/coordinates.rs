@@ -8,8 +8,9 @@ use landscape::{FileCoordinates, MapFrame};
 use quantities::degrees;
 
 use super::points::Points;
+use super::scenery::MAX_COORDINATE;
 
-/// Meaning of the places of a path file.
+/// Meaning of the places of a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Coordinates {
     /// Metres north and east of the bank's origin.
@@ -28,6 +29,11 @@ impl Coordinates {
     pub fn read(table: &Reader) -> Option<Option<Self>> {
         let word = table.one_of("coordinates", &WORDS).optional();
         if table.has("coordinates") { word.map(Some) } else { Some(None) }
+    }
+
+    /// Largest place in a plane (m): maps count from far away.
+    pub fn farthest(self) -> f64 {
+        if self == Self::File { 1e9 } else { MAX_COORDINATE }
     }
 
     /// As `path.coordinates` has it.
@@ -53,12 +59,12 @@ pub(super) fn in_bank(
     ground: Option<Ground>,
     problems: &Problems,
 ) -> Option<Points> {
-    if points.coordinates == Coordinates::Bank {
+    let Some(first) = points.waypoints.first().filter(|_| points.coordinates != Coordinates::Bank) else {
         return Some(points);
-    }
+    };
     // A fault of the ground is told already.
     let (map, outline) = map(points.coordinates, table, ground?, problems)?;
-    let name = points.waypoints.first()?.place.source.name.clone();
+    let name = first.place.source.name.clone();
     let mut faults = LongList::new(&name);
     let mut moved = points.clone();
     for waypoint in &mut moved.waypoints {
@@ -69,7 +75,8 @@ pub(super) fn in_bank(
         };
         let Some(place) = place else {
             let [latitude, longitude] = at.map(degrees);
-            let title = format!("the map of the bank does not show {latitude} N, {longitude} E");
+            let [latitude, longitude] = [text::latitude(latitude, 9), text::longitude(longitude, 9)];
+            let title = format!("the map of the bank does not show {latitude}, {longitude}");
             faults.push(Problem::of(waypoint, title).expected("a place on the map of the bank"));
             continue;
         };

@@ -11,8 +11,7 @@ use super::path_gpx::{self, TrackWishes};
 use super::path_table;
 use super::points::{PlacedWaypoint, Points};
 use super::reference::reference;
-use super::scenery::MAX_COORDINATE;
-use crate::{Path, PathError, Waypoint};
+use crate::{HeightOver, Path, Waypoint};
 
 /// Times of keyframes beyond this (s) are a mistake.
 const MAX_TIME: f64 = 1e12;
@@ -23,6 +22,35 @@ enum FileKind {
     Csv,
     Tum,
     Gpx,
+}
+
+impl FileKind {
+    /// By the ending of the name; a fault where that is none of a path file.
+    fn of(path: &FilePath, problems: &Problems) -> Option<Self> {
+        let ending = path.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase);
+        match ending.as_deref() {
+            Some("csv" | "tsv") => Some(Self::Csv),
+            Some("tum") => Some(Self::Tum),
+            Some("gpx") => Some(Self::Gpx),
+            _ => {
+                let problem =
+                    Problem::of_file(path.display().to_string(), "a path file of a kind that is not known");
+                let problem = problem.expected("a name that ends in .csv, .tsv, .tum or .gpx");
+                problems.push(problem.help("rename or convert it"));
+                None
+            }
+        }
+    }
+
+    /// What to do about times that do not ascend.
+    fn help_with_times(self) -> &'static str {
+        match self {
+            Self::Csv | Self::Tum => "sort the rows by time; two drives need two files",
+            Self::Gpx => {
+                "remove the point; or begin a segment of its own (`<trkseg>`) there, and choose one with `path.segment`"
+            }
+        }
+    }
 }
 
 /// The path of a `[path]` table and the file it came from; `ground` is what it lies on.
@@ -38,15 +66,17 @@ pub(super) fn course(
     match (table.has("file"), table.has("keyframes")) {
         (true, false) => {
             let (file, coordinates, track) = (file?, coordinates?, track?);
-            let points = read_file(table, &file, coordinates, &track, problems)?;
+            let kind = FileKind::of(&file, problems)?;
+            let points = read_file(table, &file, kind, coordinates, &track, problems)?;
             let points = in_bank(points, table, ground, problems)?;
             let start = points.waypoints.first()?.place.clone();
-            let over = points.height_over;
-            Some((join(points.waypoints, &start, problems)?.with_heights_over(over), Some(file)))
+            Some((join(points, &start, kind.help_with_times(), problems)?, Some(file)))
         }
         (false, true) => {
-            only_of_files(table, &["coordinates", "track", "segment", "heights"], "path.file");
-            Some((from_keyframes(table, &keyframes, problems)?, None))
+            only_of_files(table, &["track", "segment", "heights"], "path.file");
+            let points = from_keyframes(&keyframes, coordinates?.unwrap_or(Coordinates::Bank))?;
+            let points = in_bank(points, table, ground, problems)?;
+            Some((join(points, &table.place("keyframes"), "sort the keyframes by time", problems)?, None))
         }
         (both, _) => {
             let title = match both {
@@ -67,18 +97,24 @@ fn only_of_files(table: &Reader, keys: &[&str], beside: &str) {
     }
 }
 
-fn from_keyframes(table: &Reader, keyframes: &[Reader], problems: &Problems) -> Option<Path> {
-    let waypoints: Vec<_> = keyframes.iter().map(keyframe).collect();
+fn from_keyframes(keyframes: &[Reader], coordinates: Coordinates) -> Option<Points> {
+    let waypoints: Vec<_> = keyframes.iter().map(|table| keyframe(table, coordinates)).collect();
     let waypoints = waypoints.into_iter().collect::<Option<Vec<_>>>()?;
-    join(waypoints, &table.place("keyframes"), problems)
+    Some(Points { waypoints, coordinates, height_over: HeightOver::Datum })
 }
 
-fn keyframe(table: &Reader) -> Option<PlacedWaypoint> {
-    let metres = |key: &str| table.f64(key).between(-MAX_COORDINATE, MAX_COORDINATE).unit("m").required();
+fn keyframe(table: &Reader, coordinates: Coordinates) -> Option<PlacedWaypoint> {
     let time = table.f64("t_s").between(0.0, MAX_TIME).unit("s").placed().required();
-    let (x, y) = (metres("x_m"), metres("y_m"));
-    let heading = table.f64("heading_deg").between(-360.0, 360.0).unit("degrees").map(radians).optional();
-    let Placed { value: time, place, key } = time?;
+    let angle = |key: &str, most: f64| table.f64(key).between(-most, most).unit("degrees").map(radians);
+    let at = match coordinates {
+        Coordinates::LonLat => [angle("lat_deg", 90.0).required(), angle("lon_deg", 360.0).required()],
+        in_plane => {
+            let far = in_plane.farthest();
+            ["x_m", "y_m"].map(|key| table.f64(key).between(-far, far).unit("m").required())
+        }
+    };
+    let heading = angle("heading_deg", 360.0).optional();
+    let (Placed { value: time, place, key }, [x, y]) = (time?, at);
     let open = Waypoint { time, at: [x?, y?], heading, eye_height: None, pitch: None, roll: None };
     Some(Placed { value: open, place, key })
 }
@@ -86,23 +122,11 @@ fn keyframe(table: &Reader) -> Option<PlacedWaypoint> {
 fn read_file(
     table: &Reader,
     path: &FilePath,
+    kind: FileKind,
     coordinates: Option<Coordinates>,
     track: &TrackWishes,
     problems: &Problems,
 ) -> Option<Points> {
-    let ending = path.extension().and_then(|ending| ending.to_str()).map(str::to_ascii_lowercase);
-    let kind = match ending.as_deref() {
-        Some("csv" | "tsv") => FileKind::Csv,
-        Some("tum") => FileKind::Tum,
-        Some("gpx") => FileKind::Gpx,
-        _ => {
-            let problem =
-                Problem::of_file(path.display().to_string(), "a path file of a kind that is not known");
-            let problem = problem.expected("a name that ends in .csv, .tsv, .tum or .gpx");
-            problems.push(problem.help("rename or convert it"));
-            return None;
-        }
-    };
     if kind != FileKind::Gpx {
         only_of_files(table, &["track", "segment", "heights"], "a GPX file");
     }
@@ -119,21 +143,30 @@ fn read_file(
     None
 }
 
-/// The path of all waypoints; every time that does not rise is a problem at its place.
-fn join(waypoints: Vec<PlacedWaypoint>, start: &Place, problems: &Problems) -> Option<Path> {
-    let falling = waypoints.windows(2).filter(|pair| pair[1].value.time <= pair[0].value.time);
-    let mut faults = LongList::new(&start.source.name);
-    for pair in falling {
+/// The path of all points; every time that does not rise is a problem at its place, with `help`. A point that stands there
+/// several times in a row, at the same time and place, counts once.
+fn join(points: Points, start: &Place, help: &str, problems: &Problems) -> Option<Path> {
+    let Points { mut waypoints, height_over, .. } = points;
+    let name = &start.source.name;
+    let count = waypoints.len();
+    waypoints.dedup_by(|later, first| later.value == first.value);
+    if waypoints.len() < count {
+        let repeated = count - waypoints.len();
+        problems.note(format!(
+            "{name}: {repeated} points repeat the one before, time and place: they are left out"
+        ));
+    }
+    let mut faults = LongList::new(name);
+    for pair in waypoints.windows(2).filter(|pair| pair[1].value.time <= pair[0].value.time) {
         let (before, time) = (pair[0].value.time, pair[1].value.time);
         let title = format!("t = {time} s after t = {before} s: times must ascend");
-        faults.push(Problem::of(&pair[1], title).expected(format!("more than {before}")));
+        faults.push(Problem::of(&pair[1], title).expected(format!("more than {before}")).help(help));
     }
     faults.finish((), problems)?;
-    let refuse = |error: PathError| problems.push(Problem::at(start, error.to_string()));
     let waypoints: Vec<Waypoint> = waypoints.into_iter().map(|waypoint| waypoint.value).collect();
     if let Some(doubt) = heading_across(&waypoints) {
-        problems.note(format!("{}: {doubt}", start.source.name));
+        problems.note(format!("{name}: {doubt}"));
     }
-    let path = Path::new(waypoints);
-    path.map(|path| path.named(&start.source.name)).map_err(refuse).ok()
+    let path = Path::new(waypoints).map_err(|error| problems.push(Problem::at(start, error.to_string())));
+    path.map(|path| path.named(name).with_heights_over(height_over)).ok()
 }

@@ -2,9 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
-use quantities::degrees;
+use quantities::{degrees, radians};
 
-use super::points::PlacedWaypoint;
 use crate::Waypoint;
 use crate::path::shortest_turn;
 
@@ -48,16 +47,31 @@ impl Bearing {
 
 /// Says so if headings in degrees look like radians: all of them lie within 2 pi, one is not 0, and they do not fit the way
 /// that is driven. Places on the sphere have no way that could be compared.
-pub(super) fn radians_named_degrees(waypoints: &[PlacedWaypoint], is_of_plane: bool) -> Option<String> {
-    let all = || waypoints.iter().map(|waypoint| &waypoint.value);
-    let headings: Vec<f64> = all().filter_map(|waypoint| waypoint.heading).collect();
+pub(super) fn radians_named_degrees(waypoints: &[Waypoint], is_of_plane: bool) -> Option<String> {
+    let headings: Vec<f64> = waypoints.iter().filter_map(|waypoint| waypoint.heading).collect();
     let is_within = headings.iter().all(|heading| degrees(*heading).abs() <= 2.0 * PI);
     let is_open = headings.iter().all(|heading| *heading == 0.0);
-    let fits =
-        is_of_plane && Bearing::of(all(), |heading| heading).is_some_and(|bearing| bearing.turn < FITS);
+    let fits = is_of_plane
+        && Bearing::of(waypoints.iter(), |heading| heading).is_some_and(|bearing| bearing.turn < FITS);
     let is_doubtful = headings.len() > 1 && is_within && !is_open && !fits;
     is_doubtful.then(|| {
         "every heading_deg lies within 2 pi: if they are radians, name the column heading_rad".to_owned()
+    })
+}
+
+/// Says so if the headings of a column, `heading_deg` or `heading_rad`, fit the way that is driven only in the other unit.
+pub fn other_unit(column: &str, waypoints: &[Waypoint]) -> Option<String> {
+    let (other, in_other): (_, fn(f64) -> f64) = match column {
+        "heading_deg" => ("heading_rad", degrees),
+        "heading_rad" => ("heading_deg", radians),
+        _ => return None,
+    };
+    let own = Bearing::of(waypoints.iter(), |heading| heading)?;
+    let other_way = Bearing::of(waypoints.iter(), in_other)?;
+    (own.turn >= FITS && other_way.turn < FITS).then(|| {
+        format!(
+            "headings fit the way that is driven only if they are those of a column {other}, not {column}"
+        )
     })
 }
 

@@ -9,58 +9,13 @@ use std::sync::Arc;
 use diagnostics::{LongList, Place, Placed, Problem, Problems, Reader, Source};
 use quantities::radians;
 use roxmltree::{Document, Node, ParsingOptions};
-use tables::{Clock, Time, date_time, read_text};
+use tables::{Clock, Faulty, Time, read_text};
 
 use super::coordinates::Coordinates;
+use super::gpx_names::{BESIDE_TRACKS, NAMESPACES, OF_POINT, OF_SEGMENT, OF_TRACK, VERSIONS};
 use super::points::{PlacedWaypoint, Points};
 use super::scenery::MAX_COORDINATE;
 use crate::{HeightOver, Waypoint};
-
-/// Elements beside tracks that a path does not need.
-const BESIDE_TRACKS: &[&str] = &[
-    "metadata",
-    "extensions",
-    "wpt",
-    "rte",
-    "name",
-    "desc",
-    "author",
-    "email",
-    "url",
-    "urlname",
-    "time",
-    "keywords",
-    "bounds",
-];
-/// Elements of a track beside its segments.
-const OF_TRACK: &[&str] =
-    &["name", "cmt", "desc", "src", "link", "url", "urlname", "number", "type", "extensions"];
-/// Elements of a segment beside its points.
-const OF_SEGMENT: &[&str] = &["extensions"];
-/// Elements of a point beside its height and time: how good it is, and how fast and whither its receiver moved.
-const OF_POINT: &[&str] = &[
-    "magvar",
-    "geoidheight",
-    "name",
-    "cmt",
-    "desc",
-    "src",
-    "link",
-    "url",
-    "urlname",
-    "sym",
-    "type",
-    "fix",
-    "sat",
-    "hdop",
-    "vdop",
-    "pdop",
-    "ageofdgpsdata",
-    "dgpsid",
-    "course",
-    "speed",
-    "extensions",
-];
 
 /// Which track of a file is the path, and what its heights are.
 #[derive(Debug, Clone, Copy)]
@@ -143,11 +98,7 @@ struct Reading {
 impl Reading {
     /// Waypoints and notes of the track that is wished; `None` if there is none, with a fault.
     fn waypoints(&mut self, root: Node, wishes: &TrackWishes) -> Option<(Vec<PlacedWaypoint>, Vec<String>)> {
-        if root.tag_name().name() != "gpx" {
-            let title = format!("the element `{}`", root.tag_name().name());
-            self.fault(&root, title, "the element `gpx` around a GPX file");
-            return None;
-        }
+        self.expect_gpx(&root)?;
         let tracks = self.children(&root, "trk", BESIDE_TRACKS);
         let track = self.one_of(&root, &tracks, wishes.track, "track")?;
         let segments = self.children(&track, "trkseg", OF_TRACK);
@@ -169,6 +120,24 @@ impl Reading {
         Some((waypoints, notes))
     }
 
+    /// Whether the root is that of a GPX file of a version that is read; a fault if not.
+    fn expect_gpx(&mut self, root: &Node) -> Option<()> {
+        let (tag, version) = (root.tag_name(), root.attribute("version"));
+        let namespace = tag.namespace().unwrap_or_default();
+        if tag.name() != "gpx" {
+            let title = format!("the element `{}`", tag.name());
+            self.fault(root, title, "the element `gpx` around a GPX file");
+        } else if !NAMESPACES.contains(&namespace) {
+            let title = format!("a `gpx` of the namespace {}", shown(namespace));
+            self.fault(root, title, &format!("xmlns=\"{}\", or that of GPX 1.0", NAMESPACES[0]));
+        } else if let Some(version) = version.filter(|version| !VERSIONS.contains(version)) {
+            self.fault(root, format!("GPX of version {}", shown(version)), "version 1.1 or 1.0");
+        } else {
+            return Some(());
+        }
+        None
+    }
+
     /// Elements `name` of `parent`; others that are not harmless are faults.
     fn children<'a, 'i>(
         &mut self,
@@ -178,13 +147,10 @@ impl Reading {
     ) -> Vec<Node<'a, 'i>> {
         let mut found = Vec::new();
         for child in parent.children().filter(Node::is_element) {
-            match child.tag_name().name() {
-                tag if tag == name => found.push(child),
-                tag if harmless.contains(&tag) => {}
-                tag => {
-                    let title = format!("unknown element `{tag}` in `{}`", parent.tag_name().name());
-                    self.fault(&child, title, &format!("`{name}`, or one of {}", harmless.join(", ")));
-                }
+            match name_in(parent, &child) {
+                Some(tag) if tag == name => found.push(child),
+                Some(tag) if harmless.contains(&tag) => {}
+                _ => self.unknown(parent, &child, &format!("`{name}`, or one of {}", harmless.join(", "))),
             }
         }
         found
@@ -219,20 +185,22 @@ impl Reading {
     }
 
     fn point(&mut self, point: &Node, clock: &mut Clock) -> Option<PlacedWaypoint> {
+        let mut met = Vec::new();
         for child in point.children().filter(Node::is_element) {
-            let tag = child.tag_name().name();
-            if !["ele", "time"].contains(&tag) && !OF_POINT.contains(&tag) {
-                let expected = format!("ele, time, or one of {}", OF_POINT.join(", "));
-                self.fault(&child, format!("unknown element `{tag}` in `trkpt`"), &expected);
+            match name_in(point, &child) {
+                Some(tag) if OF_POINT.contains(&tag) => {}
+                Some(tag @ ("ele" | "time")) if met.contains(&tag) => {
+                    self.fault(&child, format!("a second `{tag}` in a `trkpt`"), &format!("one `{tag}`"));
+                }
+                Some(tag @ ("ele" | "time")) => met.push(tag),
+                _ => self.unknown(point, &child, &format!("ele, time, or one of {}", OF_POINT.join(", "))),
             }
         }
         let (latitude, longitude) = (self.angle(point, "lat", 90.0), self.angle(point, "lon", 180.0));
         let time = self.time(point, clock);
-        let eye_height = match self.heights {
-            Some(Heights::Eye(_)) => Some(self.height(point)?),
-            _ => None,
-        };
+        let eye_height = self.eye_height(point);
         let at = [latitude?, longitude?].map(radians);
+        let eye_height = eye_height.ok()?;
         let waypoint = Waypoint { time: time?, at, heading: None, eye_height, pitch: None, roll: None };
         Some(Placed { value: waypoint, place: self.place(&child(point, "time")?), key: "time".into() })
     }
@@ -253,10 +221,9 @@ impl Reading {
             return None;
         };
         let text = time.text().unwrap_or_default().trim();
-        let counted = match date_time(text) {
-            Some(moment) => clock.count(Time::Date(moment)),
-            None => Err("a date such as 2026-11-26T22:00:00Z".into()),
-        };
+        let counted = dates::read(text)
+            .map_err(|error| error.expected())
+            .and_then(|date| clock.count(Time::Date(date)));
         counted
             .map_err(|expected| {
                 self.fault(&time, format!("`time` must be {expected}, not {}", shown(text)), &expected);
@@ -264,22 +231,35 @@ impl Reading {
             .ok()
     }
 
-    fn height(&mut self, point: &Node) -> Option<f64> {
+    /// Height of the eye (m), where the scenario uses heights. A height that is not used must be a number all the same.
+    fn eye_height(&mut self, point: &Node) -> Result<Option<f64>, Faulty> {
+        let is_used = matches!(self.heights, Some(Heights::Eye(_)));
         let Some(height) = child(point, "ele") else {
-            self.fault(
-                point,
-                "a track point without a height".into(),
-                "`ele`, or `path.heights = \"unused\"`",
-            );
-            return None;
+            if !is_used {
+                return Ok(None);
+            }
+            let expected = "`ele`, or `path.heights = \"unused\"`";
+            self.fault(point, "a track point without a height".into(), expected);
+            return Err(Faulty);
         };
         let text = height.text().unwrap_or_default().trim();
-        let number = text.parse().ok().filter(|number: &f64| number.abs() <= MAX_COORDINATE);
-        if number.is_none() {
-            let expected = format!("a number of metres from -{MAX_COORDINATE} to {MAX_COORDINATE}");
-            self.fault(&height, format!("`ele` must be {expected}, not {}", shown(text)), &expected);
+        match text.parse().ok().filter(|number: &f64| number.abs() <= MAX_COORDINATE) {
+            Some(number) => Ok(is_used.then_some(number)),
+            None => {
+                let expected = format!("a number of metres from -{MAX_COORDINATE} to {MAX_COORDINATE}");
+                self.fault(&height, format!("`ele` must be {expected}, not {}", shown(text)), &expected);
+                Err(Faulty)
+            }
         }
-        number
+    }
+
+    fn unknown(&mut self, parent: &Node, child: &Node, expected: &str) {
+        let (of, tag) = (parent.tag_name().name(), child.tag_name());
+        let title = match name_in(parent, child) {
+            Some(name) => format!("unknown element `{name}` in `{of}`"),
+            None => format!("element `{}` of another namespace in `{of}`", tag.name()),
+        };
+        self.fault(child, title, expected);
     }
 
     fn place(&self, node: &Node) -> Place {
@@ -296,8 +276,15 @@ impl Reading {
     }
 }
 
+/// The first element of this name and of the node's own namespace.
 fn child<'a, 'i>(node: &Node<'a, 'i>, name: &str) -> Option<Node<'a, 'i>> {
-    node.children().find(|child| child.is_element() && child.tag_name().name() == name)
+    node.children().find(|child| child.is_element() && name_in(node, child) == Some(name))
+}
+
+/// Name of an element in the namespace of the one around it; `None` in another one.
+fn name_in<'a>(parent: &Node, child: &Node<'a, '_>) -> Option<&'a str> {
+    let tag = child.tag_name();
+    (tag.namespace() == parent.tag_name().namespace()).then_some(tag.name())
 }
 
 /// The first elements by their numbers, names and points.

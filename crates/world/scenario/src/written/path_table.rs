@@ -12,7 +12,7 @@ use quantities::radians;
 use tables::{Clock, Column, Faulty, Form, Row, Table, read_text};
 
 use super::coordinates::Coordinates;
-use super::doubts::radians_named_degrees;
+use super::doubts::{other_unit, radians_named_degrees};
 use super::points::{PlacedWaypoint, Points};
 use super::quaternion;
 use super::scenery::MAX_COORDINATE;
@@ -81,17 +81,27 @@ pub(super) fn csv(path: &FilePath, wished: Option<Coordinates>, problems: &Probl
     let coordinates = coordinates(&mut table, wished);
     check_columns(&mut table);
     let height_over = if table.has(HEIGHT) { HeightOver::Ground } else { HeightOver::Datum };
-    let in_degrees = table.name(HEADING) == Some(CSV.columns[HEADING].name);
+    let heading = table.name(HEADING);
     let (mut clock, mut waypoints) = (Clock::from_zero(), Vec::new());
     while let Some(mut row) = table.next_row() {
         waypoints.extend(csv_row(&mut row, coordinates, &mut clock));
     }
     let name = path.display().to_string();
     let waypoints = table.finish(waypoints, problems)?;
-    let is_of_plane = coordinates != Coordinates::LonLat;
-    let doubt = if in_degrees { radians_named_degrees(&waypoints, is_of_plane) } else { None };
+    let doubt = heading.and_then(|column| unit_of_headings(column, &waypoints, coordinates));
     clock.note().into_iter().chain(doubt).for_each(|note| problems.note(format!("{name}: {note}")));
     Some(Points { waypoints, coordinates, height_over })
+}
+
+/// What makes the unit doubtful that the column of headings names.
+fn unit_of_headings(column: &str, placed: &[PlacedWaypoint], coordinates: Coordinates) -> Option<String> {
+    let is_of_plane = coordinates != Coordinates::LonLat;
+    let waypoints: Vec<Waypoint> = placed.iter().map(|waypoint| waypoint.value).collect();
+    match column {
+        "heading_deg" => radians_named_degrees(&waypoints, is_of_plane),
+        _ if is_of_plane => other_unit(column, &waypoints),
+        _ => None,
+    }
 }
 
 /// What the columns say of the coordinates; a fault if they do not say what was wished.
@@ -137,7 +147,7 @@ fn csv_row(row: &mut Row, coordinates: Coordinates, clock: &mut Clock) -> Option
         Coordinates::LonLat => [row.number(LATITUDE, -90.0..=90.0), row.number(LONGITUDE, -360.0..=360.0)]
             .map(|angle| angle.map(radians)),
         in_plane => {
-            let far = farthest(in_plane);
+            let far = in_plane.farthest();
             [row.number(X, -far..=far), row.number(Y, -far..=far)]
         }
     };
@@ -150,11 +160,6 @@ fn csv_row(row: &mut Row, coordinates: Coordinates, clock: &mut Clock) -> Option
     let ([x, y], [heading, pitch, roll]) = (at, angles);
     let waypoint = Waypoint { time: time?, at: [x?, y?], heading, eye_height: height.ok()?, pitch, roll };
     Some(Placed { value: waypoint, place: row.place(T), key: CSV.columns[T].name.into() })
-}
-
-/// Largest place in the plane (m): maps count from far away.
-fn farthest(coordinates: Coordinates) -> f64 {
-    if coordinates == Coordinates::File { 1e9 } else { MAX_COORDINATE }
 }
 
 /// Heading, pitch and roll (rad), where the row gives them.
@@ -193,7 +198,7 @@ pub(super) fn tum(path: &FilePath, wished: Option<Coordinates>, problems: &Probl
 
 fn tum_row(row: &mut Row, coordinates: Coordinates, clock: &mut Clock) -> Option<PlacedWaypoint> {
     let time = row.time(0, clock);
-    let far = farthest(coordinates);
+    let far = coordinates.farthest();
     let [north, east] = [1, 2].map(|column| row.number(column, -far..=far));
     let down = row.number(3, -MAX_COORDINATE..=MAX_COORDINATE);
     let [heading, pitch, roll] = turned(row, [4, 5, 6, 7])?.map(Some);

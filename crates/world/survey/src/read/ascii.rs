@@ -2,12 +2,13 @@
 //! raster"; GDAL writes `dx` and `dy` where samples are no squares).
 
 use std::fs::File;
-use std::io::{BufRead, BufReader, Read};
+use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 
 use landscape::LUNOID_RADIUS;
 
 use super::beside::with_ending;
+use super::gate;
 use super::opened::{Opened, Samples};
 use super::options::ReadOptions;
 use super::refusal::{check_raster, field};
@@ -56,8 +57,7 @@ pub fn is_grid(start: &[u8]) -> bool {
 /// Opens a grid: reads its header.
 pub fn open(path: &Path, options: &ReadOptions) -> Result<Opened, SurveyError> {
     options.expect_no_place()?;
-    let failed = |source| SurveyError::Read { path: path.to_path_buf(), source };
-    let bytes = path.metadata().map_err(failed)?.len();
+    let (_, bytes) = gate::open(path)?;
     let mut decider = Decider::new(path, options);
     let head = Head::read(path, &mut decider)?;
     let [lines, columns] = [head.count("nrows")?, head.count("ncols")?];
@@ -73,7 +73,8 @@ pub fn open(path: &Path, options: &ReadOptions) -> Result<Opened, SurveyError> {
     let mut sources = vec![path.to_path_buf()];
     let (affine, frame) = match with_ending(path, "prj")? {
         Some(prj) => {
-            let text = text(&prj)?;
+            let text = gate::front(&prj, MOST_PRJ + 1)?;
+            let text = String::from_utf8_lossy(&text);
             let place =
                 System::of(&prj, "coordinate system", text.trim(), &mut decider)?.place(grid, &mut notes)?;
             sources.insert(0, prj);
@@ -104,14 +105,6 @@ pub fn open(path: &Path, options: &ReadOptions) -> Result<Opened, SurveyError> {
         conversion: Conversion::new(path, options, said)?,
         samples: Box::new(Numbers { path: path.to_path_buf(), size, first: head.words }),
     })
-}
-
-/// The text of a `.prj`.
-fn text(path: &Path) -> Result<String, SurveyError> {
-    let failed = |source| SurveyError::Read { path: path.to_path_buf(), source };
-    let mut bytes = Vec::new();
-    File::open(path).map_err(failed)?.take(MOST_PRJ + 1).read_to_end(&mut bytes).map_err(failed)?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
 /// The keys of a grid.
@@ -211,8 +204,7 @@ struct Words {
 
 impl Words {
     fn open(path: &Path) -> Result<Self, SurveyError> {
-        let file =
-            File::open(path).map_err(|source| SurveyError::Read { path: path.to_path_buf(), source })?;
+        let (file, _) = gate::open(path)?;
         Ok(Self { path: path.to_path_buf(), file: BufReader::with_capacity(1 << 16, file), at: [1; 2] })
     }
 

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use quantities::radians;
 
 use super::earth;
+use super::gate;
 use super::opened::{Opened, Samples};
 use super::options::ReadOptions;
 use super::refusal::{check_raster, field};
@@ -101,9 +102,8 @@ pub fn is_dted(start: &[u8]) -> bool {
 /// Opens a cell: three headers, then a record a meridian.
 pub fn open(path: &Path, options: &ReadOptions) -> Result<Opened, SurveyError> {
     options.expect_no_place()?;
-    let failed = |source| SurveyError::Read { path: path.to_path_buf(), source };
-    let mut file = BufReader::new(File::open(path).map_err(failed)?);
-    let bytes = file.get_ref().metadata().map_err(failed)?.len();
+    let (file, bytes) = gate::open(path)?;
+    let mut file = BufReader::new(file);
     let mut decider = Decider::new(path, options);
     let headers = Headers::of(path, &mut file)?;
     headers.decide(&mut decider)?;
@@ -290,7 +290,7 @@ impl Samples for Records {
     /// Reads the records of the meridians that the window has; the southernmost line is the first.
     fn read(&mut self, window: &Window, _: &mut Vec<String>) -> Result<Vec<f64>, SurveyError> {
         let failed = |source| SurveyError::Read { path: self.path.clone(), source };
-        let mut file = BufReader::new(File::open(&self.path).map_err(failed)?);
+        let mut file = BufReader::new(gate::open(&self.path)?.0);
         let before = window.columns.start as u64 * self.bytes as u64;
         file.seek(SeekFrom::Start(self.first + before)).map_err(failed)?;
         let (mut record, columns) = (vec![0; self.bytes], window.columns.len());

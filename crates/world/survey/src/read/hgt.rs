@@ -5,6 +5,7 @@ use std::path::Path;
 use quantities::radians;
 
 use super::earth;
+use super::gate;
 use super::kind::Kind;
 use super::opened::Opened;
 use super::options::ReadOptions;
@@ -33,8 +34,8 @@ pub fn open(path: &Path, options: &ReadOptions) -> Result<Opened, SurveyError> {
         let advice = "name the file by its south-west corner";
         field(path, "name of the file", seen(&name), "N45E006.hgt or the like", advice)
     })?;
-    let found = path.metadata().map_err(|source| SurveyError::Read { path: path.to_path_buf(), source })?;
-    let [lines, columns] = size(path, found.len())?;
+    let (_, found) = gate::open(path)?;
+    let [lines, columns] = size(path, found)?;
     let said = Said { voids: vec![[VOID; 2]], sphere: earth::RADIUS, ..Said::default() };
     let step = [lines, columns].map(|count| radians(1.0) / (count - 1) as f64);
     let affine = Affine { first: [radians(corner[0] + 1.0), radians(corner[1])], step: [-step[0], step[1]] };

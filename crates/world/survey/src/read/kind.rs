@@ -13,6 +13,29 @@ pub struct Kind {
     pub little: bool,
 }
 
+/// Kinds of stored numbers that matter for what they mean.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Stored {
+    /// Whole numbers of 8 bits or fewer, as pictures have them.
+    Byte,
+    /// Floats of 32 bits: marks of voids are compared as those.
+    F32,
+    /// All other numbers.
+    #[default]
+    Other,
+}
+
+impl Stored {
+    /// Of samples of so many bits, which are floats or not.
+    pub fn of(bits: u32, is_real: bool) -> Self {
+        match bits {
+            32 if is_real => Self::F32,
+            ..=8 if !is_real => Self::Byte,
+            _ => Self::Other,
+        }
+    }
+}
+
 impl Kind {
     /// Floats of so many bytes.
     pub const fn real(bytes: usize, little: bool) -> Self {
@@ -24,9 +47,9 @@ impl Kind {
         Self { bytes, real: false, signed, little }
     }
 
-    /// Whether samples are 32-bit floats.
-    pub fn is_f32(self) -> bool {
-        self.real && self.bytes == 4
+    /// The kind as far as it matters for what the numbers mean.
+    pub fn stored(self) -> Stored {
+        Stored::of(8 * self.bytes as u32, self.real)
     }
 
     /// The number that the bytes of a sample hold.

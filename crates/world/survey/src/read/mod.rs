@@ -3,9 +3,11 @@
 mod ascii;
 mod bands;
 mod beside;
+mod doubts;
 mod dted;
 mod earth;
 mod envi;
+mod gate;
 mod geotiff;
 mod hgt;
 mod isis;
@@ -26,8 +28,6 @@ mod unit;
 mod wkt;
 mod words;
 
-use std::fs::File;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use quantities::degrees;
@@ -36,11 +36,15 @@ use self::refusal::{field, visible};
 use crate::elevation::{Elevation, Frame, Grid};
 use crate::error::SurveyError;
 
+pub(crate) use self::doubts::listed;
 pub use self::opened::Opened;
 pub use self::options::ReadOptions;
 pub use self::page::{VOCABULARIES, words_page};
 pub use self::stretch::Window;
 pub use self::words::{Fate, Vocabulary, Word};
+
+/// Bytes by which the kind of a file is told.
+const FIRST_BYTES: u64 = 64;
 
 /// Reads a whole elevation file: [`open()`], then [`Opened::all`].
 ///
@@ -58,7 +62,7 @@ pub fn read(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Elevation, 
 pub fn open(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Opened, SurveyError> {
     let path = path.as_ref();
     options.check()?;
-    let start = first_bytes(path)?;
+    let start = gate::front(path, FIRST_BYTES)?;
     let mut opened = match start.as_slice() {
         _ if hgt::is_tile(path) => hgt::open(path, options)?,
         [b'I', b'I', 42 | 43, 0, ..] | [b'M', b'M', 0, 42 | 43, ..] => geotiff::open(path, options)?,
@@ -83,7 +87,7 @@ pub fn open(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Opened, Sur
 /// Opens samples that say nothing about themselves by the label or header beside them.
 fn by_label(path: &Path, start: &[u8], options: &ReadOptions) -> Result<Opened, SurveyError> {
     if let Some(label) = beside::with_ending(path, "lbl")? {
-        let is_cube = isis::is_cube(&first_bytes(&label)?);
+        let is_cube = isis::is_cube(&gate::front(&label, FIRST_BYTES)?);
         return if is_cube { isis::open(&label, options) } else { pds3::open(&label, options) };
     }
     if let Some(label) = beside::with_ending(path, "xml")?.filter(|label| label != path) {
@@ -124,20 +128,13 @@ fn check_globe(path: &Path, grid: &Grid) -> Result<(), SurveyError> {
     ))
 }
 
-fn first_bytes(path: &Path) -> Result<Vec<u8>, SurveyError> {
-    let failed = |source| SurveyError::Read { path: path.to_path_buf(), source };
-    let file = File::open(path).map_err(failed)?;
-    if !file.metadata().map_err(failed)?.is_file() {
-        return Err(SurveyError::NotAFile(path.to_path_buf()));
-    }
-    let mut start = Vec::new();
-    file.take(64).read_to_end(&mut start).map_err(failed)?;
-    Ok(start)
-}
-
 fn unknown(path: &Path, start: &[u8]) -> SurveyError {
     let found = match start {
         [] => "nothing: the file is empty".to_string(),
+        [0x89, b'P', b'N', b'G', ..] => {
+            "the mark of a PNG picture, which has no heights in metres".to_string()
+        }
+        [0xff, 0xd8, 0xff, ..] => "the mark of a JPEG picture, which has no heights in metres".to_string(),
         _ => start.iter().take(8).map(|byte| format!("{byte:02X}")).collect::<Vec<_>>().join(" "),
     };
     SurveyError::UnknownFormat { path: path.to_path_buf(), found }

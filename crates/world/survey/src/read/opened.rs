@@ -3,6 +3,8 @@
 use std::ops::Range;
 use std::path::PathBuf;
 
+use limits::Limit;
+
 use super::refusal::visible;
 use super::samples::Conversion;
 use super::stretch::Window;
@@ -63,9 +65,10 @@ impl Opened {
     /// Reads the samples of a window; only the blocks of the file that it needs are read.
     ///
     /// # Errors
-    /// As [`Opened::all`], and if the window does not lie in the file.
+    /// As [`Opened::all`], and if the window does not lie in the file or holds more than [`Limit::ElevationBytes`].
     pub fn window(mut self, window: &Window) -> Result<Elevation, SurveyError> {
         let parts = self.parts(window)?;
+        self.check_size(window)?;
         let mut notes = std::mem::take(&mut self.notes);
         let mut read = Vec::new();
         for part in &parts {
@@ -89,6 +92,17 @@ impl Opened {
                 Err(SurveyError::AllVoid { what: self.path.display().to_string(), count: window.count() })
             }
         }
+    }
+
+    /// Refuses more heights than may be in memory, before any is read.
+    fn check_size(&self, window: &Window) -> Result<(), SurveyError> {
+        let bytes = (window.count() as u64).saturating_mul(size_of::<f64>() as u64);
+        if Limit::ElevationBytes.allows(bytes) {
+            return Ok(());
+        }
+        let (path, most) = (self.path.clone(), Limit::ElevationBytes.value());
+        let [lines, columns] = [window.lines.len(), window.columns.len()];
+        Err(SurveyError::TooLarge { path, lines, columns, bytes, most })
     }
 
     /// The window as pieces that each lie in the file: two where it crosses the seam of a globe.

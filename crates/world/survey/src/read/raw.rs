@@ -1,9 +1,9 @@
 //! Samples that stand in a file one after the other, unpacked, in lines or in tiles.
 
-use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
+use super::gate;
 use super::kind::Kind;
 use super::opened::Samples;
 use super::refusal::check_raster;
@@ -45,25 +45,16 @@ impl Raw {
     /// If the file cannot be looked at, is no file, or has fewer bytes than the band needs.
     pub fn check(&self) -> Result<(), SurveyError> {
         check_raster(&self.path, self.lines as u64, self.columns as u64)?;
-        let failed = |source| SurveyError::Read { path: self.path.clone(), source };
-        let data = self.path.metadata().map_err(failed)?;
-        if !data.is_file() {
-            return Err(SurveyError::NotAFile(self.path.clone()));
-        }
+        let (_, found) = gate::open(&self.path)?;
         let blocks = (self.lines.div_ceil(self.block[0]) as u64).saturating_mul(self.across() as u64);
         let before = blocks.saturating_sub(1).saturating_mul(self.block_step);
         let expected = self.first.saturating_add(before).saturating_add(self.bytes());
-        if data.len() < expected {
+        if found < expected {
             let place = format!(
                 "{} lines of {} samples of {} bytes from byte {}",
                 self.lines, self.columns, self.kind.bytes, self.first
             );
-            return Err(SurveyError::Truncated {
-                path: self.path.clone(),
-                place,
-                found: data.len(),
-                expected,
-            });
+            return Err(SurveyError::Truncated { path: self.path.clone(), place, found, expected });
         }
         Ok(())
     }
@@ -83,7 +74,7 @@ impl Raw {
 impl Samples for Raw {
     fn read(&mut self, window: &Window, _: &mut Vec<String>) -> Result<Vec<f64>, SurveyError> {
         let failed = |source| SurveyError::Read { path: self.path.clone(), source };
-        let mut file = File::open(&self.path).map_err(failed)?;
+        let (mut file, _) = gate::open(&self.path)?;
         let mut block = vec![0; self.bytes() as usize];
         let mut samples = vec![f64::NAN; window.count()];
         for [down, across] in window.blocks(self.block) {

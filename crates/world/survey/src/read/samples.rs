@@ -4,6 +4,8 @@ use std::path::Path;
 
 use landscape::LUNOID_RADIUS;
 
+use super::doubts::{Marks, PICTURE};
+use super::kind::Stored;
 use super::options::ReadOptions;
 use super::refusal::field;
 use super::stretch::Window;
@@ -27,8 +29,8 @@ pub struct Said {
     pub unknown_unit: Option<[String; 2]>,
     /// Radius of the sphere that the file lies on (m).
     pub sphere: f64,
-    /// Whether samples are stored as 32-bit floats: marks of voids are then compared as those.
-    pub is_f32: bool,
+    /// Kind of the stored numbers.
+    pub stored: Stored,
 }
 
 impl Default for Said {
@@ -42,7 +44,7 @@ impl Default for Said {
             offset: 0.0,
             unknown_unit: None,
             sphere: LUNOID_RADIUS,
-            is_f32: false,
+            stored: Stored::default(),
         }
     }
 }
@@ -53,6 +55,8 @@ pub struct Conversion {
     said: Said,
     scale: f64,
     offset: f64,
+    /// Whether nobody says that samples of a picture's kind are heights.
+    looks_like_picture: bool,
 }
 
 /// What a first look at the samples of a file counts.
@@ -66,6 +70,8 @@ struct Seen {
     unstated: usize,
     /// Voids only for lying beyond [`Said::valid`].
     invalid: usize,
+    /// Usual marks of voids that the file does not declare.
+    marks: Marks,
 }
 
 /// Whether a number lies between two that a label prints, perhaps with few digits.
@@ -113,12 +119,14 @@ impl Conversion {
             said.voids = options.no_data.iter().map(|value| [*value; 2]).collect();
             said.valid = Said::default().valid;
         }
-        if said.is_f32 {
+        if said.stored == Stored::F32 {
             let rounded = |value: &mut f64| *value = f64::from(*value as f32);
             said.voids.iter_mut().chain([&mut said.valid, &mut said.stated]).flatten().for_each(rounded);
         }
         let offset = if is_radius(offset, said.sphere) { offset - reference(said.sphere) } else { offset };
-        Ok(Self { said, scale, offset })
+        let is_plain = options.scale.is_none() && scale == 1.0 && offset == 0.0;
+        let looks_like_picture = said.stored == Stored::Byte && is_plain;
+        Ok(Self { said, scale, offset, looks_like_picture })
     }
 
     /// Stored numbers of a window of the file into heights (m), NaN for a void. Radii become heights. What is left must lie within
@@ -172,6 +180,7 @@ impl Conversion {
                 continue;
             }
             seen.heights += 1;
+            seen.marks.meet(stored);
             seen.radii += usize::from(is_radius(self.height(stored), self.said.sphere));
             seen.unstated += usize::from(!between(stored, &self.said.stated));
         }
@@ -190,14 +199,19 @@ impl Conversion {
         let in_km = |height: &f64| height.is_nan() || (height - 1e-3 * LUNOID_RADIUS).abs() < 11.0;
         let in_km = (seen.heights > 0 && heights.iter().all(in_km))
             .then(|| "all heights lie near 1737.4 m: if they are radii in km, give --scale 1000".to_owned());
-        [valid, stated, radii, in_km].into_iter().flatten().collect()
+        let marks = seen.marks.note(&self.declared());
+        let picture = self.looks_like_picture.then(|| PICTURE.to_owned());
+        [valid, stated, radii, in_km, marks, picture].into_iter().flatten().collect()
+    }
+
+    /// Single marks of voids that are known already.
+    fn declared(&self) -> Vec<f64> {
+        self.said.voids.iter().filter(|[low, high]| low == high).map(|[value, _]| *value).collect()
     }
 
     /// The error for a stored number that is no height. Its advice keeps the marks of voids that are known already.
     fn no_height(&self, path: &Path, line: usize, column: usize, value: f64) -> SurveyError {
-        let known = self.said.voids.iter().filter(|[low, high]| low == high).map(|[value, _]| *value);
-        let mut voids: Vec<f64> = known.collect();
-        voids.push(value);
+        let voids = [self.declared(), vec![value]].concat();
         SurveyError::NotFinite { path: path.to_path_buf(), line, column, value, voids }
     }
 }
@@ -218,7 +232,7 @@ fn check_unit(path: &Path, options: &ReadOptions, said: &Said) -> Result<(), Sur
 mod tests {
     use std::path::Path;
 
-    use super::{Conversion, ReadOptions, Said, Window};
+    use super::{Conversion, ReadOptions, Said, Stored, Window};
 
     fn said(void: f64, offset: f64) -> Said {
         Said { voids: vec![[void; 2]], scale: 0.5, offset, ..Said::default() }
@@ -243,7 +257,7 @@ mod tests {
         let as_text = -3.4028226550889045e38;
         let stored = f64::from(as_text as f32);
         assert_ne!(stored, -3.40282265508890e38);
-        let said = Said { is_f32: true, ..said(-3.40282265508890e38, 0.0) };
+        let said = Said { stored: Stored::F32, ..said(-3.40282265508890e38, 0.0) };
         assert!(heights(said, &[stored, 1.0])[0].is_nan());
     }
 
@@ -293,6 +307,19 @@ mod tests {
         let (heights, notes) = converted(said, &[-3.0, 0.0, 9.0, 8.000_001]).unwrap();
         assert!(heights[0].is_nan() && heights[1..3] == [0.0, 4.5], "{heights:?}");
         assert!(notes[0].starts_with("1 samples lie beyond 0 to 9") && notes[1].starts_with("2 samples"));
+    }
+
+    #[test]
+    fn a_second_mark_and_samples_of_a_picture_are_told() {
+        let plain = |stored| Said { scale: 1.0, stored, ..said(-9999.0, 0.0) };
+        let (heights, notes) = converted(plain(Stored::Other), &[1.0, -9999.0, -32768.0, 9.0]).unwrap();
+        assert!(heights[1].is_nan() && heights[2] == -32768.0);
+        assert!(notes.len() == 1 && notes[0].contains("--no-data -9999.0,-32768.0"), "{notes:?}");
+        let (_, notes) = converted(plain(Stored::Byte), &[1.0, 2.0]).unwrap();
+        assert!(notes.len() == 1 && notes[0].contains("as those of a picture"), "{notes:?}");
+        assert!(converted(said(-1.0, 0.0), &[1.0, 2.0]).unwrap().1.is_empty());
+        let options = ReadOptions { scale: Some(1.0), ..ReadOptions::default() };
+        assert!(!Conversion::new(Path::new("x"), &options, plain(Stored::Byte)).unwrap().looks_like_picture);
     }
 
     #[test]

@@ -76,7 +76,7 @@ fn names_that_lead_elsewhere() {
     let made = pds4(&PDS4.replace("made.dat", "folder.dat"));
     fs::create_dir(made.path.with_file_name("folder.dat")).unwrap();
     let said = made.refusal();
-    assert!(said.contains("folder.dat: is not a file"), "{said}");
+    assert!(said.contains("folder.dat: cannot read: this is a folder"), "{said}");
 }
 
 #[test]

@@ -4,6 +4,7 @@ mod advice;
 mod cases;
 mod cells;
 mod damage;
+mod doubts;
 mod formats;
 mod gdal;
 mod geotiff;

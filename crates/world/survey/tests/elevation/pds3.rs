@@ -150,7 +150,7 @@ fn a_label_has_one_image_and_one_place() {
         "END_OBJECT = IMAGE\nOBJECT = IMAGE\n  LINES = 24\nEND_OBJECT = IMAGE\n",
     );
     let made = |label: &str| Made::new(&[("made.lbl", label.as_bytes()), ("made.img", &image())]);
-    assert!(made(&again).refusal().contains("label line 14, LINES: found 24; expected one object IMAGE"));
+    assert!(made(&again).refusal().contains("label line 14, LINES: found 24; expected one OBJECT IMAGE"));
     let twice = LABEL.replace("  LINES = 24\n", "  LINES = 24\n  LINES = 12\n");
     assert!(made(&twice).refusal().contains("expected one LINES in IMAGE"));
     // Another image beside it is another piece of data.

@@ -54,7 +54,7 @@ pub struct Augment {
     vehicle: String,
     /// Azimuth (clockwise from north) and elevation of the sun, in degrees. That of the scenario if left out, with
     /// --ground SCENARIO.
-    #[arg(long, value_name = "AZ,EL", value_parser = values::pair, allow_hyphen_values = true)]
+    #[arg(long, value_name = "AZ,EL", value_parser = values::pair)]
     sun: Option<[f64; 2]>,
     /// Folder for the new pictures and their record.
     #[arg(short, long, value_name = "FOLDER")]
@@ -93,7 +93,7 @@ pub struct Augment {
     #[arg(long, default_value_t = ScanConverter::default().tv_lines, value_parser = values::whole(50..=4000_u32))]
     tv_lines: u32,
     /// How far the scan converter's shadow lies off to the right and down, in percent of the picture's height.
-    #[arg(long, value_name = "RIGHT,DOWN", value_parser = values::pair, allow_hyphen_values = true)]
+    #[arg(long, value_name = "RIGHT,DOWN", value_parser = values::pair)]
     registration: Option<[f64; 2]>,
     /// Share of the video that a fully written scan converter takes away, 0 to 1.
     #[arg(long, default_value_t = ScanConverter::default().gain, value_parser = share)]

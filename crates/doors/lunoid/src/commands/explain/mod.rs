@@ -41,7 +41,7 @@ pub struct Explain {
     #[command(flatten)]
     chosen: FrameArgs,
     /// Pixel: column and line, from 0 at the top left.
-    #[arg(long, value_name = "X,Y", value_parser = pixel, allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y", value_parser = pixel)]
     pixel: Option<[usize; 2]>,
     #[command(flatten)]
     late: LateArgs,

@@ -1,11 +1,10 @@
 //! The header of an ENVI file: key = value, where a value in braces may go on over lines.
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
 use super::words::KEYS;
 use crate::error::SurveyError;
+use crate::read::gate;
 use crate::read::refusal::field;
 use crate::read::words::{Decider, Met, seen};
 
@@ -29,15 +28,24 @@ struct Entry {
     line: usize,
 }
 
+impl Entry {
+    fn place(&self) -> String {
+        format!("header line {}, {}", self.line, seen(&self.key))
+    }
+
+    fn wrong(&self, path: &Path, expected: &str) -> SurveyError {
+        let advice = "the header is damaged or of a kind not read here";
+        field(path, self.place(), seen(&self.value), expected, advice)
+    }
+}
+
 impl<'a> Header<'a> {
     /// Reads a header and decides its keys.
     ///
     /// # Errors
     /// If the header is damaged, or a key is refused or unknown, or stands there twice.
     pub fn read(path: &'a Path, decider: &mut Decider) -> Result<Self, SurveyError> {
-        let failed = |source| SurveyError::Read { path: path.to_path_buf(), source };
-        let mut bytes = Vec::new();
-        File::open(path).map_err(failed)?.take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(failed)?;
+        let bytes = gate::front(path, MOST_BYTES + 1)?;
         if bytes.len() as u64 > MOST_BYTES {
             let expected = format!("at most {MOST_BYTES} bytes");
             return Err(field(path, "header", "a longer one", expected, "name the header or the samples"));
@@ -45,9 +53,9 @@ impl<'a> Header<'a> {
         let header = Self { path, entries: entries(path, &String::from_utf8_lossy(&bytes))? };
         for (at, entry) in header.entries.iter().enumerate() {
             if header.entries[..at].iter().any(|before| before.key == entry.key) {
-                return Err(header.wrong(&entry.key, "one value of a key"));
+                return Err(entry.wrong(path, "one value of a key"));
             }
-            let (place, word) = (header.place(&entry.key), KEYS.of_name(&entry.key));
+            let (place, word) = (entry.place(), KEYS.of_name(&entry.key));
             decider.decide(Met { of: &KEYS, word, place: &place, name: &entry.key, value: &entry.value })?;
         }
         Ok(header)
@@ -55,7 +63,11 @@ impl<'a> Header<'a> {
 
     /// The value of a key, without braces.
     pub fn get(&self, key: &str) -> Option<&str> {
-        self.entries.iter().find(|entry| entry.key == key).map(|entry| entry.value.as_str())
+        self.entry(key).map(|entry| entry.value.as_str())
+    }
+
+    fn entry(&self, key: &str) -> Option<&Entry> {
+        self.entries.iter().find(|entry| entry.key == key)
     }
 
     /// The values of a key, which commas part.
@@ -86,15 +98,9 @@ impl<'a> Header<'a> {
         number.map(Some).ok_or_else(|| self.wrong(key, "a finite number"))
     }
 
-    fn place(&self, key: &str) -> String {
-        let line = self.entries.iter().find(|entry| entry.key == key).map_or(1, |entry| entry.line);
-        format!("header line {line}, {}", seen(key))
-    }
-
     /// The error for a value that cannot be used.
     pub fn wrong(&self, key: &str, expected: &str) -> SurveyError {
-        let found = seen(self.get(key).unwrap_or_default());
-        field(self.path, self.place(key), found, expected, "the header is damaged or of a kind not read here")
+        self.entry(key).map_or_else(|| self.missing(key), |entry| entry.wrong(self.path, expected))
     }
 
     /// The error for a key that is not there.

@@ -4,8 +4,6 @@ mod header;
 mod place;
 pub mod words;
 
-use std::fs::File;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 
 use landscape::LUNOID_RADIUS;
@@ -13,6 +11,7 @@ use landscape::LUNOID_RADIUS;
 use self::header::Header;
 use super::bands;
 use super::beside::{going_on, in_folder, with_ending};
+use super::gate;
 use super::kind::Kind;
 use super::opened::Opened;
 use super::options::ReadOptions;
@@ -35,10 +34,7 @@ pub fn is_header(start: &[u8]) -> bool {
 pub fn header_of(path: &Path) -> Result<Option<PathBuf>, SurveyError> {
     let behind = Some(going_on(path, ".hdr")).filter(|path| path.is_file());
     for header in [behind, with_ending(path, "hdr")?].into_iter().flatten() {
-        let mut start = Vec::new();
-        let failed = |source| SurveyError::Read { path: header.clone(), source };
-        File::open(&header).map_err(failed)?.take(8).read_to_end(&mut start).map_err(failed)?;
-        if is_header(&start) {
+        if is_header(&gate::front(&header, 8)?) {
             return Ok(Some(header));
         }
     }
@@ -155,7 +151,7 @@ fn said(
         scale: header.of_band("data gain values", band)?.unwrap_or(1.0),
         offset: header.of_band("data offset values", band)?.unwrap_or(0.0),
         sphere,
-        is_f32: kind.is_f32(),
+        stored: kind.stored(),
         ..Said::default()
     })
 }

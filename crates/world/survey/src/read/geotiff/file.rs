@@ -11,6 +11,7 @@ use tiff::tags::Tag;
 
 use super::directory::{TooLarge, too_large};
 use crate::error::SurveyError;
+use crate::read::gate;
 use crate::read::refusal::field;
 
 /// Most decoded bytes a byte of a compressed file; flat ground packs well, but not without limit.
@@ -25,8 +26,8 @@ pub type Tiff = Decoder<BufReader<File>>;
 /// A TIFF at its first picture, and its bytes.
 pub fn open(path: &Path) -> Result<(Tiff, u64), SurveyError> {
     let failed = |source| SurveyError::Read { path: path.to_path_buf(), source };
-    let mut file = BufReader::new(File::open(path).map_err(failed)?);
-    let bytes = file.get_ref().metadata().map_err(failed)?.len();
+    let (file, bytes) = gate::open(path)?;
+    let mut file = BufReader::new(file);
     if let Some(claim) = too_large(&mut file, bytes) {
         return Err(impossible(path, claim, bytes));
     }

@@ -10,6 +10,7 @@ use super::block::{self, Stored};
 use super::file::{MOST_EXPANSION, Tiff};
 use super::tags;
 use crate::error::SurveyError;
+use crate::read::kind::Stored as Kind;
 use crate::read::refusal::field;
 use crate::read::stretch::Window;
 
@@ -73,9 +74,9 @@ impl Layout {
         })
     }
 
-    /// Whether samples are 32-bit floats.
-    pub fn is_f32(&self) -> bool {
-        (self.bits, self.format) == (32, 3)
+    /// The kind of the samples as far as it matters for what they mean.
+    pub fn kind(&self) -> Kind {
+        Kind::of(self.bits, self.format == 3)
     }
 
     /// Refuses samples that are not read here.

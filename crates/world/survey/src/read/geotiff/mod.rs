@@ -66,7 +66,7 @@ pub fn open(path: &Path, options: &ReadOptions) -> Result<Opened, SurveyError> {
     let source = Source { path, items: &items, keys: &keys, band: [band.heights, layout.bands], options };
     let said = source.said(&mut tiff, &mut notes)?;
     let sphere = frame.sphere().unwrap_or(LUNOID_RADIUS);
-    let conversion = Conversion::new(path, options, Said { sphere, is_f32: layout.is_f32(), ..said })?;
+    let conversion = Conversion::new(path, options, Said { sphere, stored: layout.kind(), ..said })?;
 
     let size = [layout.lines, layout.columns];
     let masks = mask::masks(path, &mut tiff, bytes, size, &mut notes)?;

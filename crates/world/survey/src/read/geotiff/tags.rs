@@ -40,7 +40,11 @@ pub const TAGS: Vocabulary = Vocabulary {
         numbered(
             262,
             "PhotometricInterpretation",
-            Only(&["1", "2"], "white that is zero, or colours; gdal_translate -co PHOTOMETRIC=MINISBLACK"),
+            Only(
+                &["1"],
+                "0 is white that is zero, 2 and 6 are colours, 3 is a palette: a picture; heights are written again with \
+                 gdal_translate -co PHOTOMETRIC=MINISBLACK",
+            ),
         ),
         numbered(263, "Threshholding", Harmless(SHOWN)),
         numbered(264, "CellWidth", Harmless(SHOWN)),

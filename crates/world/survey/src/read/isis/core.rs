@@ -161,7 +161,7 @@ pub fn said(
         offset: label.number(PIXELS, "BASE", plain)?.unwrap_or(0.0) * metres,
         unknown_unit: known.is_none().then(|| ["label, BandBin, Unit".into(), unit.unwrap_or_default()]),
         sphere,
-        is_f32: kind.is_f32(),
+        stored: kind.stored(),
         ..Said::default()
     })
 }

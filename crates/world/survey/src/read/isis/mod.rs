@@ -4,12 +4,11 @@ mod core;
 mod place;
 pub mod words;
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
 use landscape::LUNOID_RADIUS;
 
+use super::gate;
 use super::label::Label;
 use super::opened::Opened;
 use super::options::ReadOptions;
@@ -41,9 +40,7 @@ pub fn is_cube(start: &[u8]) -> bool {
 
 /// Opens the core of a cube.
 pub fn open(path: &Path, options: &ReadOptions) -> Result<Opened, SurveyError> {
-    let failed = |source| SurveyError::Read { path: path.to_path_buf(), source };
-    let mut bytes = Vec::new();
-    File::open(path).map_err(failed)?.take(LABEL_BYTES).read_to_end(&mut bytes).map_err(failed)?;
+    let bytes = gate::front(path, LABEL_BYTES)?;
     let mut decider = Decider::new(path, options);
     let label = Label::of(path, &words::DIALECT, &bytes, &mut decider)?;
     let mut notes = decider.finish()?;

@@ -40,6 +40,8 @@ impl Value {
 /// An OBJECT or GROUP of a label.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Block {
+    /// The word that begins it: `OBJECT` or `GROUP`.
+    pub word: &'static str,
     /// Name of the object in capitals.
     pub name: String,
     /// Line of the label where it begins, from 1.
@@ -106,13 +108,14 @@ pub fn parse(bytes: &[u8]) -> Result<Vec<Statement>, LabelFault> {
         match keyword.as_str() {
             "END" => break,
             "END_OBJECT" | "END_GROUP" => {
-                if blocks.pop().is_none() {
-                    return Err(fault(line, keyword, "an OBJECT before it"));
-                }
-                if reader.peek()?.is_some_and(|token| token == Token::Mark(b'=')) {
-                    reader.next()?;
-                    reader.value(line, &keyword)?;
-                }
+                let name = match reader.peek()?.is_some_and(|token| token == Token::Mark(b'=')) {
+                    true => {
+                        reader.next()?;
+                        Some(reader.value(line, &keyword)?.text())
+                    }
+                    false => None,
+                };
+                close(&mut blocks, line, &keyword, name.as_deref())?;
                 continue;
             }
             _ => {}
@@ -134,7 +137,8 @@ pub fn parse(bytes: &[u8]) -> Result<Vec<Statement>, LabelFault> {
                         "at most 16 within one another",
                     ));
                 }
-                blocks.push(Block { name: text.to_ascii_uppercase(), line });
+                let word = if keyword.ends_with("GROUP") { "GROUP" } else { "OBJECT" };
+                blocks.push(Block { word, name: text.to_ascii_uppercase(), line });
             }
             (_, value) => out.push(Statement { blocks: blocks.clone(), keyword, value, line }),
         }
@@ -142,9 +146,27 @@ pub fn parse(bytes: &[u8]) -> Result<Vec<Statement>, LabelFault> {
     match blocks.last() {
         None => Ok(out),
         Some(open) => {
-            Err(fault(reader.line, format!("END inside OBJECT = {}", open.name), "END_OBJECT before it"))
+            let found = format!("END inside {} = {}", open.word, open.name);
+            Err(fault(reader.line, found, end_of(open)))
         }
     }
+}
+
+/// Ends the innermost block, which `keyword` must be the end of, and `name` the name of, if one is given.
+fn close(blocks: &mut Vec<Block>, line: usize, keyword: &str, name: Option<&str>) -> Result<(), LabelFault> {
+    let Some(open) = blocks.pop() else {
+        return Err(fault(line, keyword, "the OBJECT or GROUP that it ends before it"));
+    };
+    let is_named = name.is_none_or(|name| name.eq_ignore_ascii_case(&open.name));
+    if is_named && keyword.ends_with(open.word) {
+        return Ok(());
+    }
+    let found = format!("{keyword} = {} inside {} = {}", name.unwrap_or_default(), open.word, open.name);
+    Err(fault(line, found, end_of(&open)))
+}
+
+fn end_of(open: &Block) -> &'static str {
+    if open.word == "GROUP" { "END_GROUP before it" } else { "END_OBJECT before it" }
 }
 
 fn fault(line: usize, found: impl Into<String>, expected: &'static str) -> LabelFault {
@@ -365,6 +387,10 @@ OBJECT = IMAGE\n LINES\n =\n 720\n SCALE = 4 <pix/deg>\nEND_OBJECT = IMAGE\nEND\
         assert_eq!(fault(b"A = 1\n/* open\nEND").expected, "*/");
         assert_eq!(fault(b"A = 1\nOBJECT = X\nB = 2\nEND").expected, "END_OBJECT before it");
         assert_eq!(fault(b"A = 1\nEND_OBJECT = X\nEND").line, 2);
+        assert_eq!(fault(b"GROUP = X\nB = 2\nEND").expected, "END_GROUP before it");
+        let crossed = fault(b"GROUP = X\nB = 2\nEND_OBJECT = X\nEND");
+        assert_eq!((crossed.line, crossed.found.as_str()), (3, "END_OBJECT = X inside GROUP = X"));
+        assert_eq!(fault(b"OBJECT = X\nB = 2\nEND_OBJECT = Y\nEND").line, 3);
         assert_eq!(fault(b"A = 1\nB 2\nEND").expected, "=");
         assert!(fault(b"A = 1\n").expected.contains("truncated"));
         assert_eq!(fault(b"A = (1, 2\nEND = 3").expected, "a value");

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-use super::parse::{Statement, Value, parse};
+use super::parse::{Block, Statement, Value, parse};
 use crate::error::SurveyError;
 use crate::read::refusal::field;
 use crate::read::unit;
@@ -70,9 +70,7 @@ impl<'a> Label<'a> {
         let (mut met, mut left_out) = (BTreeSet::new(), BTreeSet::new());
         for statement in statements {
             for block in &statement.blocks {
-                if met.insert((block.line, block.name.clone()))
-                    && !label.is_read(decider, block.line, &block.name)?
-                {
+                if met.insert((block.line, block.name.clone())) && !label.is_read(decider, block)? {
                     left_out.insert(block.line);
                 }
             }
@@ -106,7 +104,8 @@ impl<'a> Label<'a> {
             let object = object_of(statement);
             let block = statement.blocks.last().map(|block| block.line);
             if *begins.entry(object).or_insert(block) != block {
-                return Err(self.wrong(statement, &format!("one object {object} in a label")));
+                let word = statement.blocks.last().map_or("OBJECT", |block| block.word);
+                return Err(self.wrong(statement, &format!("one {word} {object} in a label")));
             }
             let first = values.entry((object, &statement.keyword)).or_insert(&statement.value);
             if **first != statement.value {
@@ -117,8 +116,9 @@ impl<'a> Label<'a> {
     }
 
     /// Whether the statements of an object count.
-    fn is_read(&self, decider: &mut Decider, line: usize, name: &str) -> Result<bool, SurveyError> {
-        let (of, place) = (self.dialect.objects, format!("label line {line}, OBJECT"));
+    fn is_read(&self, decider: &mut Decider, block: &Block) -> Result<bool, SurveyError> {
+        let Block { word, name, line } = block;
+        let (of, place) = (self.dialect.objects, format!("label line {line}, {word}"));
         let met = Met { of, word: of.of_name(name), place: &place, name, value: name };
         Ok(matches!(decider.decide(met)?, Some(Fate::Used(_))))
     }

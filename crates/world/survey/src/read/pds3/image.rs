@@ -152,6 +152,6 @@ fn said(
         offset: label.of_band(IMAGE, "OFFSET", band, height)?.unwrap_or(0.0),
         unknown_unit,
         sphere,
-        is_f32: kind.is_f32(),
+        stored: kind.stored(),
     })
 }

@@ -6,10 +6,9 @@ mod map;
 mod special;
 pub mod words;
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
+use super::gate;
 use super::label::Label;
 use super::opened::Opened;
 use super::options::ReadOptions;
@@ -33,9 +32,7 @@ pub fn is_label(start: &[u8]) -> bool {
 
 /// Opens the image that a label describes.
 pub fn open(path: &Path, options: &ReadOptions) -> Result<Opened, SurveyError> {
-    let failed = |source| SurveyError::Read { path: path.to_path_buf(), source };
-    let mut bytes = Vec::new();
-    File::open(path).map_err(failed)?.take(LABEL_BYTES).read_to_end(&mut bytes).map_err(failed)?;
+    let bytes = gate::front(path, LABEL_BYTES)?;
     let mut decider = Decider::new(path, options);
     let label = Label::of(path, &words::DIALECT, &bytes, &mut decider)?;
     let (file, start) = image::locate(&label)?;

@@ -132,7 +132,7 @@ pub fn said(label: &Label, kind: Kind, sphere: f64, notes: &mut Vec<String>) -> 
         offset: label.number_of(element, &["value_offset"], plain)?.unwrap_or(0.0) * metres,
         unknown_unit,
         sphere,
-        is_f32: kind.is_f32(),
+        stored: kind.stored(),
     })
 }
 

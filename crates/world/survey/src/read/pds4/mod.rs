@@ -5,13 +5,12 @@ mod label;
 mod place;
 pub mod words;
 
-use std::fs::File;
-use std::io::Read;
 use std::path::Path;
 
 use landscape::LUNOID_RADIUS;
 
 use self::label::{Label, parse};
+use super::gate;
 use super::opened::Opened;
 use super::options::ReadOptions;
 use super::refusal::field;
@@ -53,9 +52,7 @@ pub fn open(path: &Path, options: &ReadOptions) -> Result<Opened, SurveyError> {
 
 /// The text of a label, in UTF-8.
 fn text(path: &Path) -> Result<String, SurveyError> {
-    let failed = |source| SurveyError::Read { path: path.to_path_buf(), source };
-    let mut bytes = Vec::new();
-    File::open(path).map_err(failed)?.take(LABEL_BYTES + 1).read_to_end(&mut bytes).map_err(failed)?;
+    let bytes = gate::front(path, LABEL_BYTES + 1)?;
     if bytes.len() as u64 > LABEL_BYTES {
         let expected = format!("at most {LABEL_BYTES} bytes");
         return Err(field(path, "label", "a longer one", expected, "name the label of the product"));
