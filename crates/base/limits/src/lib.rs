@@ -38,8 +38,10 @@ pub enum Limit {
     BankBytes,
     /// Bytes of an elevation file of NumPy.
     ElevationBytes,
-    /// Bytes of an OBJ file.
+    /// Bytes of a shape file, with the files that it names.
     ShapeBytes,
+    /// Convex parts of one closed shape.
+    ShapeParts,
     /// Bytes of a picture that is read.
     PictureBytes,
     /// Pixels of a picture that is read or drawn.
@@ -78,7 +80,7 @@ pub struct Row {
 }
 
 /// All limits, in the order of [`Limit`].
-pub const ROWS: [Row; 22] = [
+pub const ROWS: [Row; 23] = [
     row(Limit::Corners, "corners", "corners of a generated level", 4_000_000, 1 << 30),
     row(Limit::GroundCraters, "ground-craters", "craters in generated ground", 1_000_000, 1 << 28),
     row(Limit::Craters, "craters", "craters of a population", 4_000_000, 1 << 28),
@@ -90,7 +92,8 @@ pub const ROWS: [Row; 22] = [
     row(Limit::ListBytes, "list-bytes", "bytes of a list of craters or of a path", 1 << 28, 1 << 40),
     row(Limit::BankBytes, "bank-bytes", "bytes of a bank, or of the corners for one", 1 << 32, 1 << 44),
     row(Limit::ElevationBytes, "elevation-bytes", "bytes of an elevation file of NumPy", 16 << 30, 1 << 44),
-    row(Limit::ShapeBytes, "shape-bytes", "bytes of an OBJ file", 1 << 24, 1 << 30),
+    row(Limit::ShapeBytes, "shape-bytes", "bytes of a shape file and what it names", 1 << 24, 1 << 30),
+    row(Limit::ShapeParts, "shape-parts", "convex parts of one closed shape", 1_000, 1 << 20),
     row(Limit::PictureBytes, "picture-bytes", "bytes of a picture that is read", 256 << 20, 1 << 40),
     row(Limit::Pixels, "pixels", "pixels of a picture that is read or drawn", 64 << 20, 1 << 34),
     row(Limit::Objects, "objects", "objects of a scenario", 4_000, 1 << 28),
