@@ -78,8 +78,7 @@ pub(crate) fn split(triangles: &[[DVec3; 3]], albedo: f64) -> Result<Split, Spli
     if !(volume_error.abs() <= LOST) {
         return Err(SplitError::Lost(volume_error));
     }
-    let part = |cell: &Cell| Solid::hull(&cell.corners(), albedo);
-    let parts = cells.iter().map(part).collect::<Result<Vec<_>, _>>().map_err(SplitError::Part)?;
+    let parts = cells.iter().map(|cell| cell.solid(albedo)).collect::<Result<Vec<_>, _>>().map_err(SplitError::Part)?;
     let distance = triangles.iter().flatten().map(|&place| outside(&parts, place)).fold(0.0, f64::max);
     Ok(Split { parts, volume_error, distance })
 }
