@@ -184,7 +184,8 @@ fn gltf(data: Option<&str>) -> String {
 fn glb() -> Vec<u8> {
     let mut json = gltf(None).into_bytes();
     json.resize(json.len().next_multiple_of(4), b' ');
-    let chunk = |kind: &[u8; 4], bytes: &[u8]| [&(bytes.len() as u32).to_le_bytes(), &kind[..], bytes].concat();
+    let chunk =
+        |kind: &[u8; 4], bytes: &[u8]| [&(bytes.len() as u32).to_le_bytes(), &kind[..], bytes].concat();
     let chunks = [chunk(b"JSON", &json), chunk(b"BIN\0", &triangles())].concat();
     let length = chunks.len() as u32 + 12;
     [&b"glTF"[..], &2_u32.to_le_bytes(), &length.to_le_bytes(), &chunks].concat()

@@ -26,19 +26,19 @@ use plane::{Plane, planes_of};
 use winding::winding;
 
 /// Places nearer than this share of the size count as one, and corners so near to a plane as on it: files of 32-bit numbers
-/// round by a tenth of it.
-const SLACK: f64 = 1e-6;
+/// round by half of it.
+const SLACK: f64 = 1e-7;
 /// Share of [`SLACK`] within which corners of a cell lie on a plane.
 const FINE: f64 = 1e-3;
 /// Most planes that are tried for one cut.
 const TRIED: usize = 48;
 /// Cuts for each part that is allowed: most rooms of a shape are empty.
-const CUTS: u64 = 16;
+const CUTS: u64 = 4;
 /// Largest share of the volume that a split may lose or add.
 const LOST: f64 = 1e-3;
 
 /// Most triangles of a surface that is split.
-pub(crate) const MOST_TRIANGLES: usize = 20_000;
+pub(crate) const MOST_TRIANGLES: usize = 10_000;
 
 /// The parts of a shape, and how well they fill it.
 #[derive(Debug)]
@@ -75,10 +75,14 @@ pub(crate) fn split(triangles: &[[DVec3; 3]], albedo: f64) -> Result<Split, Spli
     let cells = splitting.cells()?;
     let volume = volume(triangles);
     let volume_error = cells.iter().map(Cell::volume).sum::<f64>() / volume - 1.0;
-    if !(volume_error.abs() <= LOST) {
+    if volume_error.is_nan() || volume_error.abs() > LOST {
         return Err(SplitError::Lost(volume_error));
     }
-    let parts = cells.iter().map(|cell| cell.solid(albedo)).collect::<Result<Vec<_>, _>>().map_err(SplitError::Part)?;
+    let parts = cells
+        .iter()
+        .map(|cell| cell.solid(albedo))
+        .collect::<Result<Vec<_>, _>>()
+        .map_err(SplitError::Part)?;
     let distance = triangles.iter().flatten().map(|&place| outside(&parts, place)).fold(0.0, f64::max);
     Ok(Split { parts, volume_error, distance })
 }
@@ -93,9 +97,7 @@ pub(crate) fn volume(triangles: &[[DVec3; 3]]) -> f64 {
 /// How far a place lies outside the nearest part (m).
 fn outside(parts: &[Solid], place: DVec3) -> f64 {
     let of = |part: &Solid| {
-        let above = |face: &crate::Face| {
-            face.normal.dot(place - part.vertices()[face.corners[0] as usize])
-        };
+        let above = |face: &crate::Face| face.normal.dot(place - part.vertices()[face.corners[0] as usize]);
         part.faces().iter().map(above).fold(0.0, f64::max)
     };
     parts.iter().map(of).fold(f64::INFINITY, f64::min)
@@ -129,7 +131,8 @@ struct Splitting<'t> {
 impl<'t> Splitting<'t> {
     fn new(triangles: &'t [[DVec3; 3]]) -> Self {
         let places = || triangles.iter().flatten().copied();
-        let (low, high) = (places().fold(DVec3::INFINITY, DVec3::min), places().fold(DVec3::NEG_INFINITY, DVec3::max));
+        let (low, high) =
+            (places().fold(DVec3::INFINITY, DVec3::min), places().fold(DVec3::NEG_INFINITY, DVec3::max));
         let slack = SLACK * (high - low).length();
         let (planes, of_triangle) = planes_of(triangles, slack);
         Self { triangles, planes, of_triangle, bounds: [low, high], slack }
@@ -160,7 +163,8 @@ impl<'t> Splitting<'t> {
         let [low, high] = self.bounds;
         let margin = DVec3::splat((high - low).length());
         let planed = self.triangles.iter().zip(&self.of_triangle);
-        let fragments = planed.filter_map(|(corners, plane)| Some(Fragment { plane: (*plane)?, corners: corners.to_vec() }));
+        let fragments = planed
+            .filter_map(|(corners, plane)| Some(Fragment { plane: (*plane)?, corners: corners.to_vec() }));
         Room { cell: Cell::boxed(low - margin, high + margin), fragments: fragments.collect() }
     }
 

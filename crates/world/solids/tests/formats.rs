@@ -28,7 +28,18 @@ const CORNERS: [[f32; 3]; 8] = [
 ];
 /// Its triangles, counter-clockwise seen from outside.
 const SIDES: [[usize; 3]; 12] = [
-    [0, 3, 2], [0, 2, 1], [4, 5, 6], [4, 6, 7], [0, 1, 5], [0, 5, 4], [1, 2, 6], [1, 6, 5], [2, 3, 7], [2, 7, 6], [3, 0, 4], [3, 4, 7],
+    [0, 3, 2],
+    [0, 2, 1],
+    [4, 5, 6],
+    [4, 6, 7],
+    [0, 1, 5],
+    [0, 5, 4],
+    [1, 2, 6],
+    [1, 6, 5],
+    [2, 3, 7],
+    [2, 7, 6],
+    [3, 0, 4],
+    [3, 4, 7],
 ];
 
 fn obj() -> String {
@@ -57,7 +68,14 @@ fn stl_text() -> String {
     let mut text = "solid a box\n".to_owned();
     for side in SIDES {
         text += "  facet normal 0 0 0\n    OUTER LOOP\n";
-        side.iter().for_each(|&corner| writeln!(text, "      vertex {:e} {:e} {:e}", CORNERS[corner][0], CORNERS[corner][1], CORNERS[corner][2]).unwrap());
+        side.iter().for_each(|&corner| {
+            writeln!(
+                text,
+                "      vertex {:e} {:e} {:e}",
+                CORNERS[corner][0], CORNERS[corner][1], CORNERS[corner][2]
+            )
+            .unwrap()
+        });
         text += "    endloop\n  endfacet\n";
     }
     text + "endsolid a box\n"
@@ -202,7 +220,9 @@ fn obj_as_programs_write_it() {
     let materials = read("a.obj", format!("mtllib a.mtl\n{text}")).unwrap();
     assert_eq!(
         materials.notes,
-        ["a.obj: materials are not read, their colours are lost (mtllib): give `colour`, or colours of vertices"]
+        [
+            "a.obj: materials are not read, their colours are lost (mtllib): give `colour`, or colours of vertices"
+        ]
     );
     for (statement, why) in [
         ("l 1 2", "delete loose edges"),
@@ -220,7 +240,11 @@ fn obj_as_programs_write_it() {
 fn groups_for_each_face_are_one_shape() {
     let mut grouped = String::new();
     for (number, line) in obj().lines().enumerate() {
-        let group = if line.starts_with('f') { format!("g side-{number}\nusemtl m{number}\n") } else { String::new() };
+        let group = if line.starts_with('f') {
+            format!("g side-{number}\nusemtl m{number}\n")
+        } else {
+            String::new()
+        };
         write!(grouped, "{group}{line}\n").unwrap();
     }
     assert_eq!(read("a.obj", &grouped).unwrap().solids, [the_box()]);
@@ -244,7 +268,11 @@ fn stl_that_is_damaged_or_coloured() {
     assert!(said.contains("facet 2: a coordinate must be a finite number, not inf"), "{said}");
     let coloured = read("a.stl", stl("", [1, 2])).unwrap();
     assert!(coloured.notes[0].contains("12 facets have a word of attributes"), "{:?}", coloured.notes);
-    assert!(coloured.notes[1].contains("read as metres, 1.0000 x 2.0000 x 0.2500 m large"), "{:?}", coloured.notes);
+    assert!(
+        coloured.notes[1].contains("read as metres, 1.0000 x 2.0000 x 0.2500 m large"),
+        "{:?}",
+        coloured.notes
+    );
     let text = stl_text();
     for (wrong, said) in [
         (text.replacen("vertex", "corner", 1), "statement `corner` is not read"),
@@ -262,7 +290,8 @@ fn stl_that_is_damaged_or_coloured() {
 
 #[test]
 fn ply_with_colours_and_normals() {
-    let head = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+    let head =
+        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
     let face = "element face 4\nproperty list uchar int vertex_indices\n";
     let rows = "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
     let coded = format!(
@@ -272,7 +301,11 @@ fn ply_with_colours_and_normals() {
     let solid = &read("a.ply", coded).unwrap().solids[0];
     // The curve of sRGB has 0.21586 at code 128.
     let expected = [ALBEDO, ALBEDO * 0.215_860_5, 0.0];
-    assert!(solid.albedo(0).iter().zip(expected).all(|(found, own)| (found - own).abs() < 1e-7), "{:?}", solid.albedo(0));
+    assert!(
+        solid.albedo(0).iter().zip(expected).all(|(found, own)| (found - own).abs() < 1e-7),
+        "{:?}",
+        solid.albedo(0)
+    );
     let of_faces = format!(
         "{head}{face}property float red\nproperty float green\nproperty float blue\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n{}",
         rows.replace('\n', " 0.5 0 1\n")
@@ -300,7 +333,11 @@ fn ply_that_is_damaged_or_says_more() {
         ("element face 12", "element face 13", "face 13 of 13: the file ends before it"),
         ("element face 12", "element face 11", "bytes are left behind the last element"),
         ("element face 12", "element face 99999999999999999999", "this count is no whole number"),
-        ("element vertex 8", "element void 18446744073709551615\nelement vertex 8", "element `void` has no properties"),
+        (
+            "element vertex 8",
+            "element void 18446744073709551615\nelement vertex 8",
+            "element `void` has no properties",
+        ),
         ("1 3 0 3 2", "1 3 0 3 8", "face 1 of 12: corner 8 names no vertex: there are 8, counted from 0"),
         ("1 3 0 3 2", "1 3 0 3 1.5", "corner 1.5 names no vertex"),
         ("1 3 0 3 2", "1 4 0 3 2", "the line is too short"),
@@ -308,7 +345,11 @@ fn ply_that_is_damaged_or_says_more() {
         ("1 3 0 3 2", "1 -3 0 3 2", "a list of -3 numbers"),
         ("0 7 -0.5 -1", "0 7 inf -1", "vertex 1 of 8: a coordinate is not finite"),
         ("0 7 -0.5 -1", "0 7 x -1", "`x` is no number"),
-        ("property list uchar uint vertex_index", "property uint vertex_index", "element `face` has no list of vertices"),
+        (
+            "property list uchar uint vertex_index",
+            "property uint vertex_index",
+            "element `face` has no list of vertices",
+        ),
     ] {
         let wrong = text.replacen(from, to, 1);
         assert_ne!(wrong, text, "{from}");
@@ -323,7 +364,9 @@ fn ply_that_is_damaged_or_says_more() {
 fn nodes_of_gltf_move_turn_and_mirror() {
     let size = |solid: &Solid| {
         let fold = |ends: [f64; 2], at: f64| [ends[0].min(at), ends[1].max(at)];
-        [0, 1, 2].map(|axis| solid.vertices().iter().map(|at| at[axis]).fold([f64::INFINITY, f64::NEG_INFINITY], fold))
+        [0, 1, 2].map(|axis| {
+            solid.vertices().iter().map(|at| at[axis]).fold([f64::INFINITY, f64::NEG_INFINITY], fold)
+        })
     };
     let placed = |node: Value| {
         let shape = read("a.gltf", changed("/nodes/0", node)).unwrap();
@@ -352,7 +395,10 @@ fn colours_strips_and_buffers_of_gltf() {
     painted["animations"] = json!([{}]);
     let shape = read("a.gltf", painted.to_string()).unwrap();
     assert_eq!(shape.solids[0].albedo(3), [0.5 * ALBEDO, 0.25 * ALBEDO, 0.0]);
-    assert!(shape.notes[0].contains("textures are not read") && shape.notes[1].contains("animations are not played"));
+    assert!(
+        shape.notes[0].contains("textures are not read")
+            && shape.notes[1].contains("animations are not played")
+    );
     // A tetrahedron of four corners of the box as a strip, and as a fan that leaves its base open.
     for (mode, corners) in [(5, [0, 1, 3, 4, 0, 1]), (6, [4, 0, 1, 3, 0, 0])] {
         let bytes: Vec<u8> = buffer()[..96].iter().copied().chain(corners).collect();
@@ -394,7 +440,11 @@ fn gltf_that_is_damaged_or_says_more() {
         ("/meshes/0/primitives/0/mode", json!(9), "mode 9 is not known"),
         ("/meshes/0/primitives/0/attributes", json!({"POSITION": 9}), "accessor 9 does not exist"),
         ("/meshes/0/primitives/0/attributes/GLOW", json!(0), "attribute GLOW is not read"),
-        ("/meshes/0/primitives/0/attributes/NORMAL", json!(1), "accessors[1].type: wrong type for meshes[0].primitives[0].attributes.NORMAL"),
+        (
+            "/meshes/0/primitives/0/attributes/NORMAL",
+            json!(1),
+            "accessors[1].type: wrong type for meshes[0].primitives[0].attributes.NORMAL",
+        ),
         ("/accessors/0/count", json!(9), "accessors[0]: 9 elements reach beyond their view"),
         ("/accessors/0/count", json!(u64::MAX), "reach beyond their view"),
         ("/accessors/0/byteOffset", json!(u64::MAX), "reach beyond their view"),

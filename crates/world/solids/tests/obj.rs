@@ -1,7 +1,7 @@
 //! OBJ files as programs write them, and damaged ones.
 
-use glam::DVec3;
 use diagnostics::ProblemList;
+use glam::DVec3;
 use solids::Solid;
 use solids::shape_files::{self, ALBEDO, Openness};
 

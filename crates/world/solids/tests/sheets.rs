@@ -71,7 +71,8 @@ fn normals_of_a_file_make_light_smooth() {
     let wrong = format!("{vertices}{normals}{}", faces.replace("3//3", "3//9"));
     let wrong = parse(&wrong, Openness::Closed).unwrap_err().to_string();
     assert!(wrong.contains("3//9 names no normal: 4 stand above"), "{wrong}");
-    let colour = parse(&format!("{}f 1 2 3\n", vertices.replace("0 0 1\n", "0 0 1 9 0 0\n")), Openness::Closed);
+    let colour =
+        parse(&format!("{}f 1 2 3\n", vertices.replace("0 0 1\n", "0 0 1 9 0 0\n")), Openness::Closed);
     assert!(colour.unwrap_err().to_string().contains("a channel of a colour must be 0 to 1, not 9"));
 }
 

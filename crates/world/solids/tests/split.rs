@@ -56,16 +56,22 @@ fn prism(outline: &[[f64; 2]], height: f64) -> Outlines {
     let level = |z: f64| outline.iter().map(move |&[x, y]| DVec3::new(x, y, z));
     let side = |at: usize| vec![at, (at + 1) % count, count + (at + 1) % count, count + at];
     let lids = [(0..count).rev().collect(), (count..2 * count).collect()];
-    Outlines { places: level(0.0).chain(level(height)).collect(), faces: lids.into_iter().chain((0..count).map(side)).collect() }
+    Outlines {
+        places: level(0.0).chain(level(height)).collect(),
+        faces: lids.into_iter().chain((0..count).map(side)).collect(),
+    }
 }
 
 /// Places on rings about the vertical, `around` each, and the squares between neighbours; rings and places close.
 fn ring(around: usize, section: &[[f64; 2]]) -> Outlines {
     let angle = |at: usize| TAU * at as f64 / around as f64;
-    let place = |at: usize, [radius, z]: [f64; 2]| DVec3::new(radius * angle(at).cos(), radius * angle(at).sin(), z);
+    let place =
+        |at: usize, [radius, z]: [f64; 2]| DVec3::new(radius * angle(at).cos(), radius * angle(at).sin(), z);
     let places = (0..around).flat_map(|at| section.iter().map(move |&own| place(at, own))).collect();
     let number = |at: usize, own: usize| at % around * section.len() + own % section.len();
-    let square = |at: usize, own: usize| vec![number(at, own), number(at + 1, own), number(at + 1, own + 1), number(at, own + 1)];
+    let square = |at: usize, own: usize| {
+        vec![number(at, own), number(at + 1, own), number(at + 1, own + 1), number(at, own + 1)]
+    };
     let squares = (0..around).flat_map(|at| (0..section.len()).map(move |own| square(at, own)));
     Outlines { places, faces: squares.collect() }
 }
@@ -75,10 +81,13 @@ fn spiky(radii: &[f64]) -> Outlines {
     const ROWS: usize = 7;
     const AROUND: usize = 8;
     let place = |row: usize, at: usize| {
-        let [down, around] = [0.5 * TAU * (row + 1) as f64 / (ROWS + 1) as f64, TAU * at as f64 / AROUND as f64];
-        radii[row * AROUND + at] * DVec3::new(down.sin() * around.cos(), down.sin() * around.sin(), down.cos())
+        let [down, around] =
+            [0.5 * TAU * (row + 1) as f64 / (ROWS + 1) as f64, TAU * at as f64 / AROUND as f64];
+        radii[row * AROUND + at]
+            * DVec3::new(down.sin() * around.cos(), down.sin() * around.sin(), down.cos())
     };
-    let mut places: Vec<DVec3> = (0..ROWS).flat_map(|row| (0..AROUND).map(move |at| place(row, at))).collect();
+    let mut places: Vec<DVec3> =
+        (0..ROWS).flat_map(|row| (0..AROUND).map(move |at| place(row, at))).collect();
     let [top, bottom] = [places.len(), places.len() + 1];
     places.extend([DVec3::Z * radii[ROWS * AROUND], -DVec3::Z * radii[ROWS * AROUND + 1]]);
     let number = |row: usize, at: usize| row * AROUND + at % AROUND;
@@ -98,7 +107,8 @@ fn volume(solid: &Solid) -> f64 {
     let place = |corner: u32| solid.vertices()[corner as usize];
     let of = |face: &solids::Face| {
         let first = place(face.corners[0]);
-        let area: DVec3 = face.corners.windows(2).map(|edge| (place(edge[0]) - first).cross(place(edge[1]) - first)).sum();
+        let area: DVec3 =
+            face.corners.windows(2).map(|edge| (place(edge[0]) - first).cross(place(edge[1]) - first)).sum();
         // Body axes are left-handed.
         -area.dot(first) / 6.0
     };
@@ -117,7 +127,9 @@ fn meetings(triangles: &[[DVec3; 3]], origin: DVec3, direction: DVec3) -> Vec<(f
         let normal = (b - a).cross(c - a);
         let distance = normal.dot(a - origin) / normal.dot(direction);
         let place = origin + distance * direction;
-        let is_inside = [(a, b), (b, c), (c, a)].iter().all(|(from, to)| normal.dot((**to - **from).cross(place - **from)) > 0.0);
+        let is_inside = [(a, b), (b, c), (c, a)]
+            .iter()
+            .all(|(from, to)| normal.dot((**to - **from).cross(place - **from)) > 0.0);
         (is_inside && distance > 0.0).then(|| (distance, normal.normalize()))
     };
     let mut met: Vec<_> = triangles.iter().filter_map(meet).collect();
@@ -130,10 +142,10 @@ fn flipped(place: DVec3) -> DVec3 {
     DVec3::new(place.x, -place.y, place.z)
 }
 
-/// Parts fill a shape: volumes agree, no two parts overlap, and rays see the shape's own faces and no other.
-fn expect_filled(shape: &Outlines, parts: &[Solid], rays: &[(DVec3, DVec3)]) {
+/// Parts fill a shape: volumes agree to `room`, no two parts overlap, and rays see the shape's own faces and no other.
+fn expect_filled(shape: &Outlines, parts: &[Solid], rays: &[(DVec3, DVec3)], room: f64) {
     let (whole, sum) = (shape.volume(), parts.iter().map(volume).sum::<f64>());
-    assert!((sum / whole - 1.0).abs() < 1e-9, "{sum} of {whole}");
+    assert!((sum / whole - 1.0).abs() < room, "{sum} of {whole}");
     let triangles = shape.triangles();
     let place = |part: &Solid| {
         Body::place(0, Kind::Culture, &Arc::new(part.clone()), DVec3::ZERO, &DMat3::IDENTITY, 1.0)
@@ -197,8 +209,9 @@ fn rays_see_a_ring_and_through_it() {
     let shape = ring(12, &square);
     let solids = shape.read().unwrap().solids;
     let grid = (0..40).flat_map(|x| (0..40).map(move |y| [x, y].map(|n| f64::from(n) * 0.06173 - 1.2)));
-    let rays: Vec<_> = grid.map(|[x, y]| (DVec3::new(x, y, 0.013), DVec3::new(0.1, 0.07, -1.0).normalize())).collect();
-    expect_filled(&shape, &solids, &rays);
+    let rays: Vec<_> =
+        grid.map(|[x, y]| (DVec3::new(x, y, 0.013), DVec3::new(0.1, 0.07, -1.0).normalize())).collect();
+    expect_filled(&shape, &solids, &rays, 1e-12);
 }
 
 #[test]
@@ -215,20 +228,25 @@ fn a_shape_that_is_inside_out_is_turned_and_a_note_says_so() {
 #[test]
 fn what_cannot_be_split_is_refused_by_name() {
     let refused = |shape: &Outlines| shape.read().unwrap_err().to_string();
-    // Two pyramids whose tips reach through each other's bases.
-    let mut crossed = prism(&[[0.0, 0.0], [4.0, 0.0], [4.0, 1.0], [1.0, 1.0], [1.0, 4.0], [0.0, 4.0]], 1.0);
-    crossed.places[4] = DVec3::new(-3.0, 4.0, 0.0);
-    crossed.places[3] = DVec3::new(-3.0, 0.5, 0.0);
-    let said = refused(&crossed);
-    assert!(said.contains("crosses itself") || said.contains("corners not in one plane"), "{said}");
+    // One corner of a ball is pulled through the middle and out on the other side.
+    let mut radii = [0.8; 58];
+    radii[20] = -1.5;
+    let said = refused(&spiky(&radii));
+    assert!(said.contains("crosses itself"), "{said}");
     let mut branching = prism(&L, 0.5);
     branching.places.push(DVec3::new(9.0, 9.0, 9.0));
     branching.faces.push(vec![0, 1, 12]);
-    assert!(refused(&branching).contains("branching: the edge between vertex 1 (line 1) and vertex 2 (line 2) has 3 faces"));
+    assert!(
+        refused(&branching)
+            .contains("branching: the edge between vertex 1 (line 1) and vertex 2 (line 2) has 3 faces")
+    );
     let mut open = prism(&L, 0.5);
     open.faces.pop();
     let said = refused(&open);
-    assert!(said.contains("not closed: the edge between vertex ") && said.contains("`open = true`"), "{said}");
+    assert!(
+        said.contains("not closed: the edge between vertex ") && said.contains("`open = true`"),
+        "{said}"
+    );
 }
 
 proptest! {
@@ -239,7 +257,8 @@ proptest! {
         let shape = spiky(&radii);
         let Shape { solids, notes, .. } = shape.read().unwrap();
         prop_assert!(solids.len() > 1 && notes.len() == 1);
-        expect_filled(&shape, &solids, &rays);
+        // What is thinner than a ten-millionth of the size is left out.
+        expect_filled(&shape, &solids, &rays, 1e-8);
     }
 
     #[test]

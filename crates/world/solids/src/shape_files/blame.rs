@@ -10,9 +10,11 @@ use crate::split::{MOST_TRIANGLES, SplitError};
 use limits::Limit;
 
 /// What to do about a shell that does not close.
-const CLOSE: &str = "fill its holes and join vertices at one place; an object may be a surface: `open = true`";
+const CLOSE: &str =
+    "fill its holes and join vertices at one place; an object may be a surface: `open = true`";
 /// What to do about a shell that cannot be split.
-const SIMPLER: &str = "simplify the shape, give convex parts as objects of the file, or draw it as a surface: `open = true`";
+const SIMPLER: &str =
+    "simplify the shape, give convex parts as objects of the file, or draw it as a surface: `open = true`";
 
 /// Why a shell gives no solids.
 pub(super) enum Refusal {
@@ -70,7 +72,10 @@ impl Blame<'_> {
                     1 => ("not closed", "1 face".into()),
                     count => ("branching", format!("{count} faces")),
                 };
-                let title = format!("{what}: the edge between {from} and {to} has {count}, so {} is no solid", self.name());
+                let title = format!(
+                    "{what}: the edge between {from} and {to} has {count}, so {} is no solid",
+                    self.name()
+                );
                 (faces[0].0, title)
             }
             None => (0, format!("{} is no solid: it closes only together with another part", self.name())),
@@ -89,12 +94,13 @@ impl Blame<'_> {
         match error {
             SplitError::TooManyParts => {
                 let most = Limit::ShapeParts.value();
-                let title = format!("{name} is not convex and would split into more than {most} convex parts");
+                let title =
+                    format!("{name} is not convex and would split into more than {most} convex parts");
                 self.at(0, title).help(format!("{SIMPLER}; {}", Limit::ShapeParts))
             }
-            SplitError::TooManyTriangles(count) => {
-                problem(format!("{name} is not convex and has {count} triangles: at most {MOST_TRIANGLES} are split"))
-            }
+            SplitError::TooManyTriangles(count) => problem(format!(
+                "{name} is not convex and has {count} triangles: at most {MOST_TRIANGLES} are split"
+            )),
             SplitError::Crosses { at, around } => problem(format!(
                 "{name} crosses itself: its surface runs {around} times around x {:.3}, y {:.3}, z {:.3} m",
                 at.x, -at.y, at.z
@@ -103,7 +109,9 @@ impl Blame<'_> {
                 "{name} is not convex, crosses itself or is too thin: convex parts would differ by {:.2} % of its volume",
                 share.abs() * 100.0
             )),
-            SplitError::Part(error) => problem(format!("{name} is not convex, and a part of it is no solid: {error}")),
+            SplitError::Part(error) => {
+                problem(format!("{name} is not convex, and a part of it is no solid: {error}"))
+            }
         }
     }
 

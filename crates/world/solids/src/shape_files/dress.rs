@@ -10,7 +10,9 @@ use crate::{Solid, SolidError};
 /// A solid of all faces of a shell, with the colours and normals of their corners.
 pub(super) fn dressed(solid: Solid, mesh: &Mesh, shell: &Joined) -> Result<Solid, SolidError> {
     let of = |face: usize| shell.faces[face].of;
-    let normal = |face: usize, corner: u32| normal_at(mesh, of(face), mesh.vertices[shell.named[corner as usize]].place);
+    let normal = |face: usize, corner: u32| {
+        normal_at(mesh, of(face), mesh.vertices[shell.named[corner as usize]].place)
+    };
     Ok(solid.with_colours(|face| mesh.colour(of(face)))?.with_normals(normal))
 }
 
@@ -58,7 +60,8 @@ impl<'m> Wardrobe<'m> {
         if self.cloths.is_empty() {
             return Ok(part);
         }
-        let worn: Vec<Vec<(&Cloth, f64)>> = (0..part.faces().len()).map(|face| self.worn(&part, face)).collect();
+        let worn: Vec<Vec<(&Cloth, f64)>> =
+            (0..part.faces().len()).map(|face| self.worn(&part, face)).collect();
         let places = part.vertices().to_vec();
         let colour = |face: usize| self.colour(&worn[face]);
         let normal = |face: usize, corner: u32| self.normal(&worn[face], places[corner as usize]);
@@ -68,7 +71,8 @@ impl<'m> Wardrobe<'m> {
     /// The triangles that lie in a face of a part, each with the area that they share (m2).
     fn worn(&self, part: &Solid, face: usize) -> Vec<(&Cloth<'m>, f64)> {
         let face = &part.faces()[face];
-        let outline: Vec<DVec3> = face.corners.iter().map(|&corner| part.vertices()[corner as usize]).collect();
+        let outline: Vec<DVec3> =
+            face.corners.iter().map(|&corner| part.vertices()[corner as usize]).collect();
         let lies = |cloth: &&Cloth| {
             let is_near = |at: &DVec3| face.normal.dot(*at - outline[0]).abs() <= self.slack;
             face.normal.dot(cloth.normal) > 0.9 && cloth.corners.iter().all(is_near)

@@ -55,7 +55,8 @@ impl Format {
     /// The format that the first bytes tell; no bytes tell an OBJ file.
     fn by_content(bytes: &[u8]) -> Option<Self> {
         let text = bytes.trim_ascii_start();
-        let after_word = |word: &[u8]| text.strip_prefix(word)?.first().filter(|byte| byte.is_ascii_whitespace());
+        let after_word =
+            |word: &[u8]| text.strip_prefix(word)?.first().filter(|byte| byte.is_ascii_whitespace());
         match () {
             () if bytes.starts_with(b"glTF") => Some(Self::Glb),
             () if after_word(b"ply").is_some() => Some(Self::Ply),

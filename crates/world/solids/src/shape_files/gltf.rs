@@ -16,8 +16,8 @@ use std::path::Path;
 use diagnostics::{Problem, ProblemList};
 use serde_json::Value;
 
-use super::faults::Faults;
 use super::Read;
+use super::faults::Faults;
 use super::mesh::Mesh;
 use accessors::Accessors;
 use buffers::Buffers;
@@ -47,7 +47,17 @@ pub(super) fn read_binary(path: &Path, bytes: &[u8]) -> Result<Read, ProblemList
 /// Keys of the root that say nothing about shape or light here.
 const HARMLESS: [&str; 4] = ["textures", "images", "samplers", "cameras"];
 const USED: [&str; 12] = [
-    "asset", "scene", "scenes", "nodes", "meshes", "accessors", "bufferViews", "buffers", "materials", "skins", "animations",
+    "asset",
+    "scene",
+    "scenes",
+    "nodes",
+    "meshes",
+    "accessors",
+    "bufferViews",
+    "buffers",
+    "materials",
+    "skins",
+    "animations",
     "extensionsUsed",
 ];
 
@@ -63,11 +73,19 @@ fn read_json(path: &Path, bytes: &[u8], chunk: Option<&[u8]>) -> Result<Read, Pr
     let mut buffers = Buffers::new(path, &root, chunk)?;
     let accessors = Accessors::new(&root)?;
     let materials = Materials::new(&root)?;
-    let mut primitives = Primitives { accessors: &accessors, materials: &materials, buffers: &mut buffers, corners: 0, is_morphed: false };
+    let mut primitives = Primitives {
+        accessors: &accessors,
+        materials: &materials,
+        buffers: &mut buffers,
+        counted: 0,
+        is_morphed: false,
+    };
     let meshes = root.list("meshes")?;
     for placed in placed_meshes(&root)? {
         let Some(own) = meshes.get(placed.mesh) else {
-            return Err(placed.node.problem(format!("mesh {} does not exist", placed.mesh), "the number of a mesh"));
+            return Err(placed
+                .node
+                .problem(format!("mesh {} does not exist", placed.mesh), "the number of a mesh"));
         };
         primitives.add(&mut mesh, own, &placed)?;
     }

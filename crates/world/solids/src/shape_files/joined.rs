@@ -13,6 +13,8 @@ pub(super) struct Joined<'m> {
     /// The file's index of each.
     pub named: Vec<usize>,
     pub faces: Vec<JoinedFace<'m>>,
+    /// Faces that were left out because they have no area.
+    pub left_out: usize,
 }
 
 /// A face by numbers of common vertices; an outline with dents is several.
@@ -33,7 +35,7 @@ impl<'m> Joined<'m> {
     /// three corners and keep two: they have no area.
     pub fn new(mesh: &Mesh, faces: impl Iterator<Item = (usize, &'m Face)>) -> Self {
         let mut numbers = BTreeMap::new();
-        let mut joined = Self { places: Vec::new(), named: Vec::new(), faces: Vec::new() };
+        let mut joined = Self { places: Vec::new(), named: Vec::new(), faces: Vec::new(), left_out: 0 };
         for (part, of) in faces {
             let mut corners: Vec<u32> = Vec::with_capacity(of.corners.len());
             for corner in &of.corners {
@@ -53,6 +55,8 @@ impl<'m> Joined<'m> {
             }
             if corners.len() > 2 || written < 3 {
                 joined.add(JoinedFace { corners, of, part });
+            } else {
+                joined.left_out += 1;
             }
         }
         joined.used_only()
@@ -72,13 +76,14 @@ impl<'m> Joined<'m> {
     /// The same without vertices that no face has.
     fn used_only(self) -> Self {
         let all: Vec<usize> = (0..self.faces.len()).collect();
-        self.only(&all)
+        Self { left_out: self.left_out, ..self.only(&all) }
     }
 
     /// Some of the faces, by number, with their vertices in order of use.
     pub fn only(&self, faces: &[usize]) -> Self {
         let mut numbers = vec![u32::MAX; self.places.len()];
-        let mut some = Self { places: Vec::new(), named: Vec::new(), faces: Vec::with_capacity(faces.len()) };
+        let (places, named) = (Vec::new(), Vec::new());
+        let mut some = Self { places, named, faces: Vec::with_capacity(faces.len()), left_out: 0 };
         for &face in faces {
             let JoinedFace { corners, of, part } = &self.faces[face];
             let renumbered = corners.iter().map(|&corner| {

@@ -8,16 +8,15 @@ use std::sync::Arc;
 use diagnostics::{ProblemList, Source};
 use glam::DVec3;
 
-use super::{MAX_PARTS, Read};
 use super::faults::Faults;
 use super::mesh::{At, Corner, Face, Mesh, Part, Vertex, WHITE, from_port};
 use super::text::{Word, extent, text_of};
+use super::{MAX_PARTS, Read};
 use words::statements;
 
 /// Statements that say nothing about shape or light.
-const HARMLESS: [&str; 11] = [
-    "vt", "vp", "s", "lod", "maplib", "usemap", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj",
-];
+const HARMLESS: [&str; 11] =
+    ["vt", "vp", "s", "lod", "maplib", "usemap", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"];
 /// Statements of materials.
 const MATERIALS: [&str; 2] = ["usemtl", "mtllib"];
 /// Statements that would be missed in the picture, and what to do about them.
@@ -25,8 +24,8 @@ const REFUSED: [(&[&str], &str); 4] = [
     (&["l", "p"], "delete loose edges and points before the export: only faces are drawn"),
     (
         &[
-            "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv", "sp", "end", "con",
-            "ctech", "stech", "mg",
+            "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv", "sp",
+            "end", "con", "ctech", "stech", "mg",
         ],
         "export polygons: curves and free surfaces are not drawn",
     ),

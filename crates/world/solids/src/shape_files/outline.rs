@@ -23,9 +23,12 @@ pub(super) fn ears(corners: &[DVec3]) -> Option<Vec<[usize; 3]>> {
         let [a, b, c] = around(&left, at).map(|corner| corners[corner]);
         turn(a, b, c) < -Solid::TOLERANCE * extent * extent
     };
-    let is_plane =
-        corners.iter().all(|at| normal.dot(*at - corners[0]).abs() <= Solid::TOLERANCE * extent);
-    if corners.len() > MOST_CORNERS || !is_plane || !(0..corners.len()).any(is_dent) || crosses(corners, &turn) {
+    let is_plane = corners.iter().all(|at| normal.dot(*at - corners[0]).abs() <= Solid::TOLERANCE * extent);
+    if corners.len() > MOST_CORNERS
+        || !is_plane
+        || !(0..corners.len()).any(is_dent)
+        || crosses(corners, &turn)
+    {
         return None;
     }
     let mut triangles = Vec::with_capacity(corners.len() - 2);
@@ -60,7 +63,12 @@ fn crosses(corners: &[DVec3], turn: impl Fn(DVec3, DVec3, DVec3) -> f64) -> bool
 fn normal_of(corners: &[DVec3]) -> Option<DVec3> {
     let [first, ..] = corners else { return None };
     let next = corners.iter().cycle().skip(1);
-    corners.iter().zip(next).map(|(from, to)| (*from - *first).cross(*to - *first)).sum::<DVec3>().try_normalize()
+    corners
+        .iter()
+        .zip(next)
+        .map(|(from, to)| (*from - *first).cross(*to - *first))
+        .sum::<DVec3>()
+        .try_normalize()
 }
 
 #[cfg(test)]
@@ -74,7 +82,16 @@ mod tests {
 
     #[test]
     fn ears_fill_an_outline_with_dents() {
-        let star = places(&[[0.0, 0.0], [4.0, 1.0], [8.0, 0.0], [5.0, 3.0], [8.0, 8.0], [4.0, 5.0], [0.0, 8.0], [2.0, 4.0]]);
+        let star = places(&[
+            [0.0, 0.0],
+            [4.0, 1.0],
+            [8.0, 0.0],
+            [5.0, 3.0],
+            [8.0, 8.0],
+            [4.0, 5.0],
+            [0.0, 8.0],
+            [2.0, 4.0],
+        ]);
         let area = |triangle: &[usize; 3]| {
             let [a, b, c] = triangle.map(|corner| star[corner]);
             0.5 * (b - a).cross(c - a).z

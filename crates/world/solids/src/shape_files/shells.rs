@@ -2,6 +2,7 @@
 
 use super::joined::Joined;
 use super::mesh::Mesh;
+use super::told::Told;
 
 /// One shape.
 pub(super) struct Shell<'m> {
@@ -16,13 +17,18 @@ pub(super) struct Shell<'m> {
 ///
 /// A part whose faces close is taken by itself, shell by shell. All other parts are joined first: many programs write a group for
 /// each face or material. What closes then is a shell, and what does not stays as its parts had it.
-pub(super) fn shells(mesh: &Mesh) -> Vec<Shell<'_>> {
+pub(super) fn shells<'m>(mesh: &'m Mesh, told: &mut Told) -> Vec<Shell<'m>> {
     let (mut shells, mut rest) = (Vec::new(), Vec::new());
     for (part, faces) in mesh.parts.iter().map(|part| &part.faces).enumerate() {
         let joined = Joined::new(mesh, faces.iter().map(|face| (part, face)));
+        told.left_out(joined.left_out);
         let found = joined.shells();
         if found.iter().all(|(_, closes)| *closes) {
-            shells.extend(found.iter().map(|(faces, _)| Shell { part, joined: joined.only(faces), closes: true }));
+            shells.extend(found.iter().map(|(faces, _)| Shell {
+                part,
+                joined: joined.only(faces),
+                closes: true,
+            }));
         } else {
             rest.extend(faces.iter().map(|face| (part, face)));
         }

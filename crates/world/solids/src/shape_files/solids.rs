@@ -15,7 +15,7 @@ use crate::{Solid, SolidError};
 /// The solids of a mesh; what is wrong with a shape is added to `faults`.
 pub(super) fn solids(mesh: &Mesh, openness: Openness, told: &mut Told, faults: &mut Faults) -> Vec<Solid> {
     let mut solids = Vec::new();
-    for shell in shells(mesh) {
+    for shell in shells(mesh, told) {
         let made = match openness {
             Openness::Closed => closed(mesh, &shell, told),
             Openness::Any => closed_or_open(mesh, &shell).map(|solid| vec![solid]).map_err(Refusal::from),

@@ -20,7 +20,8 @@ pub(super) fn read(name: &str, bytes: &[u8]) -> Result<Read, ProblemList> {
         None => return Err(binary::wrong_size(name, bytes).into()),
     };
     let places = || mesh.vertices.iter().map(|vertex| vertex.place);
-    let (low, high) = (places().fold(DVec3::INFINITY, DVec3::min), places().fold(DVec3::NEG_INFINITY, DVec3::max));
+    let (low, high) =
+        (places().fold(DVec3::INFINITY, DVec3::min), places().fold(DVec3::NEG_INFINITY, DVec3::max));
     if low.x <= high.x {
         let [x, y, z] = (high - low).to_array();
         mesh.notes.push(format!(

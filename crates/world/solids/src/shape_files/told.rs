@@ -11,6 +11,8 @@ pub(super) struct Told {
     parts: usize,
     /// Shapes of those whose faces were turned.
     turned: usize,
+    /// Faces without an area.
+    left_out: usize,
     /// Largest change of the volume of one, as a share.
     volume: f64,
     /// Largest distance of a corner from the parts (m).
@@ -27,6 +29,11 @@ impl Told {
         self.distance = self.distance.max(split.distance);
     }
 
+    /// Notes faces that were left out.
+    pub fn left_out(&mut self, faces: usize) {
+        self.left_out += faces;
+    }
+
     /// One sentence for each thing that was done.
     pub fn notes(&self) -> Vec<String> {
         let shapes = |count| if count == 1 { "1 shape".to_owned() } else { format!("{count} shapes") };
@@ -40,8 +47,11 @@ impl Told {
                 self.distance
             )
         });
-        let turned = (self.turned > 0)
-            .then(|| format!("inside out, or turned both ways round: faces of {} turned outwards", shapes(self.turned)));
-        split.into_iter().chain(turned).collect()
+        let turned = (self.turned > 0).then(|| {
+            format!("inside out, or turned both ways round: faces of {} turned outwards", shapes(self.turned))
+        });
+        let left_out = (self.left_out > 0)
+            .then(|| format!("faces with fewer than three different corners are left out: {}", self.left_out));
+        split.into_iter().chain(turned).chain(left_out).collect()
     }
 }

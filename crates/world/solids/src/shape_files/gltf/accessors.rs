@@ -86,17 +86,23 @@ impl<'a> Accessors<'a> {
     pub fn elements(&self, asked: &Json, types: &[&str], buffers: &mut Buffers) -> Result<Elements, Problem> {
         let number = asked.whole()?;
         let Some(accessor) = self.accessors.get(number) else {
-            return Err(asked.problem(format!("accessor {number} does not exist"), "the number of an accessor"));
+            return Err(
+                asked.problem(format!("accessor {number} does not exist"), "the number of an accessor")
+            );
         };
         if let Some(sparse) = accessor.get("sparse") {
-            return Err(sparse.problem("sparse accessors are not read", "plain accessors").help("export without them"));
+            return Err(sparse
+                .problem("sparse accessors are not read", "plain accessors")
+                .help("export without them"));
         }
         accessor.expect_known(
             &["bufferView", "byteOffset", "componentType", "normalized", "count", "type"],
             &["min", "max"],
         )?;
         let kind = accessor.required("type")?;
-        let width = TYPES.iter().find(|(name, _)| types.contains(name) && kind.text().is_ok_and(|text| text == *name));
+        let width = TYPES
+            .iter()
+            .find(|(name, _)| types.contains(name) && kind.text().is_ok_and(|text| text == *name));
         let Some(&(_, width)) = width else {
             return Err(kind.problem(format!("wrong type for {}", asked.path()), types.join(" or ")));
         };
@@ -104,7 +110,10 @@ impl<'a> Accessors<'a> {
         let whole = code.whole()?;
         let component = Component::CODES.iter().find(|(known, ..)| *known == whole);
         let Some(&(_, component, size)) = component else {
-            return Err(code.problem(format!("{whole} is no type of component"), "5120, 5121, 5122, 5123, 5125 or 5126"));
+            return Err(code.problem(
+                format!("{whole} is no type of component"),
+                "5120, 5121, 5122, 5123, 5125 or 5126",
+            ));
         };
         let is_normalized = accessor.get("normalized").is_some_and(|normalized| normalized.is_true());
         let number = |bytes: &[u8]| match component.number(bytes) {
@@ -112,12 +121,20 @@ impl<'a> Accessors<'a> {
             (number, _) => number,
         };
         let mut numbers = Vec::new();
-        self.each(accessor, width * size, buffers, |element| numbers.extend(element.chunks(size).map(number)))?;
+        self.each(accessor, width * size, buffers, |element| {
+            numbers.extend(element.chunks(size).map(number))
+        })?;
         Ok(Elements { numbers, width })
     }
 
     /// Hands on the bytes of each element of an accessor, `size` bytes each.
-    fn each(&self, accessor: &Json, size: usize, buffers: &mut Buffers, mut hear: impl FnMut(&[u8])) -> Result<(), Problem> {
+    fn each(
+        &self,
+        accessor: &Json,
+        size: usize,
+        buffers: &mut Buffers,
+        mut hear: impl FnMut(&[u8]),
+    ) -> Result<(), Problem> {
         let count = accessor.required("count")?.whole()?;
         let asked = accessor.required("bufferView")?;
         let number = asked.whole()?;
@@ -135,9 +152,13 @@ impl<'a> Accessors<'a> {
         if stride < size {
             return Err(view.problem(format!("a stride of {stride} bytes"), format!("{size} bytes or more")));
         }
-        let last = count.checked_sub(1).and_then(|last| last.checked_mul(stride)?.checked_add(first)?.checked_add(size));
+        let last = count
+            .checked_sub(1)
+            .and_then(|last| last.checked_mul(stride)?.checked_add(first)?.checked_add(size));
         if last.unwrap_or(first) > bytes.len() || count > 0 && last.is_none() {
-            return Err(accessor.problem(format!("{count} elements reach beyond their view"), "bytes of the view"));
+            return Err(
+                accessor.problem(format!("{count} elements reach beyond their view"), "bytes of the view")
+            );
         }
         (0..count).for_each(|number| hear(&bytes[first + number * stride..][..size]));
         Ok(())

@@ -48,7 +48,9 @@ impl<'a> Buffers<'a> {
             self.bytes += bytes.len() as u64;
             if !Limit::ShapeBytes.allows(self.bytes) {
                 let expected = format!("at most {} bytes", Limit::ShapeBytes.value());
-                return Err(entry.problem("the buffers are too large", expected).help(Limit::ShapeBytes.to_string()));
+                return Err(entry
+                    .problem("the buffers are too large", expected)
+                    .help(Limit::ShapeBytes.to_string()));
             }
             self.read[number] = Some(bytes);
         }
@@ -76,12 +78,15 @@ impl<'a> Buffers<'a> {
 
     fn from_file(&mut self, uri: &Json) -> Result<Vec<u8>, Problem> {
         const INSIDE: &str = "a file in the folder of this file, or below";
-        let path = decoded(uri.text()?).filter(|path| is_plain(path)).ok_or_else(|| uri.problem("leads elsewhere", INSIDE))?;
+        let path = decoded(uri.text()?)
+            .filter(|path| is_plain(path))
+            .ok_or_else(|| uri.problem("leads elsewhere", INSIDE))?;
         let path = self.folder.join(path);
         if let Some(found) = leads_outside(self.folder, &path) {
             return Err(uri.problem(format!("leads to {}", found.display()), INSIDE));
         }
-        let bytes = files::read_all(&path, Limit::ShapeBytes).map_err(|error| uri.problem(error.to_string(), INSIDE))?;
+        let bytes = files::read_all(&path, Limit::ShapeBytes)
+            .map_err(|error| uri.problem(error.to_string(), INSIDE))?;
         self.files.push(path);
         Ok(bytes)
     }
@@ -108,7 +113,8 @@ fn decoded(uri: &str) -> Option<String> {
 
 /// The bytes of `data:MEDIA;base64,DIGITS`, without the scheme.
 fn from_data(uri: &Json, data: &str) -> Result<Vec<u8>, Problem> {
-    let digits = data.split_once(',').filter(|(media, _)| media.ends_with(";base64")).map(|(_, digits)| digits);
+    let digits =
+        data.split_once(',').filter(|(media, _)| media.ends_with(";base64")).map(|(_, digits)| digits);
     let bytes = digits.and_then(from_base64);
     bytes.ok_or_else(|| uri.problem("data that cannot be read", "data:application/octet-stream;base64,..."))
 }
@@ -147,7 +153,14 @@ mod tests {
     /// The examples of RFC 4648, section 10.
     #[test]
     fn base64_of_every_length() {
-        let pairs = [("", ""), ("Zg==", "f"), ("Zm8=", "fo"), ("Zm9v", "foo"), ("Zm9vYg==", "foob"), ("Zm9vYmFy", "foobar")];
+        let pairs = [
+            ("", ""),
+            ("Zg==", "f"),
+            ("Zm8=", "fo"),
+            ("Zm9v", "foo"),
+            ("Zm9vYg==", "foob"),
+            ("Zm9vYmFy", "foobar"),
+        ];
         for (digits, bytes) in pairs {
             assert_eq!(from_base64(digits).as_deref(), Some(bytes.as_bytes()), "{digits}");
         }

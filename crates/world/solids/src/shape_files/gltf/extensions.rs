@@ -41,7 +41,10 @@ const REFUSED: [(&str, &str); 7] = [
     ("EXT_meshopt_compression", "export without meshopt compression"),
     ("KHR_meshopt_compression", "export without meshopt compression"),
     ("EXT_mesh_gpu_instancing", "export instances as nodes"),
-    ("KHR_materials_pbrSpecularGlossiness", "export materials as metallic and roughness: colours would be lost"),
+    (
+        "KHR_materials_pbrSpecularGlossiness",
+        "export materials as metallic and roughness: colours would be lost",
+    ),
     ("KHR_materials_variants", "export one variant of the materials"),
     ("MSFT_lod", "export one level of detail"),
 ];

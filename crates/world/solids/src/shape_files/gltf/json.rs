@@ -76,7 +76,9 @@ impl<'a> Json<'a> {
             None => Ok(()),
             Some(key) => {
                 let expected = format!("{}, or of no effect: {}", used.join(", "), harmless.join(", "));
-                Err(self.problem(format!("key `{key}` is not read"), expected).help("export the file without it"))
+                Err(self
+                    .problem(format!("key `{key}` is not read"), expected)
+                    .help("export the file without it"))
             }
         }
     }
@@ -122,7 +124,8 @@ impl<'a> Json<'a> {
     /// # Errors
     /// If it is anything else.
     pub fn numbers<const N: usize>(&self) -> Result<[f64; N], Problem> {
-        let numbers: Option<Vec<f64>> = self.value.as_array().and_then(|all| all.iter().map(Value::as_f64).collect());
+        let numbers: Option<Vec<f64>> =
+            self.value.as_array().and_then(|all| all.iter().map(Value::as_f64).collect());
         let numbers = numbers.and_then(|numbers| <[f64; N]>::try_from(numbers).ok());
         numbers.ok_or_else(|| self.problem(format!("not {N} numbers"), format!("an array of {N} numbers")))
     }

@@ -7,7 +7,13 @@ use crate::shape_files::mesh::WHITE;
 
 /// Keys of a material beside its colour: they change the light of a surface in ways that are not drawn.
 const HARMLESS: [&str; 7] = [
-    "normalTexture", "occlusionTexture", "emissiveTexture", "emissiveFactor", "alphaMode", "alphaCutoff", "doubleSided",
+    "normalTexture",
+    "occlusionTexture",
+    "emissiveTexture",
+    "emissiveFactor",
+    "alphaMode",
+    "alphaCutoff",
+    "doubleSided",
 ];
 /// The same of the model of metal and roughness.
 const MODEL_HARMLESS: [&str; 3] = ["metallicFactor", "roughnessFactor", "metallicRoughnessTexture"];
@@ -28,7 +34,8 @@ impl Materials {
         let mut materials = Self { colours: Vec::new(), has_textures: false };
         for material in root.list("materials")? {
             material.expect_known(&["pbrMetallicRoughness"], &HARMLESS)?;
-            let colour = material.get("pbrMetallicRoughness").map(|model| materials.colour(&model)).transpose()?;
+            let colour =
+                material.get("pbrMetallicRoughness").map(|model| materials.colour(&model)).transpose()?;
             materials.colours.push(colour.unwrap_or(WHITE));
         }
         Ok(materials)
@@ -58,6 +65,8 @@ impl Materials {
         let Some(named) = primitive.get("material") else { return Ok(WHITE) };
         let number = named.whole()?;
         let colour = self.colours.get(number).copied();
-        colour.ok_or_else(|| named.problem(format!("material {number} does not exist"), "the number of a material"))
+        colour.ok_or_else(|| {
+            named.problem(format!("material {number} does not exist"), "the number of a material")
+        })
     }
 }

@@ -43,7 +43,9 @@ pub(super) fn placed_meshes<'a>(root: &Json<'a>) -> Result<Vec<PlacedMesh<'a>>, 
         if let Some(mesh) = node.get("mesh") {
             if let Some(skin) = node.get("skin") {
                 let help = "apply the armature before the export";
-                return Err(skin.problem("a skin that bends the mesh is not read", "a rigid mesh").help(help));
+                return Err(skin
+                    .problem("a skin that bends the mesh is not read", "a rigid mesh")
+                    .help(help));
             }
             placed.push(PlacedMesh { mesh: mesh.whole()?, to_scene, node: node.clone() });
         }
@@ -77,15 +79,22 @@ fn transform(node: &Json) -> Result<DMat4, Problem> {
     let made = match node.get("matrix") {
         Some(matrix) => DMat4::from_cols_array(&matrix.numbers()?),
         None => {
-            let rotation = node.get("rotation").map_or(Ok([0.0, 0.0, 0.0, 1.0]), |rotation| rotation.numbers())?;
+            let rotation =
+                node.get("rotation").map_or(Ok([0.0, 0.0, 0.0, 1.0]), |rotation| rotation.numbers())?;
             let rotation = DMat3::from_quat(DQuat::from_array(rotation).normalize());
             let scale = DMat3::from_diagonal(DVec3::from_array(triple("scale", [1.0; 3])?));
-            DMat4::from_mat3_translation(rotation * scale, DVec3::from_array(triple("translation", [0.0; 3])?))
+            DMat4::from_mat3_translation(
+                rotation * scale,
+                DVec3::from_array(triple("translation", [0.0; 3])?),
+            )
         }
     };
     let is_affine = made.row(3).to_array() == [0.0, 0.0, 0.0, 1.0];
     match made.is_finite() && is_affine {
         true => Ok(made),
-        false => Err(node.problem("its place is no affine transform", "finite numbers, and a rotation that is not 0")),
+        false => {
+            Err(node
+                .problem("its place is no affine transform", "finite numbers, and a rotation that is not 0"))
+        }
     }
 }

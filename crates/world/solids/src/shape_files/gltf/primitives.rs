@@ -11,8 +11,8 @@ use super::nodes::PlacedMesh;
 use crate::shape_files::MAX_PARTS;
 use crate::shape_files::mesh::{Corner, Face, Mesh, Part, Vertex, WHITE};
 
-/// Most corners of all triangles together: one mesh may stand in many places.
-const MOST_CORNERS: usize = 3 << 20;
+/// Most vertices, and corners of triangles, of all nodes together: one mesh may stand in many places.
+const MOST_COUNTED: usize = 3 << 20;
 
 /// Attributes of vertices that are used.
 const USED: [&str; 3] = ["POSITION", "NORMAL", "COLOR_0"];
@@ -24,8 +24,8 @@ pub(super) struct Primitives<'p, 'a> {
     pub accessors: &'p Accessors<'a>,
     pub materials: &'p Materials,
     pub buffers: &'p mut Buffers<'a>,
-    /// Corners so far.
-    pub corners: usize,
+    /// Vertices, and corners of triangles, so far.
+    pub counted: usize,
     /// Whether a mesh has morph targets.
     pub is_morphed: bool,
 }
@@ -49,7 +49,9 @@ impl Primitives<'_, '_> {
             primitive.expect_known(&["attributes", "indices", "material", "mode", "targets"], &[])?;
             self.is_morphed |= primitive.get("targets").is_some();
             if into.parts.len() == MAX_PARTS {
-                return Err(primitive.problem(format!("more than {MAX_PARTS} parts"), "fewer; use several files"));
+                return Err(
+                    primitive.problem(format!("more than {MAX_PARTS} parts"), "fewer; use several files")
+                );
             }
             into.parts.push(Part { name: name.into(), ..Part::default() });
             self.add_primitive(into, &primitive, placed)?;
@@ -57,7 +59,12 @@ impl Primitives<'_, '_> {
         Ok(())
     }
 
-    fn add_primitive(&mut self, into: &mut Mesh, primitive: &Json, placed: &PlacedMesh) -> Result<(), Problem> {
+    fn add_primitive(
+        &mut self,
+        into: &mut Mesh,
+        primitive: &Json,
+        placed: &PlacedMesh,
+    ) -> Result<(), Problem> {
         let attributes = primitive.required("attributes")?;
         for key in attributes.keys()? {
             if !USED.contains(&key) && !HARMLESS.iter().any(|known| key.starts_with(known)) {
@@ -66,6 +73,7 @@ impl Primitives<'_, '_> {
         }
         let position = attributes.required("POSITION")?;
         let places = self.accessors.elements(&position, &["VEC3"], self.buffers)?;
+        self.count(places.len(), primitive)?;
         let normals = self.attribute(&attributes, "NORMAL", &["VEC3"], places.len())?;
         let colours = self.attribute(&attributes, "COLOR_0", &["VEC3", "VEC4"], places.len())?;
         let first = [into.vertices.len(), into.normals.len()];
@@ -77,7 +85,8 @@ impl Primitives<'_, '_> {
             }
             let own = colours.as_ref().map_or(WHITE, |colours| colours.triple(number));
             if !own.iter().all(|light| (0.0..=1.0).contains(light)) {
-                return Err(attributes.problem(format!("the colour of vertex {number} is not 0 to 1"), "linear light"));
+                return Err(attributes
+                    .problem(format!("the colour of vertex {number} is not 0 to 1"), "linear light"));
             }
             let colour = std::array::from_fn(|channel| own[channel] * material[channel]);
             into.vertices.push(Vertex { place: in_body_axes(place), colour, at: number..number });
@@ -86,7 +95,8 @@ impl Primitives<'_, '_> {
         let to_scene = DMat3::from_mat4(placed.to_scene);
         let DMat3 { x_axis: x, y_axis: y, z_axis: z } = to_scene;
         let is_mirrored = to_scene.determinant() < 0.0;
-        let turn = DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y)) * if is_mirrored { -1.0 } else { 1.0 };
+        let turn =
+            DMat3::from_cols(y.cross(z), z.cross(x), x.cross(y)) * if is_mirrored { -1.0 } else { 1.0 };
         for number in 0..normals.as_ref().map_or(0, Elements::len) {
             let normal = normals.as_ref().map_or([0.0; 3], |normals| normals.triple(number));
             into.normals.push(in_body_axes(turn * DVec3::from_array(normal)));
@@ -117,7 +127,10 @@ impl Primitives<'_, '_> {
         let elements = self.accessors.elements(&asked, types, self.buffers)?;
         match elements.len() == vertices {
             true => Ok(Some(elements)),
-            false => Err(asked.problem(format!("{} elements", elements.len()), format!("{vertices}, as POSITION has"))),
+            false => {
+                Err(asked
+                    .problem(format!("{} elements", elements.len()), format!("{vertices}, as POSITION has")))
+            }
         }
     }
 
@@ -127,23 +140,35 @@ impl Primitives<'_, '_> {
             None => (0..vertices).collect(),
             Some(asked) => self.indices(&asked, vertices)?,
         };
-        self.corners += corners.len();
-        if self.corners > MOST_CORNERS {
-            let title = format!("the nodes draw more than {MOST_CORNERS} corners together");
-            return Err(primitive.problem(title, "a simpler shape"));
-        }
+        self.count(corners.len(), primitive)?;
         let threes = || corners.windows(3).map(|three| [three[0], three[1], three[2]]);
         match primitive.whole_or("mode", 4)? {
             4 if corners.len().is_multiple_of(3) => Ok(threes().step_by(3).collect()),
-            4 => Err(primitive.problem(format!("triangles of {} corners", corners.len()), "three corners each")),
+            4 => {
+                Err(primitive
+                    .problem(format!("triangles of {} corners", corners.len()), "three corners each"))
+            }
             // Every second triangle of a strip runs the other way round.
-            5 => Ok(threes().enumerate().map(|(at, [a, b, c])| if at % 2 == 0 { [a, b, c] } else { [b, a, c] }).collect()),
+            5 => Ok(threes()
+                .enumerate()
+                .map(|(at, [a, b, c])| if at % 2 == 0 { [a, b, c] } else { [b, a, c] })
+                .collect()),
             6 => Ok(corners.windows(2).skip(1).map(|two| [corners[0], two[0], two[1]]).collect()),
             0..=3 => Err(primitive
                 .problem("points and lines are not read", "triangles: mode 4, 5 or 6")
                 .help("delete loose edges and points before the export")),
             mode => Err(primitive.problem(format!("mode {mode} is not known"), "mode 4, 5 or 6")),
         }
+    }
+
+    /// Counts vertices and corners of triangles.
+    fn count(&mut self, more: usize, primitive: &Json) -> Result<(), Problem> {
+        self.counted += more;
+        if self.counted <= MOST_COUNTED {
+            return Ok(());
+        }
+        let title = format!("the nodes draw more than {MOST_COUNTED} vertices and corners together");
+        Err(primitive.problem(title, "a simpler shape"))
     }
 
     fn indices(&mut self, asked: &Json, vertices: usize) -> Result<Vec<usize>, Problem> {

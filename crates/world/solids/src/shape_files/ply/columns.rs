@@ -8,12 +8,40 @@ use crate::shape_files::mesh::{Corner, Face, Mesh, Vertex, WHITE, from_port, lin
 
 /// Properties of vertices that say nothing about shape or light.
 const VERTEX_HARMLESS: [&str; 18] = [
-    "alpha", "s", "t", "u", "v", "texture_u", "texture_v", "texture_s", "texture_t", "confidence", "intensity", "quality", "value",
-    "flags", "material_index", "label", "curvature", "id",
+    "alpha",
+    "s",
+    "t",
+    "u",
+    "v",
+    "texture_u",
+    "texture_v",
+    "texture_s",
+    "texture_t",
+    "confidence",
+    "intensity",
+    "quality",
+    "value",
+    "flags",
+    "material_index",
+    "label",
+    "curvature",
+    "id",
 ];
 /// The same of faces.
 const FACE_HARMLESS: [&str; 13] = [
-    "alpha", "quality", "flags", "texcoord", "texnumber", "nx", "ny", "nz", "material_index", "intensity", "label", "area", "id",
+    "alpha",
+    "quality",
+    "flags",
+    "texcoord",
+    "texnumber",
+    "nx",
+    "ny",
+    "nz",
+    "material_index",
+    "intensity",
+    "label",
+    "area",
+    "id",
 ];
 /// Elements that say nothing about shape or light.
 const ELEMENT_HARMLESS: [&str; 4] = ["material", "camera", "user", "multi_texture_vertex"];
@@ -72,7 +100,10 @@ impl Columns {
         }
         match has_vertices {
             true => Ok(Self { of_elements }),
-            false => Err(Problem::of_file(name, "the header has no element `vertex`").expected("vertices and faces")),
+            false => {
+                Err(Problem::of_file(name, "the header has no element `vertex`")
+                    .expected("vertices and faces"))
+            }
         }
     }
 }
@@ -118,7 +149,8 @@ fn vertex(element: &Element) -> Result<Use, Problem> {
     let used: Vec<&str> = PLACE.into_iter().chain(NORMAL).chain(COLOURS.into_iter().flatten()).collect();
     expect_known(element, &used, &VERTEX_HARMLESS)?;
     let place = all(element, PLACE).ok_or_else(|| {
-        Problem::at(&element.place, "element `vertex` has no properties x, y and z").expected("three coordinates")
+        Problem::at(&element.place, "element `vertex` has no properties x, y and z")
+            .expected("three coordinates")
     })?;
     let whole_triple = |names| complete(element, names);
     Ok(Use::Vertex { place, normal: whole_triple(NORMAL)?, colour: colour(element)? })
@@ -215,7 +247,10 @@ impl Colour {
     fn of(&self, row: &[Value]) -> Result<[f64; 3], Fault> {
         let codes = self.channels.map(|channel| single(&row[channel]) / self.full);
         if !codes.iter().all(|code| (0.0..=1.0).contains(code)) {
-            return Err(Fault::new("a channel of its colour is out of range", "0 to 255, or linear light of 0 to 1"));
+            return Err(Fault::new(
+                "a channel of its colour is out of range",
+                "0 to 255, or linear light of 0 to 1",
+            ));
         }
         Ok(if self.is_coded { codes.map(linear) } else { codes })
     }

@@ -114,9 +114,8 @@ impl Reading {
     fn statement(&mut self, words: &[Word]) -> Result<(), Problem> {
         let said: Vec<&str> = words.iter().map(|(word, _)| *word).collect();
         let place = Place { source: self.source.clone(), span: extent(words) };
-        let wrong = |title: &str, expected: &str| {
-            Problem::at(&place, title).found(said.join(" ")).expected(expected)
-        };
+        let wrong =
+            |title: &str, expected: &str| Problem::at(&place, title).found(said.join(" ")).expected(expected);
         match said[..] {
             [] | ["ply" | "end_header"] | ["comment" | "obj_info", ..] => {}
             ["format", coding, "1.0"] => {
@@ -138,21 +137,30 @@ impl Reading {
             }
             ["property", "list", length, kind, name] => {
                 let kinds = (kind_of(kind), kind_of(length).filter(|length| length.is_whole()));
-                let (Some(kind), length @ Some(_)) = kinds else { return Err(wrong("unknown type", &all_kinds())) };
+                let (Some(kind), length @ Some(_)) = kinds else {
+                    return Err(wrong("unknown type", &all_kinds()));
+                };
                 self.add(Property { name: name.into(), kind, length, place })?;
             }
             ["property", kind, name] => {
                 let kind = kind_of(kind).ok_or_else(|| wrong("unknown type", &all_kinds()))?;
                 self.add(Property { name: name.into(), kind, length: None, place })?;
             }
-            _ => return Err(wrong("this statement is not read", "format, element, property, comment or obj_info")),
+            _ => {
+                return Err(wrong(
+                    "this statement is not read",
+                    "format, element, property, comment or obj_info",
+                ));
+            }
         }
         Ok(())
     }
 
     fn add(&mut self, property: Property) -> Result<(), Problem> {
         let Some(element) = self.elements.last_mut() else {
-            return Err(Problem::at(&property.place, "a property of no element").expected("`element` before it"));
+            return Err(
+                Problem::at(&property.place, "a property of no element").expected("`element` before it")
+            );
         };
         if element.properties.iter().any(|other| other.name == property.name) {
             let title = format!("element `{}` has property `{}` twice", element.name, property.name);

@@ -86,19 +86,29 @@ impl Reading {
     fn vertex(&mut self, words: &[Word], at: &At) {
         let mut place = [0.0; 3];
         if words.len() != 3 {
-            self.faults.add(at, format!("a vertex of {} numbers", words.len()), "three coordinates in metres");
+            self.faults.add(
+                at,
+                format!("a vertex of {} numbers", words.len()),
+                "three coordinates in metres",
+            );
         }
         for (length, (word, at)) in place.iter_mut().zip(words) {
             match word.parse().ok().filter(|length: &f64| length.is_finite()) {
                 Some(read) => *length = read,
                 None => {
-                    self.faults.add(at, format!("a coordinate must be a finite number, not {word}"), "metres");
+                    self.faults.add(
+                        at,
+                        format!("a coordinate must be a finite number, not {word}"),
+                        "metres",
+                    );
                 }
             }
         }
         match &mut self.facet {
             Some(facet) => facet.corners.push((place, at.clone())),
-            None => self.faults.add(at, "a vertex outside a facet".into(), "`facet` and `outer loop` before it"),
+            None => {
+                self.faults.add(at, "a vertex outside a facet".into(), "`facet` and `outer loop` before it")
+            }
         }
     }
 
