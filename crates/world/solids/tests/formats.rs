@@ -245,7 +245,7 @@ fn groups_for_each_face_are_one_shape() {
         } else {
             String::new()
         };
-        write!(grouped, "{group}{line}\n").unwrap();
+        writeln!(grouped, "{group}{line}").unwrap();
     }
     assert_eq!(read("a.obj", &grouped).unwrap().solids, [the_box()]);
     let second: String = CORNERS.iter().map(|[x, y, z]| format!("v {x} {y} {}\n", z + 0.25)).collect();

@@ -65,8 +65,9 @@ fn prism(outline: &[[f64; 2]], height: f64) -> Outlines {
 /// Places on rings about the vertical, `around` each, and the squares between neighbours; rings and places close.
 fn ring(around: usize, section: &[[f64; 2]]) -> Outlines {
     let angle = |at: usize| TAU * at as f64 / around as f64;
-    let place =
-        |at: usize, [radius, z]: [f64; 2]| DVec3::new(radius * angle(at).cos(), radius * angle(at).sin(), z);
+    let place = |at: usize, [radius, z]: [f64; 2]| {
+        DVec3::new(radius * libm::cos(angle(at)), radius * libm::sin(angle(at)), z)
+    };
     let places = (0..around).flat_map(|at| section.iter().map(move |&own| place(at, own))).collect();
     let number = |at: usize, own: usize| at % around * section.len() + own % section.len();
     let square = |at: usize, own: usize| {
@@ -84,7 +85,11 @@ fn spiky(radii: &[f64]) -> Outlines {
         let [down, around] =
             [0.5 * TAU * (row + 1) as f64 / (ROWS + 1) as f64, TAU * at as f64 / AROUND as f64];
         radii[row * AROUND + at]
-            * DVec3::new(down.sin() * around.cos(), down.sin() * around.sin(), down.cos())
+            * DVec3::new(
+                libm::sin(down) * libm::cos(around),
+                libm::sin(down) * libm::sin(around),
+                libm::cos(down),
+            )
     };
     let mut places: Vec<DVec3> =
         (0..ROWS).flat_map(|row| (0..AROUND).map(move |at| place(row, at))).collect();
@@ -266,7 +271,7 @@ proptest! {
         let count = radii.len() as f64;
         let corner = |(at, radius): (usize, &f64)| {
             let angle = TAU * at as f64 / count;
-            [radius * angle.cos(), radius * angle.sin()]
+            [radius * libm::cos(angle), radius * libm::sin(angle)]
         };
         let outline: Vec<[f64; 2]> = radii.iter().enumerate().map(corner).collect();
         let area: f64 = outline.iter().zip(outline.iter().cycle().skip(1)).map(|(a, b)| 0.5 * (a[0] * b[1] - a[1] * b[0])).sum();

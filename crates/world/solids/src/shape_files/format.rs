@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use diagnostics::Problem;
+use diagnostics::{Problem, ProblemList};
 
 /// Formats that are read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,13 +33,14 @@ impl Format {
     ///
     /// # Errors
     /// If the ending is none that is read, or the first bytes are those of another format.
-    pub fn of(path: &Path, name: &str, bytes: &[u8]) -> Result<Self, Problem> {
+    pub fn of(path: &Path, name: &str, bytes: &[u8]) -> Result<Self, ProblemList> {
         let ending = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
         let Some((_, format, said)) = FORMATS.iter().find(|(known, ..)| *known == ending) else {
             let title = format!("the ending `{ending}` is no format of shapes that is read");
             return Err(Problem::of_file(name, title)
                 .expected("a file that ends in .obj, .stl, .ply, .gltf or .glb")
-                .help("export it again from the program that made it"));
+                .help("export it again from the program that made it")
+                .into());
         };
         match Self::by_content(bytes).filter(|found| found != format) {
             None => Ok(*format),
@@ -47,7 +48,7 @@ impl Format {
                 let is = |(_, format, _): &&(&str, Self, &str)| *format == found;
                 let [ending, is] = FORMATS.iter().find(is).map_or(["", ""], |(ending, _, is)| [ending, is]);
                 let title = format!("the file is named as {said}, but its first bytes are those of {is}");
-                Err(Problem::of_file(name, title).help(format!("rename it to end in .{ending}")))
+                Err(Problem::of_file(name, title).help(format!("rename it to end in .{ending}")).into())
             }
         }
     }

@@ -32,7 +32,7 @@ use primitives::Primitives;
 /// # Errors
 /// The first fault.
 pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Read, ProblemList> {
-    Ok(read_json(path, bytes, None)?)
+    read_json(path, bytes, None)
 }
 
 /// Reads a binary glTF file.
@@ -41,7 +41,7 @@ pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Read, ProblemList> {
 /// The first fault.
 pub(super) fn read_binary(path: &Path, bytes: &[u8]) -> Result<Read, ProblemList> {
     let (json, buffer) = binary::chunks(&path.display().to_string(), bytes)?;
-    Ok(read_json(path, json, buffer)?)
+    read_json(path, json, buffer)
 }
 
 /// Keys of the root that say nothing about shape or light here.
@@ -61,7 +61,7 @@ const USED: [&str; 12] = [
     "extensionsUsed",
 ];
 
-fn read_json(path: &Path, bytes: &[u8], chunk: Option<&[u8]>) -> Result<Read, Problem> {
+fn read_json(path: &Path, bytes: &[u8], chunk: Option<&[u8]>) -> Result<Read, ProblemList> {
     let name = path.display().to_string();
     let value: Value = serde_json::from_slice(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes))
         .map_err(|error| Problem::of_file(&name, format!("no JSON: {error}")).expected("glTF 2.0"))?;
@@ -85,7 +85,8 @@ fn read_json(path: &Path, bytes: &[u8], chunk: Option<&[u8]>) -> Result<Read, Pr
         let Some(own) = meshes.get(placed.mesh) else {
             return Err(placed
                 .node
-                .problem(format!("mesh {} does not exist", placed.mesh), "the number of a mesh"));
+                .problem(format!("mesh {} does not exist", placed.mesh), "the number of a mesh")
+                .into());
         };
         primitives.add(&mut mesh, own, &placed)?;
     }
@@ -94,7 +95,7 @@ fn read_json(path: &Path, bytes: &[u8], chunk: Option<&[u8]>) -> Result<Read, Pr
     Ok(Read { mesh, faults: Faults::of_numbers(&name, "triangle"), beside: buffers.into_files() })
 }
 
-fn expect_version(root: &Json) -> Result<(), Problem> {
+fn expect_version(root: &Json) -> Result<(), ProblemList> {
     let asset = root.required("asset")?;
     asset.expect_known(&["version", "minVersion"], &["generator", "copyright", "name"])?;
     for (key, is_missing_well) in [("version", false), ("minVersion", true)] {
@@ -102,14 +103,14 @@ fn expect_version(root: &Json) -> Result<(), Problem> {
             None if is_missing_well => {}
             None => drop(asset.required(key)?),
             Some(version) if version.text()?.starts_with("2.") => {}
-            Some(version) => return Err(version.problem("this version is not read", "2.0")),
+            Some(version) => return Err(version.problem("this version is not read", "2.0").into()),
         }
     }
     Ok(())
 }
 
 /// What is not seen, although the file has it.
-fn notes(root: &Json, materials: &Materials, is_morphed: bool) -> Result<Vec<String>, Problem> {
+fn notes(root: &Json, materials: &Materials, is_morphed: bool) -> Result<Vec<String>, ProblemList> {
     let mut notes = Vec::new();
     let mut note = |is_so: bool, note: &str| notes.extend(is_so.then(|| note.to_owned()));
     note(materials.has_textures(), "textures are not read: faces have the plain colours of their materials");

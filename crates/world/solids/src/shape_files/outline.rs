@@ -27,7 +27,7 @@ pub(super) fn ears(corners: &[DVec3]) -> Option<Vec<[usize; 3]>> {
     if corners.len() > MOST_CORNERS
         || !is_plane
         || !(0..corners.len()).any(is_dent)
-        || crosses(corners, &turn)
+        || crosses(corners, turn)
     {
         return None;
     }

@@ -50,8 +50,9 @@ impl Told {
         let turned = (self.turned > 0).then(|| {
             format!("inside out, or turned both ways round: faces of {} turned outwards", shapes(self.turned))
         });
-        let left_out = (self.left_out > 0)
-            .then(|| format!("faces with fewer than three different corners are left out: {}", self.left_out));
+        let left_out = (self.left_out > 0).then(|| {
+            format!("faces with fewer than three different corners are left out: {}", self.left_out)
+        });
         split.into_iter().chain(turned).chain(left_out).collect()
     }
 }

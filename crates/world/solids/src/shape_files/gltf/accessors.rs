@@ -1,6 +1,6 @@
 //! Numbers that a glTF file keeps in buffers.
 
-use diagnostics::Problem;
+use diagnostics::ProblemList;
 
 use super::buffers::Buffers;
 use super::json::Json;
@@ -75,7 +75,7 @@ impl<'a> Accessors<'a> {
     ///
     /// # Errors
     /// If a list cannot be read.
-    pub fn new(root: &Json<'a>) -> Result<Self, Problem> {
+    pub fn new(root: &Json<'a>) -> Result<Self, ProblemList> {
         Ok(Self { accessors: root.list("accessors")?, views: root.list("bufferViews")? })
     }
 
@@ -83,17 +83,23 @@ impl<'a> Accessors<'a> {
     ///
     /// # Errors
     /// If it is of another type, or its bytes are not there.
-    pub fn elements(&self, asked: &Json, types: &[&str], buffers: &mut Buffers) -> Result<Elements, Problem> {
+    pub fn elements(
+        &self,
+        asked: &Json,
+        types: &[&str],
+        buffers: &mut Buffers,
+    ) -> Result<Elements, ProblemList> {
         let number = asked.whole()?;
         let Some(accessor) = self.accessors.get(number) else {
-            return Err(
-                asked.problem(format!("accessor {number} does not exist"), "the number of an accessor")
-            );
+            return Err(asked
+                .problem(format!("accessor {number} does not exist"), "the number of an accessor")
+                .into());
         };
         if let Some(sparse) = accessor.get("sparse") {
             return Err(sparse
                 .problem("sparse accessors are not read", "plain accessors")
-                .help("export without them"));
+                .help("export without them")
+                .into());
         }
         accessor.expect_known(
             &["bufferView", "byteOffset", "componentType", "normalized", "count", "type"],
@@ -104,16 +110,15 @@ impl<'a> Accessors<'a> {
             .iter()
             .find(|(name, _)| types.contains(name) && kind.text().is_ok_and(|text| text == *name));
         let Some(&(_, width)) = width else {
-            return Err(kind.problem(format!("wrong type for {}", asked.path()), types.join(" or ")));
+            return Err(kind.problem(format!("wrong type for {}", asked.path()), types.join(" or ")).into());
         };
         let code = accessor.required("componentType")?;
         let whole = code.whole()?;
         let component = Component::CODES.iter().find(|(known, ..)| *known == whole);
         let Some(&(_, component, size)) = component else {
-            return Err(code.problem(
-                format!("{whole} is no type of component"),
-                "5120, 5121, 5122, 5123, 5125 or 5126",
-            ));
+            return Err(code
+                .problem(format!("{whole} is no type of component"), "5120, 5121, 5122, 5123, 5125 or 5126")
+                .into());
         };
         let is_normalized = accessor.get("normalized").is_some_and(|normalized| normalized.is_true());
         let number = |bytes: &[u8]| match component.number(bytes) {
@@ -134,12 +139,14 @@ impl<'a> Accessors<'a> {
         size: usize,
         buffers: &mut Buffers,
         mut hear: impl FnMut(&[u8]),
-    ) -> Result<(), Problem> {
+    ) -> Result<(), ProblemList> {
         let count = accessor.required("count")?.whole()?;
         let asked = accessor.required("bufferView")?;
         let number = asked.whole()?;
         let Some(view) = self.views.get(number) else {
-            return Err(asked.problem(format!("view {number} does not exist"), "the number of a view"));
+            return Err(asked
+                .problem(format!("view {number} does not exist"), "the number of a view")
+                .into());
         };
         view.expect_known(&["buffer", "byteOffset", "byteLength", "byteStride"], &["target"])?;
         let buffer = view.required("buffer")?;
@@ -150,15 +157,17 @@ impl<'a> Accessors<'a> {
         let bytes = from.checked_add(length).and_then(|end| bytes.get(from..end));
         let bytes = bytes.ok_or_else(|| view.problem("reaches beyond its buffer", "bytes of the buffer"))?;
         if stride < size {
-            return Err(view.problem(format!("a stride of {stride} bytes"), format!("{size} bytes or more")));
+            return Err(view
+                .problem(format!("a stride of {stride} bytes"), format!("{size} bytes or more"))
+                .into());
         }
         let last = count
             .checked_sub(1)
             .and_then(|last| last.checked_mul(stride)?.checked_add(first)?.checked_add(size));
         if last.unwrap_or(first) > bytes.len() || count > 0 && last.is_none() {
-            return Err(
-                accessor.problem(format!("{count} elements reach beyond their view"), "bytes of the view")
-            );
+            return Err(accessor
+                .problem(format!("{count} elements reach beyond their view"), "bytes of the view")
+                .into());
         }
         (0..count).for_each(|number| hear(&bytes[first + number * stride..][..size]));
         Ok(())

@@ -1,6 +1,6 @@
 //! The chunks of a binary glTF file.
 
-use diagnostics::Problem;
+use diagnostics::{Problem, ProblemList};
 
 /// Magic, version and length.
 const HEAD: usize = 12;
@@ -11,8 +11,8 @@ const BUFFER: [u8; 4] = *b"BIN\0";
 ///
 /// # Errors
 /// If lengths contradict the file, or a chunk is of another kind.
-pub(super) fn chunks<'b>(name: &str, bytes: &'b [u8]) -> Result<(&'b [u8], Option<&'b [u8]>), Problem> {
-    let wrong = |title: String, expected: &str| Err(Problem::of_file(name, title).expected(expected));
+pub(super) fn chunks<'b>(name: &str, bytes: &'b [u8]) -> Result<(&'b [u8], Option<&'b [u8]>), ProblemList> {
+    let wrong = |title: String, expected: &str| Err(Problem::of_file(name, title).expected(expected).into());
     let word = |at: usize| {
         bytes.get(at..).and_then(|bytes| bytes.first_chunk()).map(|word| u32::from_le_bytes(*word))
     };

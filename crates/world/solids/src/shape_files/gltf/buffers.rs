@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use diagnostics::Problem;
+use diagnostics::ProblemList;
 use files::{folder_of, leads_outside};
 use limits::Limit;
 
@@ -24,7 +24,7 @@ impl<'a> Buffers<'a> {
     ///
     /// # Errors
     /// If the list of buffers cannot be read.
-    pub fn new(path: &'a Path, root: &Json<'a>, chunk: Option<&'a [u8]>) -> Result<Self, Problem> {
+    pub fn new(path: &'a Path, root: &Json<'a>, chunk: Option<&'a [u8]>) -> Result<Self, ProblemList> {
         let entries = root.list("buffers")?;
         let read = entries.iter().map(|_| None).collect();
         Ok(Self { folder: folder_of(path), entries, chunk, read, files: Vec::new(), bytes: 0 })
@@ -39,9 +39,11 @@ impl<'a> Buffers<'a> {
     ///
     /// # Errors
     /// If there is none of that number, or its bytes cannot be had.
-    pub fn bytes(&mut self, number: usize, asked: &Json) -> Result<&[u8], Problem> {
+    pub fn bytes(&mut self, number: usize, asked: &Json) -> Result<&[u8], ProblemList> {
         let Some(entry) = self.entries.get(number).cloned() else {
-            return Err(asked.problem(format!("buffer {number} does not exist"), "the number of a buffer"));
+            return Err(asked
+                .problem(format!("buffer {number} does not exist"), "the number of a buffer")
+                .into());
         };
         if self.read[number].is_none() {
             let bytes = self.read(number, &entry)?;
@@ -50,40 +52,41 @@ impl<'a> Buffers<'a> {
                 let expected = format!("at most {} bytes", Limit::ShapeBytes.value());
                 return Err(entry
                     .problem("the buffers are too large", expected)
-                    .help(Limit::ShapeBytes.to_string()));
+                    .help(Limit::ShapeBytes.to_string())
+                    .into());
             }
             self.read[number] = Some(bytes);
         }
         Ok(self.read[number].as_deref().unwrap_or_default())
     }
 
-    fn read(&mut self, number: usize, entry: &Json) -> Result<Vec<u8>, Problem> {
+    fn read(&mut self, number: usize, entry: &Json) -> Result<Vec<u8>, ProblemList> {
         entry.expect_known(&["uri", "byteLength"], &[])?;
         let length = entry.required("byteLength")?.whole()?;
         let mut bytes = match (entry.get("uri"), self.chunk) {
             (None, Some(chunk)) if number == 0 => chunk.to_vec(),
-            (None, _) => return Err(entry.problem("no `uri`", "a file, or data in base64")),
+            (None, _) => return Err(entry.problem("no `uri`", "a file, or data in base64").into()),
             (Some(uri), _) => match uri.text()?.strip_prefix("data:") {
                 Some(data) => from_data(&uri, data)?,
-                None => self.from_file(&uri)?,
+                None => self.bytes_of_file(&uri)?,
             },
         };
         if bytes.len() < length {
             let title = format!("{length} bytes are promised, {} are there", bytes.len());
-            return Err(entry.problem(title, "a whole buffer"));
+            return Err(entry.problem(title, "a whole buffer").into());
         }
         bytes.truncate(length);
         Ok(bytes)
     }
 
-    fn from_file(&mut self, uri: &Json) -> Result<Vec<u8>, Problem> {
+    fn bytes_of_file(&mut self, uri: &Json) -> Result<Vec<u8>, ProblemList> {
         const INSIDE: &str = "a file in the folder of this file, or below";
         let path = decoded(uri.text()?)
             .filter(|path| is_plain(path))
             .ok_or_else(|| uri.problem("leads elsewhere", INSIDE))?;
         let path = self.folder.join(path);
         if let Some(found) = leads_outside(self.folder, &path) {
-            return Err(uri.problem(format!("leads to {}", found.display()), INSIDE));
+            return Err(uri.problem(format!("leads to {}", found.display()), INSIDE).into());
         }
         let bytes = files::read_all(&path, Limit::ShapeBytes)
             .map_err(|error| uri.problem(error.to_string(), INSIDE))?;
@@ -112,11 +115,13 @@ fn decoded(uri: &str) -> Option<String> {
 }
 
 /// The bytes of `data:MEDIA;base64,DIGITS`, without the scheme.
-fn from_data(uri: &Json, data: &str) -> Result<Vec<u8>, Problem> {
+fn from_data(uri: &Json, data: &str) -> Result<Vec<u8>, ProblemList> {
     let digits =
         data.split_once(',').filter(|(media, _)| media.ends_with(";base64")).map(|(_, digits)| digits);
     let bytes = digits.and_then(from_base64);
-    bytes.ok_or_else(|| uri.problem("data that cannot be read", "data:application/octet-stream;base64,..."))
+    bytes.ok_or_else(|| {
+        uri.problem("data that cannot be read", "data:application/octet-stream;base64,...").into()
+    })
 }
 
 /// Bytes of digits of base64 (RFC 4648): four digits for three bytes, and `=` for those that are not there.

@@ -1,6 +1,6 @@
 //! Extensions of glTF, by name.
 
-use diagnostics::Problem;
+use diagnostics::{Problem, ProblemList};
 
 use super::json::Json;
 
@@ -53,12 +53,12 @@ const REFUSED: [(&str, &str); 7] = [
 ///
 /// # Errors
 /// At the first.
-pub(super) fn expect_extensions(root: &Json) -> Result<(), Problem> {
+pub(super) fn expect_extensions(root: &Json) -> Result<(), ProblemList> {
     for list in ["extensionsRequired", "extensionsUsed"] {
         for extension in root.list(list)? {
             let name = extension.text()?;
             if !HARMLESS.contains(&name) {
-                return Err(refused(&extension, name));
+                return Err(refused(&extension, name).into());
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Values of a JSON file with their paths.
 
-use diagnostics::Problem;
+use diagnostics::{Problem, ProblemList};
 use serde_json::Value;
 
 /// A value and where it stands.
@@ -42,16 +42,19 @@ impl<'a> Json<'a> {
     ///
     /// # Errors
     /// If it is not.
-    pub fn required(&self, key: &str) -> Result<Self, Problem> {
-        self.get(key).ok_or_else(|| self.problem(format!("`{key}` is missing"), format!("the key `{key}`")))
+    pub fn required(&self, key: &str) -> Result<Self, ProblemList> {
+        self.get(key)
+            .ok_or_else(|| self.problem(format!("`{key}` is missing"), format!("the key `{key}`")).into())
     }
 
     /// The values of an array.
     ///
     /// # Errors
     /// If it is none.
-    pub fn items(&self) -> Result<Vec<Self>, Problem> {
-        let Value::Array(values) = self.value else { return Err(self.problem("no array", "an array")) };
+    pub fn items(&self) -> Result<Vec<Self>, ProblemList> {
+        let Value::Array(values) = self.value else {
+            return Err(self.problem("no array", "an array").into());
+        };
         let item = |(number, value)| Self { value, path: format!("{}[{number}]", self.path), ..*self };
         Ok(values.iter().enumerate().map(item).collect())
     }
@@ -60,7 +63,7 @@ impl<'a> Json<'a> {
     ///
     /// # Errors
     /// If it is no array.
-    pub fn list(&self, key: &str) -> Result<Vec<Self>, Problem> {
+    pub fn list(&self, key: &str) -> Result<Vec<Self>, ProblemList> {
         self.get(key).map_or_else(|| Ok(Vec::new()), |list| list.items())
     }
 
@@ -68,7 +71,7 @@ impl<'a> Json<'a> {
     ///
     /// # Errors
     /// At the first such key, or if it is no object.
-    pub fn expect_known(&self, used: &[&str], harmless: &[&str]) -> Result<(), Problem> {
+    pub fn expect_known(&self, used: &[&str], harmless: &[&str]) -> Result<(), ProblemList> {
         // Extensions are held against a list of their own.
         const ANYWHERE: [&str; 3] = ["name", "extras", "extensions"];
         let is_known = |key: &str| [used, harmless, &ANYWHERE].iter().any(|keys| keys.contains(&key));
@@ -78,7 +81,8 @@ impl<'a> Json<'a> {
                 let expected = format!("{}, or of no effect: {}", used.join(", "), harmless.join(", "));
                 Err(self
                     .problem(format!("key `{key}` is not read"), expected)
-                    .help("export the file without it"))
+                    .help("export the file without it")
+                    .into())
             }
         }
     }
@@ -87,10 +91,10 @@ impl<'a> Json<'a> {
     ///
     /// # Errors
     /// If it is none.
-    pub fn keys(&self) -> Result<Vec<&'a str>, Problem> {
+    pub fn keys(&self) -> Result<Vec<&'a str>, ProblemList> {
         match self.value {
             Value::Object(object) => Ok(object.keys().map(String::as_str).collect()),
-            _ => Err(self.problem("no object", "an object")),
+            _ => Err(self.problem("no object", "an object").into()),
         }
     }
 
@@ -98,24 +102,24 @@ impl<'a> Json<'a> {
     ///
     /// # Errors
     /// If it is none.
-    pub fn text(&self) -> Result<&'a str, Problem> {
-        self.value.as_str().ok_or_else(|| self.problem("no text", "a text"))
+    pub fn text(&self) -> Result<&'a str, ProblemList> {
+        self.value.as_str().ok_or_else(|| self.problem("no text", "a text").into())
     }
 
     /// A whole number from 0: an index, a count, a number of bytes or a code.
     ///
     /// # Errors
     /// If it is none.
-    pub fn whole(&self) -> Result<usize, Problem> {
+    pub fn whole(&self) -> Result<usize, ProblemList> {
         let whole = self.value.as_u64().and_then(|whole| usize::try_from(whole).ok());
-        whole.ok_or_else(|| self.problem("no whole number", "a whole number, 0 or more"))
+        whole.ok_or_else(|| self.problem("no whole number", "a whole number, 0 or more").into())
     }
 
     /// The whole number of a key; `usual` where the key is missing.
     ///
     /// # Errors
     /// If it is none.
-    pub fn whole_or(&self, key: &str, usual: usize) -> Result<usize, Problem> {
+    pub fn whole_or(&self, key: &str, usual: usize) -> Result<usize, ProblemList> {
         self.get(key).map_or(Ok(usual), |value| value.whole())
     }
 
@@ -123,11 +127,13 @@ impl<'a> Json<'a> {
     ///
     /// # Errors
     /// If it is anything else.
-    pub fn numbers<const N: usize>(&self) -> Result<[f64; N], Problem> {
+    pub fn numbers<const N: usize>(&self) -> Result<[f64; N], ProblemList> {
         let numbers: Option<Vec<f64>> =
             self.value.as_array().and_then(|all| all.iter().map(Value::as_f64).collect());
         let numbers = numbers.and_then(|numbers| <[f64; N]>::try_from(numbers).ok());
-        numbers.ok_or_else(|| self.problem(format!("not {N} numbers"), format!("an array of {N} numbers")))
+        numbers.ok_or_else(|| {
+            self.problem(format!("not {N} numbers"), format!("an array of {N} numbers")).into()
+        })
     }
 
     /// Whether any number of an array is not 0.

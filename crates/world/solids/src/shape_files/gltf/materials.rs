@@ -1,6 +1,6 @@
 //! Colours of materials.
 
-use diagnostics::Problem;
+use diagnostics::ProblemList;
 
 use super::json::Json;
 use crate::shape_files::mesh::WHITE;
@@ -30,7 +30,7 @@ impl Materials {
     ///
     /// # Errors
     /// If a material cannot be read.
-    pub fn new(root: &Json) -> Result<Self, Problem> {
+    pub fn new(root: &Json) -> Result<Self, ProblemList> {
         let mut materials = Self { colours: Vec::new(), has_textures: false };
         for material in root.list("materials")? {
             material.expect_known(&["pbrMetallicRoughness"], &HARMLESS)?;
@@ -41,14 +41,16 @@ impl Materials {
         Ok(materials)
     }
 
-    fn colour(&mut self, model: &Json) -> Result<[f64; 3], Problem> {
+    fn colour(&mut self, model: &Json) -> Result<[f64; 3], ProblemList> {
         model.expect_known(&["baseColorFactor", "baseColorTexture"], &MODEL_HARMLESS)?;
         self.has_textures |= model.get("baseColorTexture").is_some();
         let Some(factor) = model.get("baseColorFactor") else { return Ok(WHITE) };
         let [red, green, blue, _] = factor.numbers()?;
         match [red, green, blue].iter().all(|light| (0.0..=1.0).contains(light)) {
             true => Ok([red, green, blue]),
-            false => Err(factor.problem("a channel is not 0 to 1", "linear red, green, blue and opacity")),
+            false => {
+                Err(factor.problem("a channel is not 0 to 1", "linear red, green, blue and opacity").into())
+            }
         }
     }
 
@@ -61,12 +63,12 @@ impl Materials {
     ///
     /// # Errors
     /// If there is none of that number.
-    pub fn of(&self, primitive: &Json) -> Result<[f64; 3], Problem> {
+    pub fn of(&self, primitive: &Json) -> Result<[f64; 3], ProblemList> {
         let Some(named) = primitive.get("material") else { return Ok(WHITE) };
         let number = named.whole()?;
         let colour = self.colours.get(number).copied();
         colour.ok_or_else(|| {
-            named.problem(format!("material {number} does not exist"), "the number of a material")
+            named.problem(format!("material {number} does not exist"), "the number of a material").into()
         })
     }
 }

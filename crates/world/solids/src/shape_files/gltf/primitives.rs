@@ -1,6 +1,6 @@
 //! Triangles of meshes.
 
-use diagnostics::Problem;
+use diagnostics::ProblemList;
 use glam::{DMat3, DVec3};
 
 use super::accessors::{Accessors, Elements};
@@ -35,12 +35,12 @@ impl Primitives<'_, '_> {
     ///
     /// # Errors
     /// At the first fault.
-    pub fn add(&mut self, into: &mut Mesh, own: &Json, placed: &PlacedMesh) -> Result<(), Problem> {
+    pub fn add(&mut self, into: &mut Mesh, own: &Json, placed: &PlacedMesh) -> Result<(), ProblemList> {
         own.expect_known(&["primitives", "weights"], &[])?;
         for weights in [own, &placed.node].into_iter().filter_map(|holder| holder.get("weights")) {
             if weights.has_weight() {
                 let help = "apply shape keys before the export";
-                return Err(weights.problem("morph targets are not read", "weights of 0").help(help));
+                return Err(weights.problem("morph targets are not read", "weights of 0").help(help).into());
             }
         }
         let name = [&placed.node, own].into_iter().find_map(|named| named.get("name"));
@@ -49,9 +49,9 @@ impl Primitives<'_, '_> {
             primitive.expect_known(&["attributes", "indices", "material", "mode", "targets"], &[])?;
             self.is_morphed |= primitive.get("targets").is_some();
             if into.parts.len() == MAX_PARTS {
-                return Err(
-                    primitive.problem(format!("more than {MAX_PARTS} parts"), "fewer; use several files")
-                );
+                return Err(primitive
+                    .problem(format!("more than {MAX_PARTS} parts"), "fewer; use several files")
+                    .into());
             }
             into.parts.push(Part { name: name.into(), ..Part::default() });
             self.add_primitive(into, &primitive, placed)?;
@@ -64,11 +64,13 @@ impl Primitives<'_, '_> {
         into: &mut Mesh,
         primitive: &Json,
         placed: &PlacedMesh,
-    ) -> Result<(), Problem> {
+    ) -> Result<(), ProblemList> {
         let attributes = primitive.required("attributes")?;
         for key in attributes.keys()? {
             if !USED.contains(&key) && !HARMLESS.iter().any(|known| key.starts_with(known)) {
-                return Err(attributes.problem(format!("attribute {key} is not read"), USED.join(", ")));
+                return Err(attributes
+                    .problem(format!("attribute {key} is not read"), USED.join(", "))
+                    .into());
             }
         }
         let position = attributes.required("POSITION")?;
@@ -81,12 +83,15 @@ impl Primitives<'_, '_> {
         for number in 0..places.len() {
             let place = placed.to_scene.transform_point3(DVec3::from_array(places.triple(number)));
             if !place.is_finite() {
-                return Err(position.problem(format!("vertex {number} has no finite place"), "metres"));
+                return Err(position
+                    .problem(format!("vertex {number} has no finite place"), "metres")
+                    .into());
             }
             let own = colours.as_ref().map_or(WHITE, |colours| colours.triple(number));
             if !own.iter().all(|light| (0.0..=1.0).contains(light)) {
                 return Err(attributes
-                    .problem(format!("the colour of vertex {number} is not 0 to 1"), "linear light"));
+                    .problem(format!("the colour of vertex {number} is not 0 to 1"), "linear light")
+                    .into());
             }
             let colour = std::array::from_fn(|channel| own[channel] * material[channel]);
             into.vertices.push(Vertex { place: in_body_axes(place), colour, at: number..number });
@@ -122,20 +127,19 @@ impl Primitives<'_, '_> {
         key: &str,
         types: &[&str],
         vertices: usize,
-    ) -> Result<Option<Elements>, Problem> {
+    ) -> Result<Option<Elements>, ProblemList> {
         let Some(asked) = attributes.get(key) else { return Ok(None) };
         let elements = self.accessors.elements(&asked, types, self.buffers)?;
         match elements.len() == vertices {
             true => Ok(Some(elements)),
-            false => {
-                Err(asked
-                    .problem(format!("{} elements", elements.len()), format!("{vertices}, as POSITION has")))
-            }
+            false => Err(asked
+                .problem(format!("{} elements", elements.len()), format!("{vertices}, as POSITION has"))
+                .into()),
         }
     }
 
     /// The triangles of a primitive, by vertices: a list, a strip or a fan.
-    fn triangles(&mut self, primitive: &Json, vertices: usize) -> Result<Vec<[usize; 3]>, Problem> {
+    fn triangles(&mut self, primitive: &Json, vertices: usize) -> Result<Vec<[usize; 3]>, ProblemList> {
         let corners = match primitive.get("indices") {
             None => (0..vertices).collect(),
             Some(asked) => self.indices(&asked, vertices)?,
@@ -144,10 +148,9 @@ impl Primitives<'_, '_> {
         let threes = || corners.windows(3).map(|three| [three[0], three[1], three[2]]);
         match primitive.whole_or("mode", 4)? {
             4 if corners.len().is_multiple_of(3) => Ok(threes().step_by(3).collect()),
-            4 => {
-                Err(primitive
-                    .problem(format!("triangles of {} corners", corners.len()), "three corners each"))
-            }
+            4 => Err(primitive
+                .problem(format!("triangles of {} corners", corners.len()), "three corners each")
+                .into()),
             // Every second triangle of a strip runs the other way round.
             5 => Ok(threes()
                 .enumerate()
@@ -156,29 +159,30 @@ impl Primitives<'_, '_> {
             6 => Ok(corners.windows(2).skip(1).map(|two| [corners[0], two[0], two[1]]).collect()),
             0..=3 => Err(primitive
                 .problem("points and lines are not read", "triangles: mode 4, 5 or 6")
-                .help("delete loose edges and points before the export")),
-            mode => Err(primitive.problem(format!("mode {mode} is not known"), "mode 4, 5 or 6")),
+                .help("delete loose edges and points before the export")
+                .into()),
+            mode => Err(primitive.problem(format!("mode {mode} is not known"), "mode 4, 5 or 6").into()),
         }
     }
 
     /// Counts vertices and corners of triangles.
-    fn count(&mut self, more: usize, primitive: &Json) -> Result<(), Problem> {
+    fn count(&mut self, more: usize, primitive: &Json) -> Result<(), ProblemList> {
         self.counted += more;
         if self.counted <= MOST_COUNTED {
             return Ok(());
         }
         let title = format!("the nodes draw more than {MOST_COUNTED} vertices and corners together");
-        Err(primitive.problem(title, "a simpler shape"))
+        Err(primitive.problem(title, "a simpler shape").into())
     }
 
-    fn indices(&mut self, asked: &Json, vertices: usize) -> Result<Vec<usize>, Problem> {
+    fn indices(&mut self, asked: &Json, vertices: usize) -> Result<Vec<usize>, ProblemList> {
         let indices = self.accessors.elements(asked, &["SCALAR"], self.buffers)?.numbers;
         let is_one = |index: &f64| index.fract() == 0.0 && (0.0..vertices as f64).contains(index);
         match indices.iter().find(|index| !is_one(index)) {
             None => Ok(indices.into_iter().map(|index| index as usize).collect()),
             Some(index) => {
                 let title = format!("index {index} names no vertex: there are {vertices}, counted from 0");
-                Err(asked.problem(title, "the number of a vertex, from 0"))
+                Err(asked.problem(title, "the number of a vertex, from 0").into())
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Rows behind the header of a PLY file.
 
-use diagnostics::Problem;
+use diagnostics::{Problem, ProblemList};
 
 use super::header::{Coding, Element, Header, Kind, Property};
 
@@ -45,26 +45,26 @@ impl<'f> Body<'f> {
     ///
     /// # Errors
     /// If the file ends, or a number is none.
-    pub fn row(&mut self, element: &Element, number: u64) -> Result<Vec<Value>, Problem> {
+    pub fn row(&mut self, element: &Element, number: u64) -> Result<Vec<Value>, ProblemList> {
         let read = match self.coding {
             Coding::Text => self.line().and_then(|line| text_row(line, &element.properties)),
             Coding::LittleEndian => self.binary_row(&element.properties, false),
             Coding::BigEndian => self.binary_row(&element.properties, true),
         };
-        read.map_err(|fault| self.problem(element, number, fault))
+        read.map_err(|fault| self.problem(element, number, fault).into())
     }
 
     /// Expects that nothing is left.
     ///
     /// # Errors
     /// If something is.
-    pub fn finish(&self) -> Result<(), Problem> {
+    pub fn finish(&self) -> Result<(), ProblemList> {
         let left = if self.coding == Coding::Text { self.left.trim_ascii() } else { self.left };
         if left.is_empty() {
             return Ok(());
         }
         let title = format!("{} bytes are left behind the last element", left.len());
-        Err(Problem::of_file(self.name, title).expected("as many rows as the header counts"))
+        Err(Problem::of_file(self.name, title).expected("as many rows as the header counts").into())
     }
 
     /// The next line that is not empty.

@@ -1,6 +1,6 @@
 //! Which properties of a PLY file say what.
 
-use diagnostics::Problem;
+use diagnostics::{Problem, ProblemList};
 
 use super::body::{Fault, Value};
 use super::header::{Element, Header, Kind};
@@ -78,32 +78,31 @@ impl Columns {
     ///
     /// # Errors
     /// If an element or a property is not known.
-    pub fn of(name: &str, header: &Header) -> Result<Self, Problem> {
+    pub fn of(name: &str, header: &Header) -> Result<Self, ProblemList> {
         let mut of_elements = Vec::with_capacity(header.elements.len());
         let mut has_vertices = false;
         for element in &header.elements {
             if element.count > 0 && element.properties.is_empty() {
                 let title = format!("element `{}` has no properties", element.name);
-                return Err(Problem::at(&element.place, title).expected("`property` behind it"));
+                return Err(Problem::at(&element.place, title).expected("`property` behind it").into());
             }
             of_elements.push(match element.name.as_str() {
                 "vertex" => vertex(element)?,
                 "face" if !has_vertices && element.count > 0 => {
                     let title = "element `face` stands before `vertex`";
-                    return Err(Problem::at(&element.place, title).expected("vertices first"));
+                    return Err(Problem::at(&element.place, title).expected("vertices first").into());
                 }
                 "face" => face(element)?,
                 other if element.count == 0 || ELEMENT_HARMLESS.contains(&other) => Use::Nothing,
-                other => return Err(unknown_element(element, other)),
+                other => return Err(unknown_element(element, other).into()),
             });
             has_vertices |= element.name == "vertex";
         }
         match has_vertices {
             true => Ok(Self { of_elements }),
-            false => {
-                Err(Problem::of_file(name, "the header has no element `vertex`")
-                    .expected("vertices and faces"))
-            }
+            false => Err(Problem::of_file(name, "the header has no element `vertex`")
+                .expected("vertices and faces")
+                .into()),
         }
     }
 }
@@ -128,14 +127,17 @@ fn all<const N: usize>(element: &Element, names: [&str; N]) -> Option<[usize; N]
 }
 
 /// Refuses properties that are neither used nor known.
-fn expect_known(element: &Element, used: &[&str], harmless: &[&str]) -> Result<(), Problem> {
+fn expect_known(element: &Element, used: &[&str], harmless: &[&str]) -> Result<(), ProblemList> {
     let is_known = |name: &str| used.contains(&name) || harmless.contains(&name);
     match element.properties.iter().find(|property| !is_known(&property.name)) {
         None => Ok(()),
         Some(property) => {
             let title = format!("property `{}` of element `{}` is not read", property.name, element.name);
             let expected = format!("{}, or of no effect: {}", used.join(", "), harmless.join(", "));
-            Err(Problem::at(&property.place, title).expected(expected).help("export the file without it"))
+            Err(Problem::at(&property.place, title)
+                .expected(expected)
+                .help("export the file without it")
+                .into())
         }
     }
 }
@@ -145,7 +147,7 @@ const NORMAL: [&str; 3] = ["nx", "ny", "nz"];
 /// Names of red, green and blue by different programs.
 const COLOURS: [[&str; 3]; 2] = [["red", "green", "blue"], ["r", "g", "b"]];
 
-fn vertex(element: &Element) -> Result<Use, Problem> {
+fn vertex(element: &Element) -> Result<Use, ProblemList> {
     let used: Vec<&str> = PLACE.into_iter().chain(NORMAL).chain(COLOURS.into_iter().flatten()).collect();
     expect_known(element, &used, &VERTEX_HARMLESS)?;
     let place = all(element, PLACE).ok_or_else(|| {
@@ -157,16 +159,16 @@ fn vertex(element: &Element) -> Result<Use, Problem> {
 }
 
 /// All three properties, or none.
-fn complete(element: &Element, names: [&str; 3]) -> Result<Option<[usize; 3]>, Problem> {
+fn complete(element: &Element, names: [&str; 3]) -> Result<Option<[usize; 3]>, ProblemList> {
     let found = all(element, names);
     if found.is_none() && names.iter().any(|name| element.properties.iter().any(|own| own.name == *name)) {
         let title = format!("element `{}` has not all of {}", element.name, names.join(", "));
-        return Err(Problem::at(&element.place, title).expected("three single numbers, or none"));
+        return Err(Problem::at(&element.place, title).expected("three single numbers, or none").into());
     }
     Ok(found)
 }
 
-fn colour(element: &Element) -> Result<Option<Colour>, Problem> {
+fn colour(element: &Element) -> Result<Option<Colour>, ProblemList> {
     for names in COLOURS {
         let Some(channels) = complete(element, names)? else { continue };
         let kind = element.properties[channels[0]].kind;
@@ -174,14 +176,14 @@ fn colour(element: &Element) -> Result<Option<Colour>, Problem> {
         let Some(full) = kind.full().filter(|_| is_same) else {
             let place = &element.properties[channels[0]].place;
             let expected = "uchar, ushort, float or double, the same for all three";
-            return Err(Problem::at(place, "colours of this type are not read").expected(expected));
+            return Err(Problem::at(place, "colours of this type are not read").expected(expected).into());
         };
         return Ok(Some(Colour { channels, full, is_coded: kind.is_whole() }));
     }
     Ok(None)
 }
 
-fn face(element: &Element) -> Result<Use, Problem> {
+fn face(element: &Element) -> Result<Use, ProblemList> {
     const CORNERS: [&str; 2] = ["vertex_indices", "vertex_index"];
     let used: Vec<&str> = CORNERS.into_iter().chain(COLOURS.into_iter().flatten()).collect();
     expect_known(element, &used, &FACE_HARMLESS)?;
@@ -190,7 +192,8 @@ fn face(element: &Element) -> Result<Use, Problem> {
     match corners {
         Some(corners) => Ok(Use::Face { corners, colour: colour(element)? }),
         None => Err(Problem::at(&element.place, "element `face` has no list of vertices")
-            .expected("property list uchar int vertex_indices")),
+            .expected("property list uchar int vertex_indices")
+            .into()),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use diagnostics::{Place, Problem, Source};
+use diagnostics::{Place, Problem, ProblemList, Source};
 
 use crate::shape_files::text::{Word, extent, words};
 
@@ -71,7 +71,7 @@ impl Header {
     ///
     /// # Errors
     /// At the first statement that is none.
-    pub fn read(name: &str, bytes: &[u8]) -> Result<(Self, usize), Problem> {
+    pub fn read(name: &str, bytes: &[u8]) -> Result<(Self, usize), ProblemList> {
         let end = end_of(bytes).ok_or_else(|| {
             Problem::of_file(name, "the header does not end").expected("a line `end_header`")
         })?;
@@ -111,7 +111,7 @@ struct Reading {
 }
 
 impl Reading {
-    fn statement(&mut self, words: &[Word]) -> Result<(), Problem> {
+    fn statement(&mut self, words: &[Word]) -> Result<(), ProblemList> {
         let said: Vec<&str> = words.iter().map(|(word, _)| *word).collect();
         let place = Place { source: self.source.clone(), span: extent(words) };
         let wrong =
@@ -123,22 +123,22 @@ impl Reading {
                     "ascii" => Coding::Text,
                     "binary_little_endian" => Coding::LittleEndian,
                     "binary_big_endian" => Coding::BigEndian,
-                    _ => return Err(wrong("this coding is not read", CODINGS)),
+                    _ => return Err(wrong("this coding is not read", CODINGS).into()),
                 };
                 self.coding = Some(coding);
             }
-            ["format", ..] => return Err(wrong("this format is not read", CODINGS)),
+            ["format", ..] => return Err(wrong("this format is not read", CODINGS).into()),
             ["element", name, count] => {
                 let count = count.parse().map_err(|_| wrong("this count is no whole number", "0 or more"))?;
                 if self.elements.iter().any(|other| other.name == name) {
-                    return Err(wrong("this element stands twice", "one element of a name"));
+                    return Err(wrong("this element stands twice", "one element of a name").into());
                 }
                 self.elements.push(Element { name: name.into(), count, properties: Vec::new(), place });
             }
             ["property", "list", length, kind, name] => {
                 let kinds = (kind_of(kind), kind_of(length).filter(|length| length.is_whole()));
                 let (Some(kind), length @ Some(_)) = kinds else {
-                    return Err(wrong("unknown type", &all_kinds()));
+                    return Err(wrong("unknown type", &all_kinds()).into());
                 };
                 self.add(Property { name: name.into(), kind, length, place })?;
             }
@@ -150,21 +150,22 @@ impl Reading {
                 return Err(wrong(
                     "this statement is not read",
                     "format, element, property, comment or obj_info",
-                ));
+                )
+                .into());
             }
         }
         Ok(())
     }
 
-    fn add(&mut self, property: Property) -> Result<(), Problem> {
+    fn add(&mut self, property: Property) -> Result<(), ProblemList> {
         let Some(element) = self.elements.last_mut() else {
-            return Err(
-                Problem::at(&property.place, "a property of no element").expected("`element` before it")
-            );
+            return Err(Problem::at(&property.place, "a property of no element")
+                .expected("`element` before it")
+                .into());
         };
         if element.properties.iter().any(|other| other.name == property.name) {
             let title = format!("element `{}` has property `{}` twice", element.name, property.name);
-            return Err(Problem::at(&property.place, title).expected("one property of a name"));
+            return Err(Problem::at(&property.place, title).expected("one property of a name").into());
         }
         element.properties.push(property);
         Ok(())
