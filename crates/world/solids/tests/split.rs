@@ -281,3 +281,36 @@ proptest! {
         prop_assert_eq!(solids.iter().all(|solid| !solid.is_open()), true);
     }
 }
+
+/// Parts wear the colours and normals of the faces that they were cut from.
+#[test]
+fn parts_keep_colours_and_normals() {
+    let shape = prism(&L, 0.5);
+    let mut text = String::new();
+    for DVec3 { x, y, z } in &shape.places {
+        // Red at the foot, blue at the top.
+        writeln!(text, "v {x} {y} {z} {} 0 {}", 1.0 - 2.0 * z, 2.0 * z).unwrap();
+    }
+    text += "vn 0.1 0 1\n";
+    for (number, face) in shape.faces.iter().enumerate() {
+        let normal = if number == 1 { "//1" } else { "" };
+        let corners: Vec<String> = face.iter().map(|corner| format!("{}{normal}", corner + 1)).collect();
+        writeln!(text, "f {}", corners.join(" ")).unwrap();
+    }
+    let solids = shape_files::parse("l.obj", text.as_bytes(), Openness::Closed).unwrap().solids;
+    let full = shape_files::ALBEDO;
+    for solid in &solids {
+        for (number, face) in solid.faces().iter().enumerate() {
+            let place = solid.vertices()[face.corners[0] as usize];
+            let expected = match face.normal.z {
+                1.0 => [0.0, 0.0, full],
+                -1.0 => [full, 0.0, 0.0],
+                _ => [0.5 * full, 0.0, 0.5 * full],
+            };
+            let is_between = face.normal.z == 0.0 && solid.albedo(number) == [full; 3];
+            assert!(is_between || solid.albedo(number) == expected, "{face:?} {:?}", solid.albedo(number));
+            let tilt = if face.normal.z == 1.0 { DVec3::new(0.1, 0.0, 1.0).normalize() } else { face.normal };
+            assert!(solid.normal_at(number, place).distance(tilt) < 1e-12, "{face:?}");
+        }
+    }
+}

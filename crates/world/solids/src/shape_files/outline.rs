@@ -24,10 +24,7 @@ pub(super) fn ears(corners: &[DVec3]) -> Option<Vec<[usize; 3]>> {
         turn(a, b, c) < -Solid::TOLERANCE * extent * extent
     };
     let is_plane = corners.iter().all(|at| normal.dot(*at - corners[0]).abs() <= Solid::TOLERANCE * extent);
-    if corners.len() > MOST_CORNERS
-        || !is_plane
-        || !(0..corners.len()).any(is_dent)
-        || crosses(corners, turn)
+    if corners.len() > MOST_CORNERS || !is_plane || !(0..corners.len()).any(is_dent) || crosses(corners, turn)
     {
         return None;
     }
