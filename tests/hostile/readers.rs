@@ -8,6 +8,7 @@ use hardware_model::{HardwareModel, ModelSource};
 use landscape::projection::{Method, Projection};
 use landscape::{Bank, FileCoordinates, Level, MapFrame};
 use scenario::Scenario;
+use solids::shape_files::{self, Openness};
 use survey::{ReadOptions, SurveyError};
 use vehicle_shadow::Camera;
 
@@ -30,7 +31,7 @@ pub struct Reader {
 }
 
 /// All readers that are given damaged files.
-pub const READERS: [Reader; 24] = [
+pub const READERS: [Reader; 28] = [
     Reader { name: "scenario", file: "scene.toml", read: |path| said(Scenario::read(path)) },
     Reader {
         name: "path-csv",
@@ -46,7 +47,11 @@ pub const READERS: [Reader; 24] = [
     Reader { name: "path-lon-lat", file: "path.csv", read: track },
     Reader { name: "model", file: "model.toml", read: model },
     Reader { name: "craters", file: "craters.csv", read: |path| said(features::list::read(path)) },
-    Reader { name: "obj", file: "shape.obj", read: |path| said(solids::obj::read(path)) },
+    Reader { name: "obj", file: "shape.obj", read: shape },
+    Reader { name: "stl", file: "shape.stl", read: shape },
+    Reader { name: "ply", file: "shape.ply", read: shape },
+    Reader { name: "gltf", file: "shape.gltf", read: shape },
+    Reader { name: "glb", file: "shape.glb", read: shape },
     Reader { name: "bank", file: "ground.bank", read: |path| said(landscape::bank_file::read(path)) },
     Reader { name: "geotiff", file: "dem.tif", read: elevation },
     Reader { name: "pds", file: "dem.lbl", read: elevation },
@@ -102,6 +107,11 @@ fn said<T>(result: Result<T, impl Display>) -> Result<(), String> {
 
 fn folder(path: &Path) -> &Path {
     path.parent().expect("a file in a folder")
+}
+
+fn shape(path: &Path) -> Result<(), String> {
+    let closed = said(shape_files::read(path, Openness::Closed));
+    closed.and(said(shape_files::read(path, Openness::Any)))
 }
 
 fn model(path: &Path) -> Result<(), String> {

@@ -19,6 +19,16 @@ const SYSTEM: &str = include_str!("../../crates/world/survey/tests/elevation/gro
 const CUBE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\no box\n\
                     f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
+const STL: &str = "solid t\nfacet normal 0 0 -1\nouter loop\nvertex 0 0 0\nvertex 0 1 0\nvertex 1 0 0\nendloop\nendfacet\n\
+                   facet normal 0 -1 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 0 1\nendloop\nendfacet\n\
+                   facet normal -1 0 0\nouter loop\nvertex 0 0 0\nvertex 0 0 1\nvertex 0 1 0\nendloop\nendfacet\n\
+                   facet normal 1 1 1\nouter loop\nvertex 1 0 0\nvertex 0 1 0\nvertex 0 0 1\nendloop\nendfacet\nendsolid t\n";
+
+/// A cube with a dent in its top.
+const PLY: &str = "ply\nformat ascii 1.0\ncomment dented\nelement vertex 9\nproperty float x\nproperty float y\nproperty float z\n\
+                   element face 9\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n\
+                   1 1 1\n0 1 1\n0.5 0.5 0.4\n4 0 3 2 1\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n3 4 5 8\n3 5 6 8\n3 6 7 8\n3 7 4 8\n";
+
 const RUN: &str = r#"{"schema":"lunoid.run/2",
 "format":1,
 "fingerprint":"00ff",
@@ -98,6 +108,10 @@ pub fn seeds(name: &str) -> Vec<Vec<u8>> {
             Tiff::plane().bytes(),
             Tiff { bands: 2, heights: vec![1.5; 800], no_data: Some("-9999"), ..Tiff::plane() }.bytes(),
         ],
+        "stl" => vec![stl(), STL.as_bytes().to_vec()],
+        "ply" => vec![PLY.as_bytes().to_vec(), ply()],
+        "gltf" => vec![gltf(Some(&base64(&triangles()))).into_bytes()],
+        "glb" => vec![glb()],
         "pds" => vec![label()],
         "dted" => vec![cell()],
         "pds4" => vec![PDS4.replace("made.dat", "dem.dat").into_bytes()],
@@ -111,6 +125,80 @@ pub fn seeds(name: &str) -> Vec<Vec<u8>> {
         "png" => [Depth::Eight, Depth::Sixteen].into_iter().map(png).collect(),
         _ => texts.iter().map(|text| text.as_bytes().to_vec()).collect(),
     }
+}
+
+/// A tetrahedron in metres: its corners, and the corners of each face counter-clockwise.
+const CORNERS: [[f32; 3]; 4] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+const SIDES: [[u16; 3]; 4] = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+
+/// Corners and sides as words of 32 and 16 bits.
+fn triangles() -> Vec<u8> {
+    let places = CORNERS.iter().flatten().flat_map(|length| length.to_le_bytes());
+    places.chain(SIDES.iter().flatten().flat_map(|corner| corner.to_le_bytes())).collect()
+}
+
+fn stl() -> Vec<u8> {
+    let mut bytes = vec![b' '; 80];
+    bytes.extend(4_u32.to_le_bytes());
+    for side in SIDES {
+        bytes.extend([0; 12]);
+        let corners = side.iter().flat_map(|&corner| CORNERS[usize::from(corner)]);
+        bytes.extend(corners.flat_map(f32::to_le_bytes));
+        bytes.extend([0; 2]);
+    }
+    bytes
+}
+
+/// Big-endian, with a colour for each vertex.
+fn ply() -> Vec<u8> {
+    let head = "ply\nformat binary_big_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n\
+                property uchar red\nproperty uchar green\nproperty uchar blue\nelement face 4\n\
+                property list uchar ushort vertex_indices\nend_header\n";
+    let mut bytes = head.as_bytes().to_vec();
+    for corner in CORNERS {
+        bytes.extend(corner.iter().flat_map(|length| length.to_be_bytes()).chain([200, 100, 50]));
+    }
+    for side in SIDES {
+        bytes.extend([3].into_iter().chain(side.iter().flat_map(|corner| corner.to_be_bytes())));
+    }
+    bytes
+}
+
+/// A glTF file whose buffer is its own data, or the chunk of a binary file.
+fn gltf(data: Option<&str>) -> String {
+    let uri = data.map_or_else(String::new, |data| {
+        format!("\"uri\": \"data:application/octet-stream;base64,{data}\", ")
+    });
+    format!(
+        r#"{{"asset": {{"version": "2.0"}}, "scene": 0, "scenes": [{{"nodes": [0]}}],
+"nodes": [{{"children": [1], "scale": [1, 2, 1]}}, {{"mesh": 0, "rotation": [0, 0, 0, 1], "translation": [0, 0, 1]}}],
+"meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}, "indices": 1, "material": 0}}]}}],
+"materials": [{{"pbrMetallicRoughness": {{"baseColorFactor": [0.5, 0.4, 0.3, 1]}}}}],
+"accessors": [{{"bufferView": 0, "componentType": 5126, "count": 4, "type": "VEC3"}},
+{{"bufferView": 1, "componentType": 5123, "count": 12, "type": "SCALAR"}}],
+"bufferViews": [{{"buffer": 0, "byteLength": 48}}, {{"buffer": 0, "byteOffset": 48, "byteLength": 24}}],
+"buffers": [{{{uri}"byteLength": 72}}]}}"#
+    )
+}
+
+fn glb() -> Vec<u8> {
+    let mut json = gltf(None).into_bytes();
+    json.resize(json.len().next_multiple_of(4), b' ');
+    let chunk =
+        |kind: &[u8; 4], bytes: &[u8]| [&(bytes.len() as u32).to_le_bytes(), &kind[..], bytes].concat();
+    let chunks = [chunk(b"JSON", &json), chunk(b"BIN\0", &triangles())].concat();
+    let length = chunks.len() as u32 + 12;
+    [&b"glTF"[..], &2_u32.to_le_bytes(), &length.to_le_bytes(), &chunks].concat()
+}
+
+/// Digits of base64 for bytes whose number is a multiple of three.
+fn base64(bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let digits = |three: &[u8]| {
+        let word = three.iter().fold(0_u32, |word, &byte| word << 8 | u32::from(byte));
+        [18, 12, 6, 0].map(|shift| char::from(DIGITS[(word >> shift & 63) as usize]))
+    };
+    bytes.chunks(3).flat_map(digits).collect()
 }
 
 /// A label with its image behind it.

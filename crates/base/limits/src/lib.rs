@@ -38,8 +38,10 @@ pub enum Limit {
     BankBytes,
     /// Bytes that the heights of a survey take in memory, eight a sample.
     ElevationBytes,
-    /// Bytes of an OBJ file.
+    /// Bytes of a shape file, with the files that it names.
     ShapeBytes,
+    /// Convex parts of one closed shape.
+    ShapeParts,
     /// Bytes of a picture that is read.
     PictureBytes,
     /// Pixels of a picture that is read or drawn.
@@ -78,7 +80,7 @@ pub struct Row {
 }
 
 /// All limits, in the order of [`Limit`].
-pub const ROWS: [Row; 22] = [
+pub const ROWS: [Row; 23] = [
     row(Limit::Corners, "corners", "corners of a generated level", 4_000_000, 1 << 30),
     row(Limit::GroundCraters, "ground-craters", "craters in generated ground", 1_000_000, 1 << 28),
     row(Limit::Craters, "craters", "craters of a population", 4_000_000, 1 << 28),
@@ -96,7 +98,8 @@ pub const ROWS: [Row; 22] = [
         16 << 30,
         1 << 44,
     ),
-    row(Limit::ShapeBytes, "shape-bytes", "bytes of an OBJ file", 1 << 24, 1 << 30),
+    row(Limit::ShapeBytes, "shape-bytes", "bytes of a shape file and what it names", 1 << 24, 1 << 30),
+    row(Limit::ShapeParts, "shape-parts", "convex parts of one closed shape", 1_000, 1 << 20),
     row(Limit::PictureBytes, "picture-bytes", "bytes of a picture that is read", 256 << 20, 1 << 40),
     row(Limit::Pixels, "pixels", "pixels of a picture that is read or drawn", 64 << 20, 1 << 34),
     row(Limit::Objects, "objects", "objects of a scenario", 4_000, 1 << 28),

@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use diagnostics::{Problem, ProblemList};
 use scenario::VehicleShape;
-use solids::{Body, Solid, culture, obj};
+use solids::shape_files::{self, Openness};
+use solids::{Body, Solid, culture};
 
 use crate::Shot;
 use crate::function::CharacteristicFunction;
@@ -14,6 +15,7 @@ use crate::function::CharacteristicFunction;
 pub struct Shape {
     shape: VehicleShape,
     function: CharacteristicFunction,
+    notes: Vec<String>,
 }
 
 impl Shape {
@@ -22,26 +24,31 @@ impl Shape {
     pub fn new(parts: Vec<Solid>, eye_height: f64) -> Self {
         let function = CharacteristicFunction::of_parts(&parts, eye_height);
         let parts = parts.into_iter().map(Arc::new).collect();
-        Self { shape: VehicleShape { parts, eye_height }, function }
+        Self { shape: VehicleShape { parts, eye_height }, function, notes: Vec::new() }
     }
 
-    /// The man-made thing of that name, or the OBJ file of that path.
+    /// The man-made thing of that name, or the shape file of that path.
     ///
     /// # Errors
     /// If it is neither, or the file has faults.
     pub fn find(name: &str, eye_height: f64) -> Result<Self, ProblemList> {
         let is_file = name.contains(['.', '/', '\\']);
-        let parts = match culture::model(name) {
-            Some(parts) => parts,
-            None if is_file => obj::read(name)?,
+        match culture::model(name) {
+            Some(parts) => Ok(Self::new(parts, eye_height)),
+            None if is_file => {
+                let shape_files::Shape { solids, notes, .. } = shape_files::read(name, Openness::Closed)?;
+                Ok(Self { notes, ..Self::new(solids, eye_height) })
+            }
             None => {
                 let problem = Problem::of_file(name, format!("no vehicle has the name `{name}`"));
-                return Err(problem
-                    .expected(format!("one of {}, or a Wavefront OBJ file", culture::NAMES.join(", ")))
-                    .into());
+                Err(problem.expected(format!("one of {}, or a shape file", culture::NAMES.join(", "))).into())
             }
-        };
-        Ok(Self::new(parts, eye_height))
+        }
+    }
+
+    /// What the user should know of how its file was read.
+    pub fn notes(&self) -> &[String] {
+        &self.notes
     }
 
     /// The same as a string of points.

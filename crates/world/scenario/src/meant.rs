@@ -57,8 +57,8 @@ pub struct Scenario {
     pub vehicle: Vehicle,
     /// What casts the vehicle's own shadow, where it casts one.
     pub vehicle_shape: Option<VehicleShape>,
-    /// File of that shape, where it has one of its own.
-    pub vehicle_file: Option<PathBuf>,
+    /// Files of that shape, as those of an object.
+    pub vehicle_files: Vec<PathBuf>,
     /// Path that the vehicle drives.
     pub path: Path,
     /// File of the path, where it has one of its own.
@@ -137,8 +137,8 @@ impl Scenario {
             GroundSource::Generated(_) => None,
         };
         let list = self.features.list.as_ref().map(|list| list.file.as_path());
-        let shapes = self.objects.iter().filter_map(|object| object.file.as_deref());
-        let vehicle = self.vehicle_file.as_deref();
+        let shapes = self.objects.iter().flat_map(|object| &object.files).map(PathBuf::as_path);
+        let vehicle = self.vehicle_files.iter().map(PathBuf::as_path);
         let map = self.albedo_map.as_ref().map(|map| map.file.as_path());
         let ground = bank.into_iter().chain(self.path_file.as_deref()).chain(list);
         ground.chain(shapes).chain(vehicle).chain(map).collect()

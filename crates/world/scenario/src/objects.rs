@@ -15,9 +15,9 @@ use crate::Moves;
 pub struct Object {
     /// How events and messages call it.
     pub id: String,
-    /// File of its shape, where it has one of its own.
-    pub file: Option<PathBuf>,
-    /// Whether parts of its file may be open.
+    /// Files of its shape: its own, and those that one names; none for a model.
+    pub files: Vec<PathBuf>,
+    /// Whether shapes of its file may be open.
     pub open: bool,
     /// Its parts, in common body axes (forward, starboard, up; m), the foot point at the origin.
     pub parts: Vec<Arc<Solid>>,
@@ -136,7 +136,7 @@ mod tests {
     fn a_thing_that_comes_moves_and_goes() {
         let object = Object {
             id: "lm".into(),
-            file: None,
+            files: vec![],
             open: false,
             parts: vec![],
             scale: 1.0,

@@ -209,7 +209,7 @@ fn scenario(root: &Reader, surroundings: &Surroundings, problems: &Problems) -> 
     let ((ground, albedo), (path, path_file)) = (ground?, path??);
     let (ground, coarse) = ground?;
     let (albedo, albedo_map) = albedo?;
-    let (vehicle, (vehicle_file, parts)) = (vehicle?, vehicle_shape?.unzip());
+    let (vehicle, (vehicle_files, parts)) = (vehicle?, vehicle_shape?.unzip());
     let vehicle_shape = parts.map(|parts| VehicleShape { parts, eye_height: vehicle.eye_height });
     Some(Scenario {
         title: title?,
@@ -235,7 +235,7 @@ fn scenario(root: &Reader, surroundings: &Surroundings, problems: &Problems) -> 
         roll: roll?,
         vehicle,
         vehicle_shape,
-        vehicle_file: vehicle_file.flatten(),
+        vehicle_files: vehicle_files.unwrap_or_default(),
         path,
         path_file,
         raster: wishes,

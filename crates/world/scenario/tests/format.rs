@@ -79,7 +79,7 @@ fn parse(text: &str) -> Scenario {
         map.file = map.file.file_name().unwrap().into();
     }
     let list = scenario.features.list.iter_mut().map(|list| &mut list.file);
-    for file in list.chain(scenario.objects.iter_mut().filter_map(|object| object.file.as_mut())) {
+    for file in list.chain(scenario.objects.iter_mut().flat_map(|object| &mut object.files)) {
         *file = file.file_name().unwrap().into();
     }
     scenario

@@ -8,7 +8,7 @@
 //! - [`Solid`]: checked on making; [`Solid::hull`], [`Solid::boxed`], [`Solid::prism`] make common ones.
 //! - [`Solid::open`]: a surface that need not close. [`Solid::coloured`], [`Solid::with_normals`]: colour, smooth light.
 //! - [`Body`]: a solid in its place; bounding sphere, light of its faces, meeting with a ray.
-//! - [`obj`]: solids from Wavefront OBJ files.
+//! - [`shape_files`]: solids from files of shapes.
 //! - [`rocks`]: seeded shapes of rocks; [`RockField`]: rocks by a size law, addressed by position.
 //! - [`culture`]: man-made things by name.
 //!
@@ -22,11 +22,12 @@ mod eights;
 mod error;
 mod hull;
 mod looks;
-pub mod obj;
 mod rock_field;
 pub mod rocks;
+pub mod shape_files;
 mod shapes;
 mod solid;
+mod split;
 
 pub use body::{Body, Hit, Kind};
 pub use edges::EdgeWords;

@@ -52,6 +52,22 @@ impl Solid {
         let outwards =
             |(index, (corners, albedo))| outward_face(&vertices, index, corners, albedo, inside, size);
         let faces = faces.into_iter().enumerate().map(outwards).collect::<Result<Vec<_>, _>>()?;
+        Self::closed(vertices, faces, size)
+    }
+
+    /// The solid of faces whose normals are known, as of one that was cut out of another: they are kept however small a face is.
+    ///
+    /// # Errors
+    /// As [`new`](Self::new).
+    pub(crate) fn of_faces(vertices: Vec<DVec3>, faces: Vec<Face>) -> Result<Self, SolidError> {
+        check_counts(vertices.len(), faces.len())?;
+        check_vertices(&vertices)?;
+        let size = size_of(&vertices);
+        Self::closed(vertices, faces, size)
+    }
+
+    /// The solid of faces that look outwards; `size` is the largest distance between two vertices (m).
+    fn closed(vertices: Vec<DVec3>, faces: Vec<Face>, size: f64) -> Result<Self, SolidError> {
         check_convex(&vertices, &faces, Self::TOLERANCE * size)?;
         check_closed(&faces, vertices.len())?;
         let radius = vertices.iter().map(|vertex| vertex.length()).fold(0.0, f64::max);

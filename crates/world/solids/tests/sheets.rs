@@ -3,7 +3,8 @@
 use std::sync::Arc;
 
 use glam::{DMat3, DVec3};
-use solids::{Body, Kind, Solid, SolidError, obj};
+use solids::shape_files::{self, Openness};
+use solids::{Body, Kind, Solid, SolidError};
 
 /// 2 m x 4 m, upright across the way forward, foot in the middle of its lower edge.
 fn sheet() -> Solid {
@@ -37,18 +38,22 @@ fn a_sheet_needs_a_face_and_an_area() {
     assert!(matches!(Solid::open(vec![DVec3::ZERO; 3], vec![]), Err(SolidError::TooSmall { .. })));
 }
 
+fn parse(text: &str, openness: Openness) -> Result<Vec<Solid>, diagnostics::ProblemList> {
+    shape_files::parse("a.obj", text.as_bytes(), openness).map(|shape| shape.solids)
+}
+
 const SHEET: &str = "v 0 1 0 1 0.5 0\nv 0 -1 0 1 0.5 0\nv 0 -1 4 1 0.5 0\nv 0 1 4 1 0.5 0\nf 1 2 3 4\n";
 
 #[test]
 fn an_open_file_is_a_sheet_only_where_that_is_asked() {
-    let refused = obj::parse("a.obj", SHEET.into()).unwrap_err().to_string();
+    let refused = parse(SHEET, Openness::Closed).unwrap_err().to_string();
     assert!(refused.contains("no solid"), "{refused}");
-    let [found] = &obj::parse_open("a.obj", SHEET.into()).unwrap()[..] else { panic!("one part") };
+    let [found] = &parse(SHEET, Openness::Any).unwrap()[..] else { panic!("one part") };
     assert!(found.is_open());
     assert_eq!(found.albedo(0), [0.8, 0.4, 0.0]);
     // A part that closes is a solid all the same.
     let cube = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 2 3 4\nf 1 3 4\n";
-    assert!(!obj::parse_open("a.obj", cube.into()).unwrap()[0].is_open());
+    assert!(!parse(cube, Openness::Any).unwrap()[0].is_open());
 }
 
 #[test]
@@ -56,7 +61,7 @@ fn normals_of_a_file_make_light_smooth() {
     let vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
     let normals = "vn -1 -1 -1\nvn 1 -0.1 -0.1\nvn -0.1 1 -0.1\nvn -0.1 -0.1 1\n";
     let faces = "f 1//1 2//2 3//3\nf 1//1 2//2 4//4\nf 2//2 3//3 4//4\nf 1//1 3//3 4//4\n";
-    let [found] = &obj::parse("a.obj", format!("{vertices}{normals}{faces}")).unwrap()[..] else {
+    let [found] = &parse(&format!("{vertices}{normals}{faces}"), Openness::Closed).unwrap()[..] else {
         panic!("one part")
     };
     assert!(found.is_smooth());
@@ -64,9 +69,10 @@ fn normals_of_a_file_make_light_smooth() {
     // Starboard is -y of the file.
     assert!(corner.distance(DVec3::new(-1.0, 1.0, -1.0).normalize()) < 1e-15, "{corner}");
     let wrong = format!("{vertices}{normals}{}", faces.replace("3//3", "3//9"));
-    let wrong = obj::parse("a.obj", wrong).unwrap_err().to_string();
+    let wrong = parse(&wrong, Openness::Closed).unwrap_err().to_string();
     assert!(wrong.contains("3//9 names no normal: 4 stand above"), "{wrong}");
-    let colour = obj::parse("a.obj", format!("{}f 1 2 3\n", vertices.replace("0 0 1\n", "0 0 1 9 0 0\n")));
+    let colour =
+        parse(&format!("{}f 1 2 3\n", vertices.replace("0 0 1\n", "0 0 1 9 0 0\n")), Openness::Closed);
     assert!(colour.unwrap_err().to_string().contains("a channel of a colour must be 0 to 1, not 9"));
 }
 
@@ -77,7 +83,7 @@ fn odd_normals_of_a_file_leave_the_light_of_its_faces() {
     let faces = "f 1//1 2//1 3//1\nf 1//1 2 4//1\nf 2/ 3// 4\nf 1 3 4\n";
     for normal in ["0 0 0", "nan nan nan", "0 0 1", "1 0 0", "0 0 -9"] {
         let text = format!("{vertices}vn {normal}\n{faces}");
-        let [found] = &obj::parse("a.obj", text).unwrap()[..] else { panic!("{normal}: one part") };
+        let [found] = &parse(&text, Openness::Closed).unwrap()[..] else { panic!("{normal}: one part") };
         for (number, face) in found.faces().iter().enumerate() {
             for &corner in &face.corners {
                 let place = found.vertices()[corner as usize];
@@ -88,5 +94,5 @@ fn odd_normals_of_a_file_leave_the_light_of_its_faces() {
     }
     let rounded = "vn -0.0002 0 -0.9999\nvn 0 0 -7\n";
     let flat = format!("{vertices}{rounded}f 1//1 2//2 3//1\nf 1 2 4\nf 2 3 4\nf 1 3 4\n");
-    assert!(!obj::parse("a.obj", flat).unwrap()[0].is_smooth());
+    assert!(!parse(&flat, Openness::Closed).unwrap()[0].is_smooth());
 }

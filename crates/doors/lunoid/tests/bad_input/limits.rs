@@ -109,6 +109,16 @@ fn cube(room: &Room) -> u64 {
     text.len() as u64
 }
 
+/// A prism on an L: two boxes.
+fn l_shape(room: &Room) -> u64 {
+    let outline = ["0 0", "3 0", "3 1", "1 1", "1 2", "0 2"];
+    let level = |height: u8| outline.map(|at| format!("v {at} {height}\n")).concat();
+    let sides = "f 1 2 8 7\nf 2 3 9 8\nf 3 4 10 9\nf 4 5 11 10\nf 5 6 12 11\nf 6 1 7 12\n";
+    room.write("l.obj", format!("{}{}f 6 5 4 3 2 1\nf 7 8 9 10 11 12\n{sides}", level(0), level(1)));
+    add(room, "[[object]]\nid = \"l\"\nfile = \"l.obj\"\nx_m = 100\ny_m = 100\n");
+    2
+}
+
 /// A picture of 40 x 23 pixels.
 fn picture(room: &Room) {
     room.done(&["replay", "tiny.toml", "-q", "--frames", "0", "--out", "run"]);
@@ -212,6 +222,7 @@ const CASES: &[Case] = &[
     },
     Case { limit: "elevation-bytes", file: "a.npy", make: heights, command: SURVEY },
     Case { limit: "shape-bytes", file: "cube.obj", make: cube, command: CHECK },
+    Case { limit: "shape-parts", file: "l.obj", make: l_shape, command: CHECK },
     Case { limit: "picture-bytes", file: "a.png", make: picture_bytes, command: &["info", "a.png"] },
     Case { limit: "pixels", file: "a.png", make: pixels, command: &["info", "a.png"] },
     Case { limit: "pixels", file: "tiny.toml", make: |_| 40 * 23, command: &["check", "tiny.toml"] },

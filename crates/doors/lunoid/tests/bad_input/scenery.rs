@@ -6,9 +6,25 @@ use crate::room::{INPUT, KEYFRAMES, Room, TINY};
 const CUBE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n\
                     f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
+/// A pyramid whose base is pushed out through a side: every face is plane, all close.
+const CROSSED: &str = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 3 1 1\nv 1 1 2\n\
+                       f 1 2 6\nf 2 3 6\nf 3 4 6\nf 4 1 6\nf 2 1 5\nf 3 2 5\nf 4 3 5\nf 1 4 5\n";
+
 /// A pyramid whose base is pushed in: every face is plane, all close.
 const NOTCH: &str = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 1 0.5\nv 1 1 2\n\
                      f 1 2 6\nf 2 3 6\nf 3 4 6\nf 4 1 6\nf 2 1 5\nf 3 2 5\nf 4 3 5\nf 1 4 5\n";
+
+/// What is not convex is drawn in parts, and said; so is a file without a unit.
+#[test]
+fn shapes_that_are_split_are_told() {
+    let room = Room::new();
+    room.write("notch.obj", format!("mtllib a.mtl\n{NOTCH}"));
+    room.write("s.toml", format!("{TINY}\n{}", object("file = \"notch.obj\"")));
+    let said = room.run(&["check", "s.toml"]);
+    for words in ["notch.obj: materials are not read", "notch.obj: not convex: 1 shape split into "] {
+        assert!(said.code == Some(0) && said.err.contains(words), "{said:?}");
+    }
+}
 
 const HEADING: &str = "x_m,y_m,radius_m,depth_m,rim_m,type,outer_m,floor_m";
 
@@ -31,11 +47,11 @@ fn solids_say_which_face_is_wrong_and_how() {
     room.write("s.toml", format!("{TINY}\n{}", object("file = \"cube.obj\"")));
     room.done(&["check", "s.toml"]);
     for (text, words) in [
-        (NOTCH.to_owned(), &["not convex", "a.obj:11:1", "vertex 6", "split the object"][..]),
+        (CROSSED.to_owned(), &["crosses itself", "a.obj:7:1", "open = true"][..]),
         (CUBE.replace("f 4 1 5 8", "f 4 1 8 5"), &["degenerate face", "a.obj:14:1", "no area"]),
-        (format!("{CUBE}f 1 1 2\n"), &["degenerate face", "a.obj:15:1", "stands twice"]),
+        (format!("{CUBE}f 1 2 1 3\n"), &["degenerate face", "a.obj:15:1", "stands twice"]),
         (CUBE.replace("v 1 1 1", "v 1 1 0.4"), &["degenerate face", "a.obj:10:1", "not in one plane"]),
-        (format!("{CUBE}v 0.5 0.5 0\nf 1 9 2\n"), &["not closed", "a.obj"]),
+        (format!("{CUBE}v 0.5 0.5 0\nf 1 9 2\n"), &["branching", "has 3 faces", "a.obj"]),
         (format!("{CUBE}f 1 2 99\n"), &["a.obj:15:7", "corner 99", "8 stand above"]),
         (CUBE.replace("v 1 1 1", "v 1 1 nan"), &["a.obj:7:7", "finite", "nan"]),
         ("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n".into(), &["a.obj", "no solid"]),

@@ -84,9 +84,9 @@ pub(super) fn coloured(table: &Reader, shape: Option<Shape>) -> Option<Shape> {
     if !table.has("colour") {
         return shape;
     }
-    let ((file, parts), colour) = (shape?, colour?);
+    let ((files, parts), colour) = (shape?, colour?);
     let coloured = |part: Arc<Solid>| Solid::clone(&part).coloured(colour).map(Arc::new).ok();
-    Some((file, parts.into_iter().map(coloured).collect::<Option<_>>()?))
+    Some((files, parts.into_iter().map(coloured).collect::<Option<_>>()?))
 }
 
 /// How an object moves; what its stations leave open is as in its stance.

@@ -4,11 +4,12 @@ use std::collections::HashSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use diagnostics::{Placed, Problem, ProblemList, Problems, Reader};
+use diagnostics::{Placed, Problem, Problems, Reader};
 use landscape::Attitude;
 use limits::Limit;
 use quantities::radians;
-use solids::{SizeLaw, Solid, culture, obj};
+use solids::shape_files::{self, Openness};
+use solids::{SizeLaw, Solid, culture};
 
 use super::reference::reference;
 use super::{area, guests, take_over};
@@ -136,40 +137,37 @@ fn object(
     let moves = guests::moves(table, stance.as_ref());
     let (group, priority) = (guests::group_of(table, groups), guests::priority(table));
     let made = || {
-        let (file, parts) = shape?;
+        let (files, parts) = shape?;
         let id = id.as_ref()?.value.clone();
         let (scale, stance, present) = (scale?, stance?, present?);
         let (moves, group, priority) = (moves?, group?, priority?);
-        Some(Object { id, file, open: open?, parts, scale, stance, present, moves, group, priority })
+        Some(Object { id, files, open: open?, parts, scale, stance, present, moves, group, priority })
     };
     let object = made();
     (id, object)
 }
 
-pub(super) type Shape = (Option<PathBuf>, Vec<Arc<Solid>>);
+/// Files of a shape, and its parts.
+pub(super) type Shape = (Vec<PathBuf>, Vec<Arc<Solid>>);
 
 /// A model that the program carries, or a file; `Some(None)` where the table names neither.
 pub(super) fn optional_shape(table: &Reader, folder: &Path, problems: &Problems) -> Option<Option<Shape>> {
-    shape_read_by(table, folder, problems, |file| obj::read(file))
+    shape_of(table, Openness::Closed, folder, problems)
 }
 
-fn shape_read_by(
-    table: &Reader,
-    folder: &Path,
-    problems: &Problems,
-    read: impl Fn(&Path) -> Result<Vec<Solid>, ProblemList>,
-) -> Option<Option<Shape>> {
+fn shape_of(table: &Reader, openness: Openness, folder: &Path, problems: &Problems) -> Option<Option<Shape>> {
     let models: Vec<(&str, &str)> = culture::NAMES.iter().map(|&name| (name, name)).collect();
     let model = table.one_of("model", &models).optional();
     let file = reference(table, "file", folder);
     let shared = |solids: Vec<Solid>| solids.into_iter().map(Arc::new).collect();
     match (table.has("model"), table.has("file")) {
         (false, false) => Some(None),
-        (true, false) => Some(Some((None, shared(culture::model(model?)?)))),
+        (true, false) => Some(Some((Vec::new(), shared(culture::model(model?)?)))),
         (false, true) => {
             let file = file?;
-            let solids = take_over(read(&file), problems)?;
-            Some(Some((Some(file), shared(solids))))
+            let read = take_over(shape_files::read(&file, openness), problems)?;
+            read.notes.into_iter().for_each(|note| problems.note(note));
+            Some(Some(([vec![file], read.beside].concat(), shared(read.solids))))
         }
         (true, true) => {
             let [model, file] = [table.path("model"), table.path("file")];
@@ -182,8 +180,8 @@ fn shape_read_by(
 
 /// The same of what must have a shape.
 fn shape(table: &Reader, is_open: bool, folder: &Path, problems: &Problems) -> Option<Shape> {
-    let read = |file: &Path| if is_open { obj::read_open(file) } else { obj::read(file) };
-    let shape = shape_read_by(table, folder, problems, read)?;
+    let openness = if is_open { Openness::Any } else { Openness::Closed };
+    let shape = shape_of(table, openness, folder, problems)?;
     if shape.is_none() {
         let title = format!("missing key `{}` or `{}`", table.path("model"), table.path("file"));
         table.report(table.problem("model", title).expected("one of the two"));

@@ -49,7 +49,7 @@ pub struct Augment {
     frames: PathBuf,
     /// CSV file of their poses, as a run's poses.csv.
     poses: PathBuf,
-    /// What casts the shadow: lander, rover, flag, package, marker, or a Wavefront OBJ file of convex parts.
+    /// What casts the shadow: lander, rover, flag, package, marker, or a shape file (.obj, .stl, .ply, .gltf, .glb).
     #[arg(long, value_name = "SHAPE")]
     vehicle: String,
     /// Azimuth (clockwise from north) and elevation of the sun, in degrees. That of the scenario if left out, with
@@ -155,6 +155,7 @@ impl Augment {
         let Grounded { law: ground, vehicle, inputs } = self.ground(&sequence, &pool)?;
         let eye_height = self.eye_height.unwrap_or(vehicle.eye_height);
         let shape = Shape::find(&self.vehicle, eye_height)?;
+        shape.notes().iter().for_each(|note| warn(note));
         let decided = self.decided(&shape, eye_height, &inputs);
         let augmentation = Augmentation {
             inputs: hash(&format!("{:?} {decided}", (env!("CARGO_PKG_VERSION"), COMMIT))),

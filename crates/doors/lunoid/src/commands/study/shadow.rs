@@ -16,7 +16,7 @@ use super::error::frames;
 use super::outputs::Outputs;
 use crate::cli::COMMIT;
 use crate::loading::{StageArgs, Threads, machine_stage};
-use crate::output::Place;
+use crate::output::{Place, warn};
 use crate::{Failure, Verdict, values};
 
 /// Elevations of the sun where none are given (degrees): those of the page's table.
@@ -46,8 +46,8 @@ pub struct ShadowStudy {
     scenario: PathBuf,
     #[command(flatten)]
     threads: Threads,
-    /// Take the top of this vehicle, and the scenario's eye height: lander, rover, flag, package, marker, or a Wavefront
-    /// OBJ file. The report's if left out: its top at 10 feet, its view port at 5.
+    /// Take the top of this vehicle, and the scenario's eye height: lander, rover, flag, package, marker, or a shape
+    /// file. The report's if left out: its top at 10 feet, its view port at 5.
     #[arg(long, value_name = "SHAPE")]
     vehicle: Option<String>,
     /// Height of the view port above the ground.
@@ -150,6 +150,7 @@ impl ShadowStudy {
         };
         let eye = self.eye_height.unwrap_or(opened.scenario.vehicle.eye_height);
         let shape = Shape::find(name, eye)?;
+        shape.notes().iter().for_each(|note| warn(note));
         let top = shape.top();
         match top > 0.0 {
             true => Ok(Caster { mast: Mast { top, eye }, shape: Some(shape) }),
