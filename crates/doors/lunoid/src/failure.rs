@@ -110,6 +110,7 @@ impl From<FileError> for Failure {
             FileError::Missing { .. } | FileError::TooLarge { .. } => true,
             FileError::IsFolder { action, .. }
             | FileError::NoFile { action, .. }
+            | FileError::OtherNames { action, .. }
             | FileError::MissingFolder { action, .. }
             | FileError::Denied { action, .. }
             | FileError::NoSpace { action, .. }
