@@ -56,7 +56,6 @@ pub fn pds4() -> String {
 <disp:vertical_display_direction>Top to Bottom</disp:vertical_display_direction>
 </disp:Display_Settings>
 <cart:Cartography>
-<cart:map_projection_name>Equirectangular</cart:map_projection_name>
 <cart:latitude_resolution unit=\"deg\">{step:.17}</cart:latitude_resolution>
 <cart:longitude_resolution unit=\"deg\">{step:.17}</cart:longitude_resolution>
 <cart:north_bounding_coordinate unit=\"deg\">{north:.12}</cart:north_bounding_coordinate>

@@ -8,7 +8,6 @@ use landscape::{FileCoordinates, MapFrame};
 use quantities::degrees;
 
 use super::points::Points;
-use super::scenery::MAX_COORDINATE;
 
 /// Meaning of the places of a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,11 +28,6 @@ impl Coordinates {
     pub fn read(table: &Reader) -> Option<Option<Self>> {
         let word = table.one_of("coordinates", &WORDS).optional();
         if table.has("coordinates") { word.map(Some) } else { Some(None) }
-    }
-
-    /// Largest place in a plane (m): maps count from far away.
-    pub fn farthest(self) -> f64 {
-        if self == Self::File { 1e9 } else { MAX_COORDINATE }
     }
 
     /// As `path.coordinates` has it.

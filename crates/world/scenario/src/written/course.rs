@@ -109,7 +109,7 @@ fn keyframe(table: &Reader, coordinates: Coordinates) -> Option<PlacedWaypoint> 
     let at = match coordinates {
         Coordinates::LonLat => [angle("lat_deg", 90.0).required(), angle("lon_deg", 360.0).required()],
         in_plane => {
-            let far = in_plane.farthest();
+            let far = path_table::farthest(in_plane);
             ["x_m", "y_m"].map(|key| table.f64(key).between(-far, far).unit("m").required())
         }
     };

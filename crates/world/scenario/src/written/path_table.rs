@@ -147,7 +147,7 @@ fn csv_row(row: &mut Row, coordinates: Coordinates, clock: &mut Clock) -> Option
         Coordinates::LonLat => [row.number(LATITUDE, -90.0..=90.0), row.number(LONGITUDE, -360.0..=360.0)]
             .map(|angle| angle.map(radians)),
         in_plane => {
-            let far = in_plane.farthest();
+            let far = farthest(in_plane);
             [row.number(X, -far..=far), row.number(Y, -far..=far)]
         }
     };
@@ -160,6 +160,11 @@ fn csv_row(row: &mut Row, coordinates: Coordinates, clock: &mut Clock) -> Option
     let ([x, y], [heading, pitch, roll]) = (at, angles);
     let waypoint = Waypoint { time: time?, at: [x?, y?], heading, eye_height: height.ok()?, pitch, roll };
     Some(Placed { value: waypoint, place: row.place(T), key: CSV.columns[T].name.into() })
+}
+
+/// Largest place in a plane (m): maps count from far away.
+pub(super) fn farthest(coordinates: Coordinates) -> f64 {
+    if coordinates == Coordinates::File { 1e9 } else { MAX_COORDINATE }
 }
 
 /// Heading, pitch and roll (rad), where the row gives them.
@@ -198,7 +203,7 @@ pub(super) fn tum(path: &FilePath, wished: Option<Coordinates>, problems: &Probl
 
 fn tum_row(row: &mut Row, coordinates: Coordinates, clock: &mut Clock) -> Option<PlacedWaypoint> {
     let time = row.time(0, clock);
-    let far = coordinates.farthest();
+    let far = farthest(coordinates);
     let [north, east] = [1, 2].map(|column| row.number(column, -far..=far));
     let down = row.number(3, -MAX_COORDINATE..=MAX_COORDINATE);
     let [heading, pitch, roll] = turned(row, [4, 5, 6, 7])?.map(Some);

@@ -20,7 +20,7 @@ pub enum Stored {
     Byte,
     /// Floats of 32 bits: marks of voids are compared as those.
     F32,
-    /// All other numbers.
+    /// Numbers of all other kinds.
     #[default]
     Other,
 }
