@@ -333,7 +333,8 @@ fn groups_that_cannot_be() {
 #[test]
 fn shapes_that_are_no_solids() {
     let folder = tempfile::tempdir().unwrap();
-    let dented = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv -1 -1 -1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 5\nf 3 4 5\nf 4 2 5\n";
+    let dented =
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0.1 0.1 0.1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 5\nf 3 4 5\n";
     fs::write(folder.path().join("dent.obj"), dented).unwrap();
     let name = folder.path().join("s.toml");
     for (file, expected) in [("dent.obj", "dent.obj"), ("gone.obj", "no such file")] {

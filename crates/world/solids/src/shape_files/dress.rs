@@ -25,7 +25,7 @@ fn normal_at(mesh: &Mesh, face: &Face, place: DVec3) -> Option<DVec3> {
 /// A triangle of a shell, as faces of parts look for it.
 struct Cloth<'m> {
     corners: [DVec3; 3],
-    /// Unit normal, outwards.
+    /// Unit normal of the triangle, outwards.
     normal: DVec3,
     of: &'m Face,
 }

@@ -7,7 +7,7 @@ use diagnostics::{Problem, ProblemList};
 /// Formats that are read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Format {
-    /// Wavefront OBJ.
+    /// Wavefront OBJ, which is text.
     Obj,
     /// STL, binary or as text.
     Stl,

@@ -101,7 +101,7 @@ impl<'m> Joined<'m> {
         some
     }
 
-    /// All edges.
+    /// All edges of the faces.
     pub fn edges(&self) -> Edges {
         let mut edges = Edges::new();
         for (number, face) in self.faces.iter().enumerate() {

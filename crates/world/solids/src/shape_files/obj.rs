@@ -17,7 +17,7 @@ use words::statements;
 /// Statements that say nothing about shape or light.
 const HARMLESS: [&str; 11] =
     ["vt", "vp", "s", "lod", "maplib", "usemap", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"];
-/// Statements of materials.
+/// Statements that name materials.
 const MATERIALS: [&str; 2] = ["usemtl", "mtllib"];
 /// Statements that would be missed in the picture, and what to do about them.
 const REFUSED: [(&[&str], &str); 4] = [

@@ -4,7 +4,7 @@ use super::joined::Joined;
 use super::mesh::Mesh;
 use super::told::Told;
 
-/// One shape.
+/// A shape of joined faces.
 pub(super) struct Shell<'m> {
     /// Number of the part that it begins in.
     pub part: usize,

@@ -44,6 +44,8 @@ fn closed(mesh: &Mesh, shell: &Shell, told: &mut Told) -> Result<Vec<Solid>, Ref
         Ok(solid) => Ok(vec![dressed(solid, mesh, &shell.joined)?]),
         Err(error @ (SolidError::BadFace { .. } | SolidError::BadVertex { .. })) => Err(error.into()),
         Err(_) if !shell.closes => Err(Refusal::NotClosed),
+        // A face of fewer than three corners has no edge to another, so it is a shell by itself.
+        Err(error @ SolidError::TooSmall { .. }) => Err(error.into()),
         Err(_) => parts(mesh, shell, told),
     }
 }

@@ -16,7 +16,7 @@ pub(super) struct Cell {
 /// A side: a convex polygon in a plane.
 #[derive(Debug, Clone)]
 struct Side {
-    /// Unit normal, outwards.
+    /// Unit normal of its plane, outwards.
     normal: DVec3,
     /// Counter-clockwise seen from outside, by right-handed axes. Sides that meet have corners of the same bits.
     corners: Vec<DVec3>,
@@ -88,7 +88,7 @@ impl Cell {
         corners().sum::<DVec3>() / corners().count() as f64
     }
 
-    /// Volume (m3).
+    /// Volume of the polyhedron (m3).
     pub fn volume(&self) -> f64 {
         let middle = self.middle();
         self.sides.iter().map(|side| side.area().dot(side.corners[0] - middle) / 6.0).sum()

@@ -8,7 +8,7 @@ const ALIKE: f64 = 0.999;
 /// A plane: all places whose product with `normal` is `offset`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Plane {
-    /// Unit vector, outwards.
+    /// Unit vector square to it, outwards.
     pub normal: DVec3,
     /// Distance from the origin along the normal (m).
     pub offset: f64,

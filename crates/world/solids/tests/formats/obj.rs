@@ -25,6 +25,13 @@ fn obj_as_programs_write_it() {
             "a.obj: materials are not read, their colours are lost (mtllib): give `colour`, or colours of vertices"
         ]
     );
+    for face in ["f", "f 1", "f 1 2"] {
+        let said = refused(
+            "a.obj",
+            format!("{text}v 9 9 9\nv 8 8 8\n{}\n", face.replace('1', "-1").replace('2', "-2")),
+        );
+        assert!(said.contains("a.obj:23:1") && said.contains("no solid"), "{said}");
+    }
     for (statement, why) in [
         ("l 1 2", "delete loose edges"),
         ("curv 0 1 1 2", "curves and free surfaces are not drawn"),
