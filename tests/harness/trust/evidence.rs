@@ -95,13 +95,13 @@ pub const EVIDENCE: &[Evidence] = &[
     Evidence {
         name: "elevation",
         title: "Elevation files as GDAL reads them",
-        command: "env LUNOID_GDAL_PYTHON=../../../runs/gdal/bin/python cargo test --quiet -p survey --test elevation -- --nocapture as_gdal_reads_them",
+        command: "env LUNOID_GDAL_PYTHON=../../../runs/gdal/bin/python cargo test --quiet --workspace --test elevation -- --nocapture as_gdal_reads_them",
         form: Form::Lines,
     },
     Evidence {
         name: "attacks",
         title: "Attacks on folders, records, locks and limits",
-        command: "cargo test -p lunoid --test bad_input attacks",
+        command: "cargo test --workspace --test bad_input attacks",
         form: Form::Tests,
     },
     Evidence {

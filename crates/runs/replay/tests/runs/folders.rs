@@ -163,10 +163,32 @@ fn damaged_records_are_said_to_be_so() {
     Wish { frames: 0..1, ..Wish::default() }.run(at.path()).unwrap();
     let record = at.path().join("run.json");
     let text = fs::read_to_string(&record).unwrap();
-    for damaged in [&text[..text.len() / 2], &text.replace("lunoid.run/2", "lunoid.run/9")] {
+    let other_time = text.replacen("\"time_s\": 0.0", "\"time_s\": 0.5", 1);
+    assert_ne!(other_time, text);
+    for damaged in [&text[..text.len() / 2], &text.replace("lunoid.run/2", "lunoid.run/9"), &other_time] {
         fs::write(&record, damaged).unwrap();
         let refused = Wish::default().run(at.path());
         assert!(matches!(refused, Err(ReplayError::Record { .. })), "{refused:?}");
     }
     Wish { frames: 0..1, ..fresh() }.run(at.path()).unwrap();
+}
+
+/// A name is no proof: a file of somebody else is neither removed nor replaced.
+#[test]
+fn files_that_only_have_a_name_of_a_run_stay() {
+    let at = tempdir().unwrap();
+    Wish { frames: 0..1, ..Wish::default() }.run(at.path()).unwrap();
+    for name in ["frames/frame-000007.png", "animation.png", "index.html"] {
+        let path = at.path().join(name);
+        fs::write(&path, "mine").unwrap();
+        Wish { frames: 0..1, ..Wish::default() }.run(at.path()).unwrap();
+        let refused = fresh().run(at.path());
+        assert!(
+            matches!(&refused, Err(ReplayError::WouldReplace { found, .. }) if found == name),
+            "{refused:?}"
+        );
+        assert_eq!(fs::read_to_string(&path).unwrap(), "mine");
+        fs::remove_file(path).unwrap();
+    }
+    assert!(at.path().join("run.json").is_file());
 }
