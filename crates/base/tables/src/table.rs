@@ -26,8 +26,10 @@ pub struct Table {
     next: usize,
     /// Bytes of the cells of the row that is being read.
     cells: Vec<Range<usize>>,
-    /// Rows read so far.
+    /// Rows read so far, those without values too.
     rows: u64,
+    /// Whether any row so far has values.
+    has_rows: bool,
     sign: Option<Sign>,
     /// Largest number of each column so far, either way, in the unit that its header names.
     largest: Vec<f64>,
@@ -64,6 +66,7 @@ impl Table {
             next: 0,
             cells: Vec::new(),
             rows: 0,
+            has_rows: false,
             sign: None,
             largest: vec![0.0; form.columns.len()],
             is_ambiguous: true,
@@ -107,6 +110,7 @@ impl Table {
                 return None;
             }
             if self.split(&line) && self.has_values() && self.has_width() {
+                self.has_rows = true;
                 return Some(Row::new(self));
             }
         }
@@ -115,7 +119,7 @@ impl Table {
     /// What was `read`, if nothing was wrong. Otherwise the first faults go to `problems`, and the number of the others. Notes
     /// tell of decimal commas that could be read otherwise, and of angles beyond a turn.
     pub fn finish<T>(mut self, read: T, problems: &Problems) -> Option<T> {
-        if self.rows == 0 && self.faults.is_empty() {
+        if !self.has_rows && self.faults.is_empty() {
             let title = format!("a {} without rows", self.form.what);
             let expected = match self.separator {
                 Separator::Blanks => format!("rows of {}", self.form.names().join(" ")),

@@ -111,6 +111,7 @@ fn other_encodings_are_refused_by_name() {
 fn headers_say_what_is_wrong_with_them() {
     assert_eq!(faults(""), ["1:1 an empty table of points"]);
     assert_eq!(faults("t_s,x_m\n# none\n"), ["1:1 a table of points without rows"]);
+    assert_eq!(faults("t_s,x_m\n,\n"), ["1:1 a table of points without rows"]);
     assert_eq!(faults("t_s,x_m,colour,depth\n0,1,2,3\n"), ["1:16 unknown column `depth`"]);
     assert_eq!(faults("t_s,X_m,x_M\n0,1,2\n"), ["1:9 column `x_m` stands twice"]);
     assert_eq!(faults("t_s,t_ms,x_m\n0,1,2\n"), ["1:5 columns `t_s` and `t_ms` say the same"]);
