@@ -76,7 +76,7 @@ fn grey_bytes_stay() {
     film.add(&picture).expect("memory takes it");
     film.add(&picture).expect("memory takes it");
     film.finish().expect("memory takes it");
-    assert_eq!(hash(&bytes), "57dba508c179743b9ab193148d5c50b0");
+    assert_eq!(hash(&bytes), "5a85095613147f6982321c8eb22d0d91");
 }
 
 #[test]
