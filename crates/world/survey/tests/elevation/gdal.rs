@@ -102,7 +102,7 @@ fn told(path: &Path, ending: &str) -> PathBuf {
 }
 
 /// The elevation files of `shared/data`.
-const SHARED: [&str; 9] = [
+const SHARED: [&str; 8] = [
     "lunar/herodotus_mons_hsr_54m.tif",
     "lunar/kepler_lola_48m.tif",
     "lunar/nac_southpole_image_M139939938LE_1m.tif",
@@ -111,8 +111,9 @@ const SHARED: [&str; 9] = [
     "pds3/LDEM_4.LBL",
     "dted/n00_e006_3arc_v2.dt1",
     "photo_dem/craterlake-elev-16bit-30m.tif",
-    "photo_dem/craterlake-imagery-30m.tif",
 ];
+/// A photograph in colour beside them: no heights.
+const PICTURE: &str = "photo_dem/craterlake-imagery-30m.tif";
 
 #[test]
 fn shared_files_are_read_as_gdal_reads_them() {
@@ -132,7 +133,9 @@ fn shared_files_are_read_as_gdal_reads_them() {
         let fault = compared(&folder.path().join(path.file_name().unwrap()), &read);
         assert_eq!(fault, None, "{name}: notes {:?}", read.notes);
     }
-    println!("{} shared files are as GDAL reads them", SHARED.len());
+    let refused = read_one(&data.join(PICTURE)).err().map(|error| error.to_string()).unwrap_or_default();
+    assert!(refused.contains("a picture"), "{PICTURE}: {refused}");
+    println!("{} shared files are as GDAL reads them, one is refused as a picture", SHARED.len());
 }
 
 /// How what GDAL tells of a file differs from what is read.
