@@ -48,7 +48,7 @@ impl RunFolder {
         self.0.join(name)
     }
 
-    /// Makes one of its folders, such as [`SCOPES`].
+    /// Makes one of its folders, such as [`SCOPES`](crate::SCOPES).
     ///
     /// # Errors
     /// If the folder cannot be made, or is a link.
