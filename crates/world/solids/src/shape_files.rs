@@ -6,7 +6,7 @@
 //!                              +--------> faults <--- blame +<- split <+
 //! ```
 //!
-//! Every format gives a [`mesh::Mesh`]: vertices, faces, colours, normals. Vertices of a part at the same place are one. A part
+//! Every format gives a mesh (`mesh::Mesh`): vertices, faces, colours, normals. Vertices of a part at the same place are one. A part
 //! whose faces close is a shape by itself; parts that do not close are joined, since many programs write a group for each face or
 //! material. A closed shape that is not convex is split into convex solids that fill it, and a note says so.
 //!
