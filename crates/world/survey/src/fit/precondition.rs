@@ -104,7 +104,9 @@ fn transpose(from: &[CornerWords], to: &mut [CornerWords], lines: usize, columns
     to.par_chunks_mut(lines).enumerate().for_each(|(column, row)| {
         for (line, words) in row.iter_mut().enumerate() {
             let source = &from[line * columns + column];
-            *words = std::array::from_fn(|index| source[index % 3 * 3 + index / 3]);
+            for (index, word) in words.iter_mut().enumerate() {
+                *word = source[index % 3 * 3 + index / 3];
+            }
         }
     });
 }
@@ -145,7 +147,8 @@ fn inverse_of_factor(pivot: &Block, diagonal: &Block) -> Block {
 }
 
 fn transposed(block: &Block) -> Block {
-    std::array::from_fn(|p| std::array::from_fn(|q| block[q][p]))
+    let [[a, b, c], [d, e, f], [g, h, i]] = *block;
+    [[a, d, g], [b, e, h], [c, f, i]]
 }
 
 fn product(a: &Block, b: &Block) -> Block {

@@ -54,8 +54,11 @@ impl Roughness {
 
     /// Half the gradient of the energy at `words`.
     pub fn apply(&self, words: &RegionWords) -> RegionWords {
-        let blocks = split(words);
-        join(&[0, 1, 2, 3].map(|of| product(&self.0[of], &blocks[of])))
+        let mut blocks = split(words);
+        for (matrix, block) in self.0.iter().zip(&mut blocks) {
+            *block = product(matrix, block);
+        }
+        join(&blocks)
     }
 }
 
@@ -94,10 +97,8 @@ fn split(words: &RegionWords) -> [[f64; 9]; 4] {
     for p in 0..3 {
         for q in 0..3 {
             let (near, far) = (&words[p], &words[3 + p]);
-            let [even, odd] = [1.0, -1.0].map(|parity| {
-                let s = parity * SIGN[p];
-                [near[q] + s * far[q], SIGN[q] * (near[3 + q] + s * far[3 + q])]
-            });
+            let fold = |s: f64| [near[q] + s * far[q], SIGN[q] * (near[3 + q] + s * far[3 + q])];
+            let (even, odd) = (fold(SIGN[p]), fold(-SIGN[p]));
             out[0][3 * p + q] = even[0] + even[1];
             out[1][3 * p + q] = even[0] - even[1];
             out[2][3 * p + q] = odd[0] + odd[1];
@@ -112,7 +113,9 @@ fn join(blocks: &[[f64; 9]; 4]) -> RegionWords {
     let mut out = [[0.0; 6]; 6];
     for p in 0..3 {
         for q in 0..3 {
-            let [ee, eo, oe, oo] = [0, 1, 2, 3].map(|of| blocks[of][3 * p + q]);
+            let [even_even, even_odd, odd_even, odd_odd] = blocks;
+            let at = 3 * p + q;
+            let (ee, eo, oe, oo) = (even_even[at], even_odd[at], odd_even[at], odd_odd[at]);
             let (near, far) = (ee + eo, SIGN[q] * (ee - eo));
             let (odd_near, odd_far) = (oe + oo, SIGN[q] * (oe - oo));
             out[p][q] = near + odd_near;
