@@ -45,7 +45,7 @@ pub(crate) const MOST_TRIANGLES: usize = 10_000;
 pub(crate) struct Split {
     /// Convex solids that touch and do not overlap, all white.
     pub parts: Vec<Solid>,
-    /// Volume of the parts less that of the shape, over that of the shape.
+    /// Relative error of the volume: the parts minus the shape, divided by the shape.
     pub volume_error: f64,
     /// Largest distance of a corner of the shape from the nearest part (m).
     pub distance: f64,

@@ -32,7 +32,7 @@ impl Component {
         (5126, Self::F32, 4),
     ];
 
-    /// A component, and the number that stands for 1 where numbers are normalized.
+    /// Reads a component. The second number stands for 1 where numbers are normalized.
     fn number(self, bytes: &[u8]) -> (f64, f64) {
         let mut word = [0; 4];
         word[..bytes.len()].copy_from_slice(bytes);

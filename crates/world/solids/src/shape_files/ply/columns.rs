@@ -67,7 +67,7 @@ pub(super) enum Use {
 /// Where a colour stands.
 pub(super) struct Colour {
     channels: [usize; 3],
-    /// What stands for full light.
+    /// The value of a colour that stands for full light.
     full: f64,
     /// Codes are on the curve of sRGB.
     is_coded: bool,

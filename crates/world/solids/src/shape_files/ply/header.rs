@@ -212,7 +212,7 @@ impl Kind {
         }
     }
 
-    /// What stands for full light in a colour.
+    /// The value of a colour that stands for full light.
     pub fn full(self) -> Option<f64> {
         match self {
             Self::U8 => Some(255.0),
