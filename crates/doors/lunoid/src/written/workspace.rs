@@ -55,12 +55,13 @@ impl Workspace {
             _ => return Err(format!("cargo {verb}: not known to this test")),
         }
         let (mut package, mut targets, mut features, mut handed_on) =
-            (DEFAULT, Vec::new(), Vec::new(), Vec::new());
+            (None, Vec::new(), Vec::new(), Vec::new());
+        let of_all = of_cargo.contains(&"--workspace");
         let mut words = of_cargo.iter().copied();
         while let Some(word) = words.next() {
             let mut next = || words.next().ok_or_else(|| format!("{word}: expected a name"));
             match word {
-                "-p" | "--package" => package = next()?,
+                "-p" | "--package" => package = Some(next()?),
                 "--bin" | "--example" | "--test" | "--bench" => targets.push((&word[2..], next()?)),
                 "--features" => features.push(next()?),
                 "--profile" => expect_profile(next()?)?,
@@ -70,13 +71,18 @@ impl Workspace {
             }
         }
         handed_on.extend(of_program.iter().skip(1));
+        if of_all && package.is_some() {
+            return Err("--workspace and a package; name one of both".into());
+        }
+        let package = package.unwrap_or(DEFAULT);
         let named = self.packages.iter().find(|candidate| candidate.name == package);
         let named = named.ok_or_else(|| format!("no package {package}"))?;
         if let Some(feature) = features.into_iter().find(|&feature| !named.features.contains_key(feature)) {
             return Err(format!("package {package} has no feature {feature}"));
         }
+        let searched = if of_all { &self.packages[..] } else { std::slice::from_ref(named) };
         let found: Vec<&Target> =
-            targets.iter().map(|(kind, name)| named.target(kind, name)).collect::<Result<_, _>>()?;
+            targets.iter().map(|(kind, name)| target(searched, kind, name)).collect::<Result<_, _>>()?;
         match verb {
             "run" if targets.is_empty() && named.count("bin") != 1 => {
                 return Err(format!("package {package} has no bin of its own; name one"));
@@ -97,11 +103,6 @@ impl Workspace {
 }
 
 impl Package {
-    fn target(&self, kind: &str, name: &str) -> Result<&Target, String> {
-        let is_it = |target: &&Target| target.name == name && target.kind.iter().any(|of| of == kind);
-        self.targets.iter().find(is_it).ok_or_else(|| format!("package {} has no {kind} {name}", self.name))
-    }
-
     fn count(&self, kind: &str) -> usize {
         self.targets.iter().filter(|target| target.kind.iter().any(|of| of == kind)).count()
     }
@@ -117,6 +118,15 @@ impl Target {
         }
         Err(format!("{} has no test {filter}", self.name))
     }
+}
+
+/// The target of this kind and name in one of `packages`.
+fn target<'a>(packages: &'a [Package], kind: &str, name: &str) -> Result<&'a Target, String> {
+    let is_it = |target: &&Target| target.name == name && target.kind.iter().any(|of| of == kind);
+    packages.iter().flat_map(|package| &package.targets).find(is_it).ok_or_else(|| match packages {
+        [package] => format!("package {} has no {kind} {name}", package.name),
+        _ => format!("no package has a {kind} {name}"),
+    })
 }
 
 /// The workspace has a profile of this name.
