@@ -23,7 +23,7 @@ const REFUSED: [(&str, &str); 7] = [
 ];
 
 /// Fewest files that GDAL must have written of each format, and fewest that are made by hand.
-const FEWEST: [(&str, usize); 12] = [
+const FEWEST: [(&str, usize); 15] = [
     ("geotiff", 100),
     ("dted", 20),
     ("hgt", 20),
@@ -31,6 +31,9 @@ const FEWEST: [(&str, usize); 12] = [
     ("isis", 20),
     ("envi", 20),
     ("ascii", 20),
+    ("geotiff-hand", 10),
+    ("dted-hand", 10),
+    ("hgt-hand", 10),
     ("pds3-hand", 10),
     ("pds4-hand", 10),
     ("isis-hand", 10),

@@ -1,5 +1,8 @@
 """Files made by hand to the text of their format, for GDAL to read: both orders of bytes, gaps, tiles, other writings."""
 
+import struct
+import zlib
+
 import numpy as np
 
 WIDTH, HEIGHT = 30, 20
@@ -294,9 +297,164 @@ def ascii(folder):
         (folder / f"{index}.prj").write_text(system)
 
 
+def directory(order, big, tags, front):
+    """A TIFF: header, `front`, what does not fit into an entry, one directory. A tag is (number, type, values)."""
+    size, count, room = ("Q", "Q", 8) if big else ("I", "H", 4)
+    start = 16 if big else 8
+    kinds = {2: "s", 3: "H", 4: "I", 12: "d", 16: "Q"}
+    body, entries = front, b""
+    for number, kind, values in sorted(tags):
+        if kind == 2:
+            stored, many = values.encode() + b"\0", len(values) + 1
+        else:
+            stored, many = struct.pack(f"{order}{len(values)}{kinds[kind]}", *values), len(values)
+        if len(stored) > room:
+            body += bytes(len(body) % 2)
+            stored, body = struct.pack(order + size, start + len(body)), body + stored
+        entries += struct.pack(f"{order}HH{size}", number, kind, many) + stored.ljust(room, b"\0")
+    body += bytes(len(body) % 2)
+    head = (b"II" if order == "<" else b"MM") + struct.pack(order + ("HHH" if big else "H"), *((43, 8, 0) if big else (42,)))
+    head += struct.pack(order + size, start + len(body))
+    return head + body + struct.pack(order + count, len(tags)) + entries + struct.pack(order + size, 0)
+
+
+# Number of a key and its value: the Moon as a sphere, equirectangular about 30 degrees, or longitudes and latitudes.
+SPHERE = {1025: 1, 2048: 32767, 2050: 32767, 2054: 9102, 2056: 32767, 2057: 1737400.0, 2058: 1737400.0}
+EQUIRECTANGULAR = {**SPHERE, 1024: 1, 3072: 32767, 3074: 32767, 3075: 17, 3076: 9001, 3078: 20.0, 3088: 30.0, 3081: 0.0, 3082: 0.0, 3083: 0.0}
+DEGREES = {**SPHERE, 1024: 2}
+
+
+def keys(values):
+    """The tags of a table of keys: whole numbers in it, reals beside it."""
+    reals, rows = [], [1, 1, 0, len(values)]
+    for number, value in sorted(values.items()):
+        if isinstance(value, float):
+            rows += [number, 34736, 1, len(reals)]
+            reals.append(value)
+        else:
+            rows += [number, 0, 1, value]
+    return [(34735, 3, rows), (34736, 12, reals)]
+
+
+def blocks_of(data, tile, lines):
+    """Samples cut into tiles of `tile` (0: none) or strips of `lines`."""
+    if tile:
+        return [part for row in tiled(data, tile) for part in row]
+    return [data[at : at + lines] for at in range(0, HEIGHT, lines)]
+
+
+def differences(block):
+    """Predictor 2: each sample of a line less the one before."""
+    ahead = block.copy()
+    ahead[:, 1:] -= block[:, :-1]
+    return ahead
+
+
+def geotiff(folder):
+    at = [(1000, 5000), (-1000, 5000), (1000, -5000), (-1000, -5000)]
+    # Order, BigTIFF, type, tile, lines of a strip, packing, predictor, void, point, keys, step.
+    rows = [
+        ("<", False, "i2", 0, 20, 1, 1, None, False, EQUIRECTANGULAR, (10, 10)),
+        (">", False, "i2", 0, 7, 1, 1, "-7777", True, EQUIRECTANGULAR, (10, 20)),
+        ("<", False, "u1", 0, 1, 8, 1, None, False, EQUIRECTANGULAR, (25, 25)),
+        (">", False, "u2", 16, 0, 8, 2, "9", False, EQUIRECTANGULAR, (10, 10)),
+        ("<", False, "i4", 0, 6, 8, 2, "-7777", True, DEGREES, (0.01, 0.01)),
+        (">", True, "f4", 16, 0, 1, 1, "-7777", False, EQUIRECTANGULAR, (10, 10)),
+        ("<", True, "f8", 0, 5, 8, 1, "nan", False, DEGREES, (0.02, 0.01)),
+        (">", True, "i2", 32, 0, 32946, 2, None, True, EQUIRECTANGULAR, (10, 10)),
+        ("<", False, "f4", 0, 20, 32773, 1, "-1e30", False, EQUIRECTANGULAR, (5, 5)),
+        (">", False, "f8", 16, 0, 8, 1, None, False, EQUIRECTANGULAR, (10, 10)),
+        ("<", False, "u4", 0, 3, 1, 1, None, True, DEGREES, (0.01, 0.02)),
+        ("<", True, "i1", 0, 4, 8, 2, "-77", False, EQUIRECTANGULAR, (10, 10)),
+    ]
+    for index, (order, big, kind, tile, lines, packing, predictor, void, point, place, step) in enumerate(rows):
+        data = POSITIVE if kind[0] == "u" or kind == "i1" else GROUND
+        data = np.where(HOLES, float(void), data) if void else data
+        blocks = [block.astype(order + kind) for block in blocks_of(data.astype(order + kind), tile, lines)]
+        blocks = [differences(block) if predictor == 2 else block for block in blocks]
+        stored = [block.tobytes() for block in blocks]
+        if packing in (8, 32946):
+            stored = [zlib.compress(block) for block in stored]
+        if packing == 32773:
+            # As literals of 64 bytes.
+            cut = [[block[at : at + 64] for at in range(0, len(block), 64)] for block in stored]
+            stored = [b"".join(bytes([len(part) - 1]) + part for part in parts) for parts in cut]
+        start = 16 if big else 8
+        starts = [start + sum(map(len, stored[:count])) for count in range(len(stored))]
+        lengths, far = list(map(len, stored)), 16 if big else 4
+        x, y = (5, 40 - 80 * (index % 2)) if place is DEGREES else at[index % 4]
+        tags = [
+            (256, 3, [WIDTH]), (257, 3, [HEIGHT]), (258, 3, [8 * int(kind[1])]), (259, 3, [packing]), (262, 3, [1]),
+            (277, 3, [1]), (339, 3, [dict(u=1, i=2, f=3)[kind[0]]]), *keys({**place, 1025: 2 if point else 1}),
+        ]
+        if index % 3:
+            tags += [(33550, 12, [*step, 0]), (33922, 12, [0, 0, 0, x, y, 0])]
+        else:
+            tags += [(34264, 12, [step[0], 0, 0, x, 0, -step[1], 0, y, 0, 0, 0, 0, 0, 0, 0, 1])]
+        tags += [(317, 3, [2])] if predictor == 2 else []
+        tags += [(42113, 2, void)] if void else []
+        if tile:
+            tags += [(322, 3, [tile]), (323, 3, [tile]), (324, far, starts), (325, 4, lengths)]
+        else:
+            tags += [(278, 3, [lines]), (273, far, starts), (279, 4, lengths)]
+        (folder / f"{index}.tif").write_bytes(directory(order, big, tags, b"".join(stored)))
+
+
+def angle(degrees, letters):
+    """DDDMMSSH of DTED."""
+    seconds = round(abs(degrees) * 3600)
+    return f"{seconds // 3600:03}{seconds // 60 % 60:02}{seconds % 60:02}{letters[degrees < 0]}"
+
+
+def field(header, at, text):
+    header[at : at + len(text)] = text.encode()
+
+
+def dted(folder):
+    # South, west, intervals (tenths of a second) of latitude and longitude, labels of a tape in front, voids.
+    rows = [
+        (45, 6, 300, 300, 0, False), (-44, -121, 300, 300, 0, True), (0, 0, 30, 30, 0, False), (-1, -1, 30, 30, 2, True),
+        (60, 20, 30, 60, 0, True), (-72, 179, 30, 90, 1, False), (80, -180, 10, 60, 0, True), (12, 34, 10, 10, 2, False),
+        (-33, -70, 10, 10, 0, True), (5.5, -6.25, 300, 300, 0, False),
+    ]
+    for index, (south, west, northwards, eastwards, labels, holes) in enumerate(rows):
+        # GDAL exchanges the two lines in the middle of an even number.
+        heights = (np.where(HOLES, -32767, GROUND) if holes else GROUND)[:-1]
+        user, data, accuracy = (bytearray(b" " * size) for size in (80, 648, 2700))
+        ends = angle(west, "EW"), angle(south, "NS")
+        counts = f"{WIDTH:04}", f"{heights.shape[0]:04}"
+        steps = f"{eastwards:04}", f"{northwards:04}"
+        for at, text in enumerate(["UHL1", *ends, *steps, "0010", "U  ", " " * 12, *counts, "0"]):
+            field(user, [0, 4, 12, 20, 24, 28, 32, 35, 47, 51, 55][at], text)
+        # The second header has latitudes with tenths of a second and without the first digit.
+        longitude, latitude = ends[0][:7] + ".0" + ends[0][7], ends[1][1:7] + ".0" + ends[1][7]
+        fields = [(0, "DSIU"), (59, f"DTED{1 + index % 3}"), (141, "E96WGS84"), (185, latitude), (194, longitude)]
+        fields += [(264, "0000000.0"), (273, steps[1]), (277, steps[0]), (281, counts[1]), (285, counts[0]), (289, "00")]
+        for at, text in fields:
+            field(data, at, text)
+        field(accuracy, 0, "ACC0010NA  0010NA  ")
+        whole = b"".join([b"VOL1".ljust(80), b"HDR1".ljust(80)][:labels]) + user + data + accuracy
+        # A record is a meridian from south to north; a height is a sign and a magnitude.
+        for meridian, record in enumerate(heights[::-1].T.astype(int)):
+            words = [abs(height) | (0x8000 if height < 0 else 0) for height in record]
+            begun = struct.pack(">IHH", 0xAA000000 | meridian, meridian, 0) + struct.pack(f">{len(words)}H", *words)
+            whole += begun + struct.pack(">I", sum(begun))
+        (folder / f"{index}.dt{index % 3}").write_bytes(whole)
+
+
+def hgt(folder):
+    names = ["N45E006", "S44W121", "N00E000", "S01W001", "N83W180", "S60E179", "N09E099", "S12E100", "N33W033", "S70E040"]
+    for index, name in enumerate(names):
+        lines, columns = (3601, 1801) if index == 9 else (3601, 3601) if index == 8 else (1201, 1201)
+        heights = np.add.outer(-7 * (np.arange(lines) % 900), 3 * (np.arange(columns) % 700))
+        if index % 2:
+            heights[np.add.outer(5 * np.arange(lines), np.arange(columns)) % 7 == 0] = -32768
+        (folder / f"{name}.hgt").write_bytes(heights.astype(">i2").tobytes())
+
+
 def write_all(folder):
     """Files of all formats, in folders inside `folder`."""
-    for write in (pds3, pds4, isis, envi, ascii):
+    for write in (geotiff, dted, hgt, pds3, pds4, isis, envi, ascii):
         own = folder / f"{write.__name__}-hand"
         own.mkdir()
         write(own)
