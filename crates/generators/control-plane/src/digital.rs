@@ -253,7 +253,7 @@ pub(crate) fn crossing_times(crossings: &Crossings<'_>) -> Vec<CrossingTime> {
     let settings = &crossings.stage.settings;
     let serves = settings.loader.served_by == CrossingServer::CpuInterrupt;
     let taken = |sweep: u32| {
-        let sweep = SweepRecorder::of(crossings, [sweep, sweep]);
+        let sweep = SweepRecorder::of(crossings, [sweep, sweep], None);
         if serves { sweep.time_of_processor() } else { sweep.stolen(settings) }
     };
     let takes_time = serves || settings.cpu.stolen(1) > 0;

@@ -19,7 +19,8 @@ use crate::ticks::{frame_ticks, sweep_ticks};
 /// What one sweep's service did.
 #[derive(Debug, Default)]
 pub(crate) struct SweepRecorder {
-    pub events: EventHash,
+    /// Hash of what the sweep did, if anybody asks for it.
+    pub events: Option<EventHash>,
     pub sets: Sets,
     pub folds: u64,
     pub late_words: u64,
@@ -49,15 +50,15 @@ struct BehindDrums {
 }
 
 impl SweepRecorder {
-    /// Runs the service of one sweep, both levels.
-    pub fn of(crossings: &Crossings<'_>, sweeps: [u32; 2]) -> Self {
+    /// Runs the service of one sweep, both levels, and hashes its events into `events`, if there is one.
+    pub fn of(crossings: &Crossings<'_>, sweeps: [u32; 2], events: Option<EventHash>) -> Self {
         let (settings, frame) = (&crossings.stage.settings, crossings.plan.frame);
         let drums = settings.data_banks.drum.map(|_| BehindDrums {
             frame_start: frame_ticks(crossings.stage, frame)[0],
             clock: settings.timebase.sweep_clock(frame, sweeps[1]),
         });
         let period = sweep_ticks(settings);
-        let mut recorder = Self { sweep: sweeps[1], period, drums, ..Self::default() };
+        let mut recorder = Self { events, sweep: sweeps[1], period, drums, ..Self::default() };
         let mut program = SweepProgram::idle();
         let levels = crossings.stage.landscape.bank().levels();
         recorder.columns = levels[0].corners()[1];
@@ -207,17 +208,19 @@ fn register_word(register: PreloadRegister) -> &'static str {
 impl SweepRecorder {
     fn stop(&mut self, tick: Tick, fold: Fold) {
         self.folds += 1;
+        let Some(events) = &mut self.events else { return };
         let axis = if fold.axis == RampAxis::X { "x" } else { "y" };
-        self.events.push(tick.0, "stop", axis, &[u64::from(fold.stop == Stop::One)]);
+        events.push(tick.0, "stop", axis, &[u64::from(fold.stop == Stop::One)]);
     }
 
     fn load(&mut self, tick: Tick, load: &Load) {
+        let Some(events) = &mut self.events else { return };
         let target = match load.target {
             Target::Hold => "hold",
             Target::Preload(register) => register_word(register),
         };
         let words = [u64::from(load.corner), u64::from(load.words.0)];
-        self.events.push(tick.0, load.colour.name(), target, &words);
+        events.push(tick.0, load.colour.name(), target, &words);
     }
 
     fn late(&mut self, miss: &Miss, range: f64) {

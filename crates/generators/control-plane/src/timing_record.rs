@@ -31,14 +31,15 @@ impl ControlPlane {
         let gates = self.gates(&sweeps, pose.time)?;
         let record = |sweep: u32| {
             let drawn = sweeps.set_up_of(sweep);
-            let mut recorder = SweepRecorder::of(&crossings, [drawn, sweep]);
+            let mut recorder = SweepRecorder::of(&crossings, [drawn, sweep], Some(EventHash::new()));
             recorder.note_features(&crossings, drawn);
             recorder.note_gate(&crossings, gates.get(drawn as usize));
-            recorder
+            let events = recorder.events.take().unwrap_or_default().part();
+            (recorder, events)
         };
         let count = self.stage().settings.raster.sweeps;
-        let recorded: Vec<SweepRecorder> = (0..count).into_par_iter().map(record).collect();
-        Ok(self.summary(frame, &sweeps, recorded))
+        let (recorded, events): (Vec<SweepRecorder>, Vec<_>) = (0..count).into_par_iter().map(record).unzip();
+        Ok(self.summary(frame, &sweeps, recorded, EventHash::join(events.into_iter())))
     }
 
     /// Shadow gates of all sweeps, if a boundary can come late in them or find no line generator: only then has the shadow
@@ -55,10 +56,15 @@ impl ControlPlane {
         self.shadow_gates(sweeps, time)
     }
 
-    fn summary(&self, frame: u64, sweeps: &FrameSweeps<'_>, recorders: Vec<SweepRecorder>) -> FrameTiming {
+    fn summary(
+        &self,
+        frame: u64,
+        sweeps: &FrameSweeps<'_>,
+        recorders: Vec<SweepRecorder>,
+        (events, events_blake3): (u64, String),
+    ) -> FrameTiming {
         let digital = sweeps.digital();
         let [start, end] = frame_ticks(self.stage(), frame);
-        let (events, events_blake3) = EventHash::join(recorders.iter().map(|sweep| sweep.events.part()));
         let mut deadlines = BTreeMap::from([(Deadline::TRANSFER, Slack::default())]);
         let mut sets = Sets::default();
         let (mut folds, mut late_words, mut misses) = (0, 0, Vec::new());

@@ -23,7 +23,7 @@ pub enum SurveyError {
     #[error(transparent)]
     File(#[from] files::FileError),
     /// More heights than may be in memory.
-    #[error("{path}: {lines} x {columns} samples take {bytes} bytes of memory; expected at most {most}; give a smaller area; {advice}", path = .path.display(), advice = Limit::ElevationBytes)]
+    #[error("{path}: {lines} x {columns} samples take {bytes} bytes of memory; expected at most {most}; survey a smaller area of it (--area, or --centre with --size-m); {advice}", path = .path.display(), advice = Limit::ElevationBytes)]
     TooLarge {
         /// Path of the file.
         path: PathBuf,

@@ -9,6 +9,7 @@ mod arguments;
 mod attacks;
 mod banks;
 mod build;
+mod cases;
 mod control;
 mod elevation;
 mod extremes;

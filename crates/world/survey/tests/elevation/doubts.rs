@@ -123,7 +123,7 @@ fn more_than_fits_into_memory_is_refused_and_a_part_of_it_read() {
     let options = ReadOptions { spacing: Some([10.0; 2]), ..ReadOptions::default() };
     let said = read(&path, &options).unwrap_err().to_string();
     assert!(said.contains("50000 x 50000 samples take 20000000000 bytes of memory"), "{said}");
-    assert!(said.contains("give a smaller area; --raise elevation-bytes=N allows more"), "{said}");
+    assert!(said.contains("survey a smaller area of it (--area, or --centre with --size-m); --raise elevation-bytes=N allows more"), "{said}");
     let window = Window { lines: 40_000..40_003, columns: 30_000..30_002 };
     let part = open(&path, &options).unwrap().window(&window).unwrap();
     assert_eq!((part.height(0, 0), part.height(0, 1)), (Some(7.5), Some(0.0)));
