@@ -46,12 +46,20 @@ pub struct Record {
 }
 
 impl Record {
-    pub(crate) fn put(&mut self, name: impl Into<String>, value: f64) {
-        self.signals.entry(name.into()).or_default().push(value);
+    pub(crate) fn put(&mut self, name: &str, value: f64) {
+        append(&mut self.signals, name, value);
     }
 
     pub(crate) fn put_margin(&mut self, name: &str, value: f64) {
-        self.margins.entry(name.to_owned()).or_default().push(value);
+        append(&mut self.margins, name, value);
+    }
+}
+
+/// Adds a value to the list of this name. A name is copied once.
+fn append(lists: &mut BTreeMap<String, Vec<f64>>, name: &str, value: f64) {
+    match lists.get_mut(name) {
+        Some(list) => list.push(value),
+        None => drop(lists.insert(name.to_owned(), vec![value])),
     }
 }
 

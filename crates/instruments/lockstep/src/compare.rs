@@ -112,10 +112,10 @@ impl Sides<'_> {
         }
         let declared = self.declared(wave);
         let scale = self.full_scale(wave, declared, expected);
-        let bound = self.bound(name);
+        let (bound, doubts) = (self.bound(name), self.doubts(name));
         let mut first = None;
         for (sample, (&machine, &interpreter)) in wave.values.iter().zip(expected).enumerate() {
-            if self.is_doubtful(name, sample) {
+            if doubts.has(sample) {
                 tally.doubtful += 1;
                 continue;
             }
@@ -190,18 +190,34 @@ impl Sides<'_> {
         bounds::of_craters(self.scene.settings.scalar, ring, self.scene.settings.range.end)
     }
 
-    fn is_doubtful(&self, name: &str, sample: usize) -> bool {
-        let margin = self.record.margins.get(name).and_then(|margins| margins.get(sample));
-        let limit = match (name, self.scene.settings.scalar) {
+    fn doubts(&self, name: &str) -> Doubts<'_> {
+        let scalar = self.scene.settings.scalar;
+        let undecided = match (name, scalar) {
             (_, scalar) if lies_behind_parts(name, &self.scene.settings.analog) => bounds::undecided(scalar),
             ("dpp.blank" | "sm.video", Scalar::F64) => 4.0 * bounds::F64,
             ("dpp.blank" | "sm.video", Scalar::F32) => 4.0 * bounds::F32,
             (_, scalar) => bounds::undecided(scalar),
         };
-        let stairs = self.record.stairs.get(sample).is_some_and(|&stairs| {
-            stairs < bounds::between_words(self.scene.settings.scalar) && name != "sweep.range"
-        });
-        stairs || margin.is_some_and(|&margin| margin < limit)
+        let stairs = if name == "sweep.range" { &[][..] } else { &self.record.stairs };
+        let margins = self.record.margins.get(name).map_or(&[][..], Vec::as_slice);
+        Doubts { margins, undecided, stairs, between_words: bounds::between_words(scalar) }
+    }
+}
+
+/// Where rounding decides what a signal is, so that both engines may be right.
+struct Doubts<'a> {
+    /// Distance of each sample from another decision.
+    margins: &'a [f64],
+    undecided: f64,
+    /// Distance of each sample from another word of the converters.
+    stairs: &'a [f64],
+    between_words: f64,
+}
+
+impl Doubts<'_> {
+    fn has(&self, sample: usize) -> bool {
+        let is_below = |list: &[f64], limit: f64| list.get(sample).is_some_and(|&near| near < limit);
+        is_below(self.stairs, self.between_words) || is_below(self.margins, self.undecided)
     }
 }
 

@@ -51,11 +51,11 @@ impl Advice {
 }
 
 /// A setting with what it takes and how far it is off.
-struct Measured {
-    setting: Setting,
+pub(crate) struct Measured {
+    pub setting: Setting,
     changes: usize,
-    time_s: f64,
-    error: f64,
+    pub time_s: f64,
+    pub error: f64,
 }
 
 impl Measured {
@@ -67,7 +67,7 @@ impl Measured {
 
 /// One advice for each wanted error, over all ladders of frames; none without such ladders. Rungs that change a law are held against the base's.
 pub fn advise(ladders: &[LadderOutcome]) -> Vec<Advice> {
-    let all = measured(ladders);
+    let all = measured(ladders, total_error);
     if all.is_empty() {
         return Vec::new();
     }
@@ -84,9 +84,12 @@ pub fn advise(ladders: &[LadderOutcome]) -> Vec<Advice> {
     WANTED.map(advice).into()
 }
 
-/// Every setting once: many ladders have the base among their rungs, and the fastest of many measurements of one thing
+/// Every setting of a frame once, with an error of its own: many ladders have the base among their rungs, and the fastest of many measurements of one thing
 /// would win by chance.
-fn measured(ladders: &[LadderOutcome]) -> Vec<Measured> {
+pub(crate) fn measured(
+    ladders: &[LadderOutcome],
+    error: impl Fn(&RungOutcome) -> Option<f64>,
+) -> Vec<Measured> {
     let of_frames = ladders.iter().filter(|ladder| ladder.unit_of_work == "frame");
     let rungs = of_frames.flat_map(|ladder| ladder.rungs.iter().map(move |rung| (ladder, rung)));
     let one = |(ladder, rung): (&LadderOutcome, &RungOutcome)| {
@@ -95,7 +98,7 @@ fn measured(ladders: &[LadderOutcome]) -> Vec<Measured> {
             setting: if rung.changes == 0 { Setting::Base } else { setting },
             changes: rung.changes,
             time_s: rung.time_s?[0],
-            error: total_error(rung)?,
+            error: error(rung)?,
         })
     };
     let (base, mut all): (Vec<_>, Vec<_>) =
@@ -110,22 +113,9 @@ pub fn total_error(rung: &RungOutcome) -> Option<f64> {
     rung.error("picture rmse, law of the base").or_else(|| rung.error(DECIDES))
 }
 
-/// Rungs that no other is both faster and better than, by time: indices of `points` of time and error.
-pub fn front(points: &[[f64; 2]]) -> Vec<usize> {
-    let mut order: Vec<usize> = (0..points.len()).collect();
-    order.sort_by(|&a, &b| points[a][0].total_cmp(&points[b][0]).then(points[a][1].total_cmp(&points[b][1])));
-    let mut best = f64::INFINITY;
-    order.retain(|&index| {
-        let is_better = points[index][1] < best;
-        best = best.min(points[index][1]);
-        is_better
-    });
-    order
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{Setting, advise, front};
+    use super::{Setting, advise};
     use crate::figures::ErrorFigure;
     use crate::ladder::{LadderOutcome, RungOutcome};
 
@@ -143,12 +133,6 @@ mod tests {
 
     fn ladder(name: &'static str, rungs: Vec<RungOutcome>) -> LadderOutcome {
         LadderOutcome::new((name, "a factor"), "frame", &[], rungs)
-    }
-
-    #[test]
-    fn the_front_has_what_nothing_beats() {
-        let points = [[1.0, 0.5], [2.0, 0.6], [3.0, 0.1], [2.5, 0.1], [4.0, 0.05]];
-        assert_eq!(front(&points), [0, 3, 4]);
     }
 
     #[test]

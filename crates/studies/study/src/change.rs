@@ -1,7 +1,7 @@
 //! One setting over the base.
 
-use hardware_model::{HardwareModel, ShadowParts, SweepMemoryKind};
-use scenario::{Projection, RangeLaw, Scalar, Scenario};
+use hardware_model::{Economy, HardwareModel, ShadowParts, SweepMemoryKind};
+use scenario::{Projection, RangeLaw, Scalar, Scenario, ShadowFineness};
 
 /// A scenario on a model, to be changed.
 #[derive(Debug, Clone, PartialEq)]
@@ -10,6 +10,8 @@ pub struct Variant {
     pub scenario: Scenario,
     /// Hardware model that draws it.
     pub model: HardwareModel,
+    /// What is left out.
+    pub economy: Economy,
 }
 
 /// What a rung does to the base setting.
@@ -31,12 +33,16 @@ pub enum Change {
     FineLevelAlone,
     /// Another kind of shadow controller.
     Shadow(ShadowParts),
+    /// Profiles of shadow so many times as far from one another.
+    CoarserShadows(f64),
+    /// What is left out.
+    Economy(Economy),
 }
 
 impl Change {
     /// Changes scenario and model of `variant`.
     pub fn apply(&self, variant: &mut Variant) {
-        let Variant { scenario, model } = variant;
+        let Variant { scenario, model, economy } = variant;
         match self {
             Self::Samples(samples) => scenario.raster.samples = Some(*samples),
             Self::Sweeps(sweeps) => {
@@ -60,6 +66,12 @@ impl Change {
             Self::Projection(projection) => scenario.laws.projection = Some(*projection),
             Self::FineLevelAlone => scenario.levels = None,
             Self::Shadow(parts) => model.shadow_controller = *parts,
+            Self::CoarserShadows(times) => {
+                if let Some(ShadowFineness { finest, angle, .. }) = &mut scenario.shadows {
+                    (*finest, *angle) = (*finest * times, *angle * times);
+                }
+            }
+            Self::Economy(other) => *economy = *other,
         }
     }
 }

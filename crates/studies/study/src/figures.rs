@@ -22,7 +22,7 @@ const SIGNALS: [&str; 6] =
     ["sweep.range", "mu.height", "tg.slope.u", "tg.slope.v", "tg.reflectivity", "dpp.elevation"];
 
 /// Every error that a study of a machine tells, with its unit, in the order of the table.
-pub const NAMES: [(&str, &str); 16] = [
+pub const NAMES: [(&str, &str); 17] = [
     ("height rms", "m"),
     ("height max", "m"),
     ("height rms of full scale", "1"),
@@ -38,6 +38,7 @@ pub const NAMES: [(&str, &str); 16] = [
     ("picture psnr", "dB"),
     ("picture ssim", "1"),
     ("picture flip", "1"),
+    ("picture beyond two levels", "1"),
     ("picture rmse, law of the base", "1"),
 ];
 
@@ -245,6 +246,7 @@ pub(crate) struct PictureErrors {
     base: Sum,
     ssim: f64,
     flip: f64,
+    beyond: f64,
     frames: f64,
 }
 
@@ -262,8 +264,9 @@ impl PictureErrors {
         let encoder = Encoder::new(transfer(display)?, Depth::Sixteen);
         let test = encoder.encode(plane, columns, lines)?;
         let reference = encoder.encode(&own.intensity, columns, lines)?;
-        let found = compare::compare(&test, &reference, None, &[])?;
+        let found = compare::compare(&test, &reference, None, &[2])?;
         self.own.add(found.rmse);
+        self.beyond += found.beyond[0].share;
         self.ssim += found.ssim.unwrap_or(1.0);
         self.flip += compare::flip(&test, &reference, compare::PIXELS_PER_DEGREE)?.mean;
         self.frames += 1.0;
@@ -281,7 +284,8 @@ impl PictureErrors {
         // A picture without a difference has no PSNR: it is left out.
         let psnr = (rmse > 0.0).then(|| -20.0 * libm::log10(rmse));
         let base = (self.base.count > 0.0).then(|| self.base.rms());
-        let values = [Some(rmse), psnr, Some(mean(self.ssim)), Some(mean(self.flip)), base];
+        let values =
+            [Some(rmse), psnr, Some(mean(self.ssim)), Some(mean(self.flip)), Some(mean(self.beyond)), base];
         let named = NAMES[11..].iter().zip(values);
         named.filter_map(|(&(name, unit), value)| Some(ErrorFigure { name, unit, value: value? })).collect()
     }

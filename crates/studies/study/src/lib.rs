@@ -5,7 +5,7 @@
 //!    │
 //!    ├─▶ ladders of settings ─▶ session of each rung ─▶ frames, timed in turn ─▶ seconds a frame
 //!    │                                  └─▶ signals, picture ─┐
-//!    └─▶ exact: profiles, pictures (kept by hash) ────────────┴▶ errors ─▶ order, Pareto front, advice
+//!    └─▶ exact: profiles, pictures (kept by hash) ────────────┴▶ errors ─▶ order, Pareto fronts, advice
 //! ```
 //!
 //! **Law.** A *ladder* changes one factor of a base setting, or a named pair of them, rung by rung. The error of a rung is
@@ -26,6 +26,7 @@ mod advice;
 mod change;
 pub mod economy;
 mod figures;
+mod fronts;
 pub mod ladder;
 mod order;
 mod parameter;
@@ -40,9 +41,11 @@ mod subject;
 mod table;
 mod work;
 
-pub use advice::{Setting, advise, front};
+pub use advice::{Setting, advise};
 pub use change::Change;
 pub use figures::{Figures, NAMES};
+pub(crate) use fronts::front;
+pub use fronts::{Front, OnFront, fronts};
 pub use order::{Order, fit};
 pub use parameter::{Configure, parameter_ladder};
 pub use reference::ExactPictures;

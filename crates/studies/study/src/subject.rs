@@ -87,7 +87,8 @@ impl Subject {
     }
 
     fn base(&self) -> Variant {
-        Variant { scenario: self.scenario.clone(), model: self.model.clone() }
+        let economy = self.stage.settings.economy;
+        Variant { scenario: self.scenario.clone(), model: self.model.clone(), economy }
     }
 
     /// How many of `changes` change something: a rung may be the base itself.
@@ -109,7 +110,7 @@ impl Subject {
         let mut variant = self.base();
         changes.iter().for_each(|change| change.apply(&mut variant));
         let mut settings = front_door::settings(&variant.scenario, &variant.model)?;
-        settings.economy = self.stage.settings.economy;
+        settings.economy = variant.economy;
         settings.shadow_cache.clone_from(&self.stage.settings.shadow_cache);
         Ok(front_door::under(&self.stage.stage(), &variant.scenario, settings)?)
     }

@@ -1,6 +1,6 @@
 //! The ladders of a machine.
 
-use hardware_model::{HardwareModel, ShadowParts};
+use hardware_model::{Economy, HardwareModel, ShadowParts};
 use scenario::{Projection, RangeLaw, RangeProgramme, Scalar};
 
 use crate::Subject;
@@ -36,6 +36,8 @@ pub fn ladders(subject: &Subject, models: &[HardwareModel], extent: Extent) -> V
     ];
     all.extend(subject.scenario.levels.is_some().then(levels));
     all.extend(subject.scenario.shadows.is_some().then(shadow));
+    all.extend([preview_samples(subject, extent), preview_sweeps(subject)]);
+    all.extend(subject.scenario.shadows.is_some().then(preview_shadows));
     all.extend([
         samples_and_scalar(extent),
         samples_and_programme(subject, extent),
@@ -159,6 +161,47 @@ fn shadow() -> Ladder {
     ];
     let of = |(label, parts)| rung(label, None, vec![Change::Shadow(parts)]);
     Ladder { name: "shadow", what: "shadow controller", expected: Vec::new(), rungs: variants.map(of).into() }
+}
+
+/// A rung of the economy of `--preview`.
+fn preview(label: String, step: Option<f64>, change: Change) -> Rung {
+    rung(label, step, vec![Change::Economy(Economy::Preview), change])
+}
+
+fn preview_samples(subject: &Subject, extent: Extent) -> Ladder {
+    let base = subject.stage.settings.raster.samples;
+    let most = if extent == Extent::Quick { 4 } else { 16 };
+    let counts = [1, 2, 4, 8, 16].into_iter().filter(|times| *times <= most).map(|times| times * base);
+    let at =
+        |samples: u32| preview(samples.to_string(), Some(1.0 / f64::from(samples)), Change::Samples(samples));
+    Ladder {
+        name: "preview-samples",
+        what: "samples a sweep, in preview",
+        expected: Vec::new(),
+        rungs: counts.map(at).collect(),
+    }
+}
+
+fn preview_sweeps(subject: &Subject) -> Ladder {
+    let base = subject.stage.settings.raster.sweeps;
+    let counts = [base / 4, base / 2, base].into_iter().filter(|sweeps| *sweeps > 0);
+    let at = |sweeps: u32| preview(sweeps.to_string(), Some(1.0 / f64::from(sweeps)), Change::Sweeps(sweeps));
+    Ladder {
+        name: "preview-sweeps",
+        what: "sweeps a frame, in preview, shown on the columns of the base",
+        expected: Vec::new(),
+        rungs: counts.map(at).collect(),
+    }
+}
+
+fn preview_shadows() -> Ladder {
+    let at = |times: f64| preview(format!("{times}x"), Some(times), Change::CoarserShadows(times));
+    Ladder {
+        name: "preview-shadows",
+        what: "distance between profiles of shadow, in preview, over that of the scenario",
+        expected: Vec::new(),
+        rungs: [8.0, 4.0, 2.0, 1.0].map(at).into(),
+    }
 }
 
 fn samples_and_scalar(extent: Extent) -> Ladder {

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use super::folder::{ReportError, write};
 use super::ladder_plots::write_plots;
 use crate::advice::Advice;
+use crate::fronts::Front;
 use crate::ladder::{LadderOutcome, OrderOutcome};
 use crate::reference::SelfError;
 use crate::{csv, table};
@@ -30,6 +31,8 @@ pub struct ErrorReport {
     pub ladders: Vec<LadderOutcome>,
     /// Cheapest setting for each wanted error.
     pub advice: Vec<Advice>,
+    /// Settings that nothing beats, by each of two errors.
+    pub fronts: Vec<Front>,
     /// What the build leaves out, where it was asked for.
     pub not_built: Option<&'static str>,
 }
@@ -55,6 +58,7 @@ impl ErrorReport {
             "exact": self.exact,
             "ladders": self.ladders,
             "advice": self.advice,
+            "fronts": self.fronts,
             "not_built": self.not_built,
         })
     }
@@ -78,6 +82,7 @@ impl ErrorReport {
         }
         text += "\n";
         self.advice.iter().for_each(|advice| text += &format!("{}\n", advice.sentence()));
+        self.fronts.iter().for_each(|front| text += &format!("{}\n", front.sentence()));
         self.not_built.iter().for_each(|what| text += &format!("{what}\n"));
         text
     }
@@ -93,6 +98,7 @@ impl ErrorReport {
         }
         text += "\n";
         self.advice.iter().for_each(|advice| text += &format!("- {}\n", advice.sentence()));
+        self.fronts.iter().for_each(|front| text += &format!("- {}\n", front.sentence()));
         self.not_built.iter().for_each(|what| text += &format!("- {what}\n"));
         text
     }

@@ -12,8 +12,8 @@ use study::polynomial::{POLYNOMIAL, polynomial_ladder};
 use study::report::{ErrorReport, is_of};
 use study::solver::{Chain, NOT_BUILT, SOLVER, solver_ladders};
 use study::{
-    Effort, ExactPictures, REGION_LADDERS, Rehearsed, StudyError, Subject, advise, climb, parameter_ladder,
-    regions,
+    Effort, ExactPictures, REGION_LADDERS, Rehearsed, StudyError, Subject, advise, climb, fronts,
+    parameter_ladder, regions,
 };
 
 use super::outputs::Outputs;
@@ -138,6 +138,7 @@ impl ErrorStudy {
             threads: rayon::current_num_threads(),
             exact: own,
             advice: advise(&outcomes),
+            fronts: fronts(&outcomes),
             not_built: NOT_BUILT.filter(|_| self.wants(SOLVER)),
             ladders: outcomes,
         })
