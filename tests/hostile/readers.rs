@@ -85,6 +85,8 @@ impl Reader {
     /// name the file.
     pub fn read(&self, folder: &Path, bytes: &[u8]) -> Result<(), String> {
         let path = folder.join(self.file);
+        // Some file systems write a file that is cut to nothing and filled again to the disk at once; a new one they do not.
+        let _ = fs::remove_file(&path);
         fs::write(&path, bytes).expect("a folder that can be written");
         let (result, largest) = largest_request(|| (self.read)(&path));
         let most = most_memory(bytes.len());
