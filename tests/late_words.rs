@@ -51,17 +51,17 @@ impl Asked {
 
     /// The same with one load of a crater or else of a shadow boundary that is late in the frame: by a line just too slow.
     fn with_one_late(&self, frame: u64, is_crater: bool, policy: LatePolicy) -> Self {
-        let [mut slow, mut fast] = [1e3_f64, 1e12];
+        let (pose, [mut slow, mut fast]) = (self.pose(frame), [1e3_f64, 1e12]);
         for _ in 0..200 {
             let rate = (slow * fast).sqrt();
             let mut stage = self.stage.clone();
             stage.settings.loader.late_policy = policy;
-            let words =
-                if is_crater { &mut stage.settings.feature_words } else { &mut stage.settings.segment_words };
-            *words = Some(rate);
-            let asked = Self::of(self.scene.clone(), stage);
-            match asked.loads(frame).len() {
-                1 => return asked,
+            match is_crater {
+                true => stage.settings.feature_words = Some(rate),
+                false => stage.settings.segment_words = Some(rate),
+            }
+            match loads(&ControlPlane::new(stage.clone()), &stage, (frame, &pose), !is_crater).len() {
+                1 => return Self::of(self.scene.clone(), stage),
                 0 => fast = rate,
                 _ => slow = rate,
             }
@@ -71,12 +71,7 @@ impl Asked {
 
     /// Every load of a crater or a shadow boundary in a frame that was late.
     fn loads(&self, frame: u64) -> Vec<LateWords> {
-        let sweeps = self.control.sweeps_with_gates(frame, &self.pose(frame)).unwrap();
-        let of_sweep = |sweep: u32| {
-            let misses = sweeps.load_misses(sweep).into_iter();
-            misses.map(move |miss| LateWords { frame, sweep, of: miss.of })
-        };
-        (0..self.stage.settings.raster.sweeps).flat_map(of_sweep).collect()
+        loads(&self.control, &self.stage, (frame, &self.pose(frame)), true)
     }
 
     fn effect(&self, late: LateWords) -> Result<LateEffect, LateError> {
@@ -129,6 +124,23 @@ impl Asked {
         changed.sort_by(|a, b| b.by.abs().total_cmp(&a.by.abs()));
         changed.iter().any(|pixel| is_named_at([pixel.column, pixel.line]))
     }
+}
+
+/// Loads of craters, and `with_boundaries` of shadow boundaries, that were late in a frame.
+fn loads(
+    control: &ControlPlane,
+    stage: &MachineStage,
+    (frame, pose): (u64, &Pose),
+    with_boundaries: bool,
+) -> Vec<LateWords> {
+    let sweeps =
+        if with_boundaries { control.sweeps_with_gates(frame, pose) } else { control.sweeps(frame, pose) };
+    let sweeps = sweeps.unwrap();
+    let of_sweep = |sweep: u32| {
+        let misses = sweeps.load_misses(sweep).into_iter();
+        misses.map(move |miss| LateWords { frame, sweep, of: miss.of })
+    };
+    (0..stage.settings.raster.sweeps).flat_map(of_sweep).collect()
 }
 
 /// Pixels in which two pictures differ, by column and line.
