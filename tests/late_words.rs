@@ -2,10 +2,10 @@
 
 use std::collections::BTreeMap;
 
-use control_plane::{ControlPlane, LateCrossing, MachineStage};
-use explain::{Inquiry, Late, LateEffect, LateError, late_effect};
+use control_plane::{ControlPlane, LateOf, LateWords, MachineStage};
+use explain::{Inquiry, Late, LateEffect, LateError, Missed, late_effect};
 use generator::{PlaneKind, Planes, Session};
-use hardware_model::{HardwareModel, LoadDelay, ModelSource};
+use hardware_model::{HardwareModel, LatePolicy, LoadDelay, ModelSource};
 use lunoid_tests::{Dice, Shipped};
 use machine::{OnTime, Prepare, Twice, prepare_twice};
 use scenario::{Pose, PoseTable};
@@ -51,8 +51,39 @@ impl Asked {
         table.unwrap().rows()[0].pose
     }
 
-    fn effect(&self, late: LateCrossing) -> Result<LateEffect, LateError> {
-        late_effect(&*self.twice, (&self.stage, &self.control), &self.pose(late.frame), late)
+    /// The same with one load of a crater or else of a shadow boundary that is late in the frame: by a line just too slow.
+    fn with_one_late(&self, frame: u64, is_crater: bool, policy: LatePolicy) -> Self {
+        let (pose, [mut slow, mut fast]) = (self.pose(frame), [1e3_f64, 1e12]);
+        for _ in 0..200 {
+            let rate = (slow * fast).sqrt();
+            let mut stage = self.stage.clone();
+            stage.settings.loader.late_policy = policy;
+            match is_crater {
+                true => stage.settings.feature_words = Some(rate),
+                false => stage.settings.segment_words = Some(rate),
+            }
+            match loads(&ControlPlane::new(stage.clone()), &stage, (frame, &pose), !is_crater).len() {
+                1 => return Self::of(self.scene.clone(), stage),
+                0 => fast = rate,
+                _ => slow = rate,
+            }
+        }
+        panic!("no rate makes a single load of frame {frame} late");
+    }
+
+    /// Every load of a crater or a shadow boundary in a frame that was late.
+    fn loads(&self, frame: u64) -> Vec<LateWords> {
+        loads(&self.control, &self.stage, (frame, &self.pose(frame)), true)
+    }
+
+    fn effect(&self, late: LateWords) -> Result<LateEffect, LateError> {
+        let pose = self.pose(late.frame);
+        let sweeps = match late.of {
+            LateOf::Boundary(_) => self.control.sweeps_with_gates(late.frame, &pose),
+            _ => self.control.sweeps(late.frame, &pose),
+        };
+        let sweeps = sweeps.unwrap();
+        late_effect(&*self.twice, (&self.stage, &sweeps), &pose, late)
     }
 
     /// The picture of a frame, drawn whole.
@@ -64,12 +95,13 @@ impl Asked {
     }
 
     /// Every fold of a frame that found words missing.
-    fn late(&self, frame: u64) -> Vec<LateCrossing> {
+    fn late(&self, frame: u64) -> Vec<LateWords> {
         let sweeps = self.control.sweeps(frame, &self.pose(frame)).unwrap();
         let of_sweep = |sweep: u32| {
             let programs = sweeps.programs(sweep);
             let of_level = programs.iter().enumerate().flat_map(|(level, program)| {
-                let late = move |crossing| LateCrossing { frame, sweep, level, crossing };
+                let late =
+                    move |crossing| LateWords { frame, sweep, of: LateOf::Crossing { level, crossing } };
                 program.late_crossings().into_iter().map(late)
             });
             of_level.collect::<Vec<_>>()
@@ -79,11 +111,13 @@ impl Asked {
 
     /// Whether an explanation of a pixel that changed in the words' own frame names them.
     fn is_named(&self, told: &LateEffect) -> bool {
-        let LateCrossing { frame, sweep, crossing, .. } = told.late;
+        let LateWords { frame, sweep, .. } = told.late;
+        let Missed::Words(words) = &told.missed else { panic!("{:?} is no fold", told.late) };
         let inquiry = Inquiry::new(&self.stage, &*self.session, &self.control, None);
-        let word = &told.words[0];
-        let names =
-            |late: &Late| (late.crossing, late.level, late.colour) == (crossing, word.level, word.colour);
+        let word = &words[0];
+        let names = |late: &Late| {
+            (late.crossing, late.level, late.colour) == (word.crossing, word.level, word.colour)
+        };
         let is_named_at = |pixel: [usize; 2]| {
             let why = inquiry.explain(frame, &self.pose(frame), pixel).unwrap();
             why.read.iter().any(|read| read.sweep == sweep && read.late.iter().any(names))
@@ -94,59 +128,135 @@ impl Asked {
     }
 }
 
+/// Loads of craters, and `with_boundaries` of shadow boundaries, that were late in a frame.
+fn loads(
+    control: &ControlPlane,
+    stage: &MachineStage,
+    (frame, pose): (u64, &Pose),
+    with_boundaries: bool,
+) -> Vec<LateWords> {
+    let sweeps =
+        if with_boundaries { control.sweeps_with_gates(frame, pose) } else { control.sweeps(frame, pose) };
+    let sweeps = sweeps.unwrap();
+    let of_sweep = |sweep: u32| {
+        let misses = sweeps.load_misses(sweep).into_iter();
+        misses.map(move |miss| LateWords { frame, sweep, of: miss.of })
+    };
+    (0..stage.settings.raster.sweeps).flat_map(of_sweep).collect()
+}
+
 /// Pixels in which two pictures differ, by column and line.
 fn differing(one: &[f32], other: &[f32], columns: usize) -> Vec<[usize; 2]> {
     let differ = (0..one.len()).filter(|&at| one[at] != other[at]);
     differ.map(|at| [at % columns, at / columns]).collect()
 }
 
-/// Words that parts make late: ten of each machine, drawn by lot. The second picture is drawn whole, all sweeps again.
+/// What is asked of some late words of a machine: `count` of `late`, drawn by lot. The second picture is drawn whole, all sweeps again.
+/// Returns how many pixels changed, and the explanations.
+fn agree(asked: &Asked, mut late: Vec<LateWords>, count: usize, what: &str) -> (usize, Vec<LateEffect>) {
+    let settings = &asked.stage.settings;
+    let (columns, sweeps) = (settings.raster.columns as usize, settings.raster.sweeps);
+    let mut dice = Dice::new(33);
+    let (mut changed, mut all, mut wholes) = (0, Vec::new(), BTreeMap::new());
+    for _ in 0..count {
+        let late = late.swap_remove(dice.count(0, late.len() - 1));
+        let told = asked.effect(late).unwrap();
+        let shown = asked.twice.later(late.frame);
+        assert_eq!(told.frames.len(), 1 + shown.len(), "{what}: {}", told.later);
+        let on_time = OnTime { late, again: 0..sweeps };
+        for effect in &told.frames {
+            let pose = asked.pose(effect.frame);
+            let [is, would_be] = asked.twice.twice(effect.frame, &pose, &on_time).unwrap();
+            let [is, would_be] = [&is, &would_be].map(|planes| planes.get(PlaneKind::Intensity).unwrap());
+            let whole = wholes.entry(effect.frame).or_insert_with(|| asked.whole(effect.frame));
+            assert_eq!(is, whole, "{what}, frame {}: the machine as it is", effect.frame);
+            let pixels: Vec<_> =
+                effect.changed.pixels().iter().map(|pixel| [pixel.column, pixel.line]).collect();
+            assert_eq!(pixels, differing(is, would_be, columns), "{what}, {late:?}");
+            changed += pixels.len();
+        }
+        all.push(told);
+    }
+    eprintln!("{what}: {changed} pixels changed");
+    (changed, all)
+}
+
+/// Words that parts make late: ten of each machine, drawn by lot.
 #[test]
 fn what_is_told_is_the_difference_of_whole_pictures() {
     let mut named = 0;
-    let sweeps = 48;
     for (scenario, model, frame) in [
         ("full-drive", "pra-nominal", 3),
         ("descent", "pra-frugal", 20),
         ("nominal-drive", "pra-overloaded", 17),
     ] {
-        let asked = Asked::new(scenario, model, sweeps);
-        let columns = asked.stage.settings.raster.columns as usize;
-        let mut late = asked.late(frame);
-        let mut dice = Dice::new(33);
-        let mut changed = 0;
-        let mut wholes = BTreeMap::new();
-        for _ in 0..10 {
-            let late = late.swap_remove(dice.count(0, late.len() - 1));
-            let told = asked.effect(late).unwrap();
-            let shown = asked.twice.later(frame);
-            assert_eq!(told.frames.len(), 1 + shown.len(), "{scenario}: {}", told.later);
-            let on_time = OnTime { late, again: 0..sweeps };
-            for effect in &told.frames {
-                let pose = asked.pose(effect.frame);
-                let [is, would_be] = asked.twice.twice(effect.frame, &pose, &on_time).unwrap();
-                let [is, would_be] = [&is, &would_be].map(|planes| planes.get(PlaneKind::Intensity).unwrap());
-                let whole = wholes.entry(effect.frame).or_insert_with(|| asked.whole(effect.frame));
-                assert_eq!(is, whole, "{scenario}, frame {}: the machine as it is", effect.frame);
-                let pixels: Vec<_> =
-                    effect.changed.pixels().iter().map(|pixel| [pixel.column, pixel.line]).collect();
-                assert_eq!(pixels, differing(is, would_be, columns), "{scenario}, {late:?}");
-                changed += pixels.len();
-            }
-            if !told.frames[0].changed.pixels().is_empty() {
-                let is_named = asked.is_named(&told);
-                // Its words change far ground alone, which this tube shows in pixels whose own sample is another: open.
-                assert!(
-                    is_named || model == "pra-overloaded",
-                    "{scenario}, {late:?}: no changed pixel names the words"
-                );
-                named += usize::from(is_named);
-            }
+        let asked = Asked::new(scenario, model, 24);
+        let what = format!("{scenario} on {model}");
+        let (changed, all) = agree(&asked, asked.late(frame), 10, &what);
+        assert!(changed > 0, "{what}");
+        for told in all.iter().filter(|told| !told.frames[0].changed.pixels().is_empty()) {
+            let is_named = asked.is_named(told);
+            // Its words change far ground alone, which this tube shows in pixels whose own sample is another: open.
+            assert!(
+                is_named || model == "pra-overloaded",
+                "{what}, {:?}: no changed pixel names the words",
+                told.late
+            );
+            named += usize::from(is_named);
         }
-        eprintln!("{scenario} on {model}: {changed} pixels changed, {named} words named so far");
-        assert!(changed > 0, "{scenario} on {model}");
     }
     assert!(named >= 10, "{named} of 30 late words changed pixels and were named by one");
+}
+
+/// Words of craters and of shadow boundaries, of a machine whose banks share a drum and of one with a memory for each kind.
+#[test]
+fn what_is_told_of_craters_and_boundaries_is_the_difference_of_whole_pictures() {
+    for (scenario, model, frame, count) in
+        [("full-drive", "pra-nominal", 3, 5), ("nominal-drive", "pra-overloaded", 17, 3)]
+    {
+        let asked = Asked::new(scenario, model, 24);
+        let all = asked.loads(frame);
+        let (boundaries, craters): (Vec<_>, Vec<_>) =
+            all.into_iter().partition(|late| matches!(late.of, LateOf::Boundary(_)));
+        for (late, kind) in [(craters, "craters"), (boundaries, "boundaries")] {
+            let what = format!("{scenario} on {model}, {} {kind}", late.len());
+            assert!(agree(&asked, late, count, &what).0 > 0, "{what}");
+        }
+    }
+}
+
+/// Loads over a line so fast that a single one of the frame is late, and the same machine whose loads take no time: two machines, two
+/// pictures, no word of `twice`. Late words act from where they come, or not in their sweep.
+#[test]
+fn a_load_on_time_draws_the_machine_whose_loads_take_no_time() {
+    let mut changed = 0;
+    for (scenario, frame, is_crater) in [
+        ("craters", 4, true),
+        ("craters", 10, true),
+        ("full-drive", 3, true),
+        ("full-drive", 3, false),
+        ("full-drive", 40, false),
+    ] {
+        let plain = Asked::new(scenario, "ideal", 48);
+        let columns = plain.stage.settings.raster.columns as usize;
+        let expected = plain.whole(frame);
+        for policy in [LatePolicy::StrobeThrough, LatePolicy::Latched] {
+            let asked = plain.with_one_late(frame, is_crater, policy);
+            let late = asked.loads(frame)[0];
+            let told = asked.effect(late).unwrap();
+            let pixels: Vec<_> =
+                told.frames[0].changed.pixels().iter().map(|pixel| [pixel.column, pixel.line]).collect();
+            let what = format!("{scenario}, frame {frame}, {policy:?}, {late:?}");
+            assert_eq!(pixels, differing(&asked.whole(frame), &expected, columns), "{what}");
+            eprintln!("{what}: {} pixels", pixels.len());
+            changed += usize::from(!pixels.is_empty());
+            // Whoever names it by its neighbour is told which were late.
+            let of = if is_crater { LateOf::Crater(u32::MAX) } else { LateOf::Boundary(u32::MAX) };
+            let refused = asked.effect(LateWords { of, ..late }).unwrap_err().to_string();
+            assert!(refused.contains("late in sweep"), "{refused}");
+        }
+    }
+    assert!(changed >= 5, "{changed} of 10 late loads changed a pixel");
 }
 
 /// A word that the model holds back, and the same machine without that: two machines, two pictures, no word of `twice`.
@@ -200,16 +310,18 @@ fn what_was_not_late_is_refused_and_late_ones_are_named() {
     let asked = Asked::new("descent", "pra-frugal", 48);
     let frame = 20;
     let late = asked.late(frame);
-    let said = |late: LateCrossing| asked.effect(late).unwrap_err().to_string();
-    let first = late[0];
-    let not = (0..).find(|crossing| !late.contains(&LateCrossing { crossing: *crossing, ..first })).unwrap();
-    let beside = said(LateCrossing { crossing: not, ..first });
-    assert!(beside.starts_with(&format!("{}:{not}: no word", first.sweep)), "{beside}");
-    assert!(beside.contains(&format!("are crossings {}", first.crossing)), "{beside}");
-    let beyond = said(LateCrossing { crossing: 100_000, ..first });
+    let said = |late: LateWords| asked.effect(late).unwrap_err().to_string();
+    let (first, sweep) = (late[0], late[0].sweep);
+    let LateOf::Crossing { crossing, .. } = first.of else { panic!("{first:?} is no fold") };
+    let at = |level: usize, crossing: u32| LateWords { of: LateOf::Crossing { level, crossing }, ..first };
+    let not = (0..).find(|crossing| !late.contains(&at(0, *crossing))).unwrap();
+    let beside = said(at(0, not));
+    assert!(beside.starts_with(&format!("{sweep}:{not}: no word")), "{beside}");
+    assert!(beside.contains(&format!("are crossings {crossing}")), "{beside}");
+    let beyond = said(at(0, 100_000));
     assert!(beyond.contains("has crossings 0.."), "{beyond}");
-    assert!(said(LateCrossing { sweep: 48, ..first }).contains("sweeps 0..48"));
-    assert!(said(LateCrossing { level: 1, ..first }).contains("one level of terrain"));
+    assert!(said(LateWords { sweep: 48, ..first }).contains("sweeps 0..48"));
+    assert!(said(at(1, crossing)).contains("one level of terrain"));
     let ideal = Asked::new("descent", "ideal", 48);
     let none = ideal.effect(first).unwrap_err().to_string();
     assert!(none.contains("none of frame 20"), "{none}");

@@ -28,10 +28,10 @@ fn heights(shipped: &Shipped) -> Vec<Vec<f64>> {
     probe.waveforms.into_iter().map(|wave| wave.values).collect()
 }
 
-/// By how much the height at the first sample is off, of first light by parts of 1970 (m): beyond its static errors, which go on in
+/// By how much the height at the first sample is off, of a scenario by parts of 1970 (m): beyond its static errors, which go on in
 /// a straight line over the samples behind it. The middle of all sweeps, and the largest.
-fn transient(preset: bool) -> [f64; 2] {
-    let mut shipped = Shipped::read("first-light", Some(SWEEPS));
+fn transient(scenario: &str, preset: bool) -> [f64; 2] {
+    let mut shipped = Shipped::read(scenario, Some(SWEEPS));
     let right = heights(&shipped);
     shipped.settings.analog = nominal();
     shipped.settings.analog.sweep.preset = preset;
@@ -47,8 +47,20 @@ fn transient(preset: bool) -> [f64; 2] {
 /// docs/artefacts.md has these numbers.
 #[test]
 fn a_preset_array_begins_where_the_ground_is() {
-    let [preset, jumps] = [true, false].map(transient);
+    let [preset, jumps] = [true, false].map(|preset| transient("first-light", preset));
     println!("first sample off by {preset:.3?} m preset, by {jumps:.3?} m from the eye's foot");
     assert!(jumps[0] > 0.3, "{jumps:?}: the array is on its way");
     assert!(preset[0] < 0.1 * jumps[0] && preset[1] < 0.1 * jumps[1], "{preset:?} against {jumps:?}");
+}
+
+/// Scenes that showed ticks where their sweeps begin, before retrace preset the accumulators.
+#[test]
+fn no_other_scene_begins_with_a_tick() {
+    for scenario in ["craters", "descent", "full-drive", "long-shadows", "nominal-drive"] {
+        let [preset, jumps] = [true, false].map(|preset| transient(scenario, preset));
+        println!(
+            "{scenario}: first sample off by {preset:.4?} m preset, by {jumps:.4?} m from the eye's foot"
+        );
+        assert!(preset[1] < 0.02, "{scenario}: {preset:?} against {jumps:?}");
+    }
 }

@@ -10,3 +10,4 @@ mod order;
 mod processor;
 mod program;
 mod rig;
+mod states;

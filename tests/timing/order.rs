@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use control_plane::ControlPlane;
+use control_plane::{ControlPlane, MachineStage};
 use hardware_model::{Channels, Cpu, CrossingServer, DataBanks, Drum, DrumQueue, HardwareModel};
 use landscape::Attitude;
 use quantities::radians;
@@ -16,7 +16,7 @@ const LAST: u64 = 500;
 
 /// A mission that turns, with drums that cannot follow and a processor that serves the crossings: everything that could
 /// carry something over from one frame to the next.
-fn mission() -> (impl Fn() -> ControlPlane, Arc<[Pose]>) {
+pub fn mission() -> (MachineStage, Arc<[Pose]>) {
     let mut scene = flat(250.0);
     (scene.sweeps, scene.master_hz) = (5, 1_000_000);
     scene.loader = loader(CrossingServer::CpuInterrupt, 3, [1, 2, 1]);
@@ -32,7 +32,13 @@ fn mission() -> (impl Fn() -> ControlPlane, Arc<[Pose]>) {
     stage.settings.data_banks =
         DataBanks { drum: Some(drum), channels: Channels::default(), buffer_words: Some(9 * 400) };
     stage.settings.cpu = Cpu { sweep_setup: 7_000, interrupt: 5, longest_instruction: 5, ..Cpu::default() };
-    (move || ControlPlane::new(stage.clone()), course.into())
+    (stage, course.into())
+}
+
+/// A control plane that has followed no frame, as often as one is asked for, and the course.
+fn machines() -> (impl Fn() -> ControlPlane, Arc<[Pose]>) {
+    let (stage, course) = mission();
+    (move || ControlPlane::new(stage.clone()), course)
 }
 
 fn timed(control: &ControlPlane, course: &[Pose], frames: impl IntoIterator<Item = u64>) -> Vec<FrameTiming> {
@@ -41,7 +47,7 @@ fn timed(control: &ControlPlane, course: &[Pose], frames: impl IntoIterator<Item
 
 #[test]
 fn a_replay_that_starts_at_frame_500_knows_what_was_before() {
-    let (machine, course) = mission();
+    let (machine, course) = machines();
     let whole = timed(&machine(), &course, 0..=LAST);
     let from_the_end = timed(&machine(), &course, [LAST]);
     assert_eq!(from_the_end[0], whole[LAST as usize]);
@@ -58,7 +64,7 @@ fn a_replay_that_starts_at_frame_500_knows_what_was_before() {
 
 #[test]
 fn the_number_of_threads_does_not_matter() {
-    let (machine, course) = mission();
+    let (machine, course) = machines();
     let frames = [0, 1, 2, 40, 41];
     let by = |threads: usize| {
         let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
@@ -70,7 +76,7 @@ fn the_number_of_threads_does_not_matter() {
 /// The programs that a frame is drawn with are those that its record is of: late sets, and late set-ups.
 #[test]
 fn programs_are_those_of_the_record() {
-    let (machine, course) = mission();
+    let (machine, course) = machines();
     let control = machine();
     let pose = &course[40];
     let found = frame(&control, 40, pose);

@@ -185,7 +185,7 @@ impl Signal {
     pub fn block(&self) -> &'static str {
         match self.prefix() {
             "sweep" => "sweep-generator",
-            "dpu" => "dpu",
+            "dpu" | "cpu" | "loader" => "dpu",
             "tg" => "terrain-generator",
             "fg" => "feature-generator",
             "sc" => "shadow-controller",
@@ -193,7 +193,7 @@ impl Signal {
             "mu" => "mixing-unit",
             "dpp" => "display-projection-processor",
             "pg" => "polyhedron-generator",
-            "drum" => "data-bank",
+            "drum" | "channel" | "editor" | "buffer" => "data-bank",
             "vs" => "vehicle-shadow",
             "sm" | "yoke" => "sweep-memory",
             "tube" => "picture-tube",

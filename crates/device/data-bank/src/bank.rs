@@ -12,7 +12,7 @@ use crate::span::Span;
 use crate::state::BankState;
 use crate::store::{Store, StoreDesign};
 use crate::wanted::Wanted;
-use crate::{Demand, FrameSupply};
+use crate::{Demand, DrumSpell, FrameSupply};
 
 /// Drums and channels, with the stores of all kinds of data that lie on them.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -86,6 +86,7 @@ impl DataBank {
                 .map(|(piece, records)| store.missing(*piece, records, drum(records), &arrivals[number]));
             supply.missing = missing.collect();
             supply.pending = store.open();
+            supply.spells.sort_by_key(|spell| (spell.drum, spell.begun));
         }
         supplies
     }
@@ -122,10 +123,11 @@ impl DataBank {
     fn turn(&mut self, span: Span, serves: bool, supplies: &mut [FrameSupply]) -> Vec<BTreeMap<u32, u64>> {
         let mut arrived = Vec::new();
         for (channel, work) in self.follow(span, serves).into_iter().enumerate() {
-            for (number, supply) in supplies.iter_mut().enumerate() {
-                supply.carried[channel] += work.carried[number];
-                let drums = supply.busy.iter_mut().skip(channel).step_by(self.channels);
-                drums.zip(&work.busy).for_each(|(busy, found)| *busy += found[number]);
+            for (number, key, [begun, under, until]) in work.spells {
+                let drum = channel + number * self.channels;
+                let supply = &mut supplies[key.store as usize];
+                let spell = DrumSpell { drum: drum as u32, record: key.record, begun, under, until };
+                supply.note_spell(channel, spell);
             }
             arrived.extend(work.arrived);
         }
@@ -140,10 +142,9 @@ impl DataBank {
 
     /// Follows every channel through `span`.
     fn follow(&mut self, span: Span, serves: bool) -> Vec<ChannelWork> {
-        let kinds = self.stores.len();
         let of_channel = |channel| {
             let drums = self.drums.iter_mut().skip(channel).step_by(self.channels);
-            channel::work(&mut drums.collect::<Vec<_>>(), kinds, span, serves)
+            channel::work(&mut drums.collect::<Vec<_>>(), span, serves)
         };
         (0..self.channels).map(of_channel).collect()
     }

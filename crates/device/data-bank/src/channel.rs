@@ -7,20 +7,18 @@ use crate::span::Span;
 /// What a channel and its drums did.
 #[derive(Debug)]
 pub(crate) struct ChannelWork {
-    /// Ticks in which it carried a record, by store.
-    pub(crate) carried: Vec<u64>,
-    /// Ticks in which each of its drums turned to a record or read it, by store.
-    pub(crate) busy: Vec<Vec<u64>>,
+    /// What its drums were at: number of the drum on the channel, record, and the ticks at which the drum began to turn to it, began
+    /// to read it, and was done.
+    pub(crate) spells: Vec<(usize, Key, [u64; 3])>,
     /// Records that arrived, with their tick.
     pub(crate) arrived: Vec<(Key, u64)>,
 }
 
-/// The drums of one channel through `span`, with records of `stores` stores: what arrives with its last tick belongs to it. With `serves` a drum that is free
+/// The drums of one channel through `span`: what arrives with its last tick belongs to it. With `serves` a drum that is free
 /// turns to its next request. A record that passes while the channel carries another waits for the next turn; of two that
 /// pass in one tick that of the drum with the lower number is read (our choice).
-pub(crate) fn work(drums: &mut [&mut DrumAtWork], stores: usize, span: Span, serves: bool) -> ChannelWork {
-    let (carried, busy) = (vec![0; stores], vec![vec![0; stores]; drums.len()]);
-    let mut done = ChannelWork { carried, busy, arrived: Vec::new() };
+pub(crate) fn work(drums: &mut [&mut DrumAtWork], span: Span, serves: bool) -> ChannelWork {
+    let mut done = ChannelWork { spells: Vec::new(), arrived: Vec::new() };
     if serves && span.start < span.end {
         drums
             .iter_mut()
@@ -34,14 +32,14 @@ pub(crate) fn work(drums: &mut [&mut DrumAtWork], stores: usize, span: Span, ser
                 None => drums[number].read(),
             }
         } else {
-            done.count(number, drums[number], span);
+            done.note(number, drums[number], span);
             done.arrived.extend(drums[number].finish());
             if serves && tick < span.end {
                 drums[number].take_next(tick);
             }
         }
     }
-    drums.iter().enumerate().for_each(|(number, drum)| done.count(number, drum, span));
+    drums.iter().enumerate().for_each(|(number, drum)| done.note(number, drum, span));
     done
 }
 
@@ -55,10 +53,8 @@ fn next_event(drums: &[&mut DrumAtWork]) -> Option<(u64, Event, usize)> {
 }
 
 impl ChannelWork {
-    /// Counts the record that a drum is at.
-    fn count(&mut self, number: usize, drum: &DrumAtWork, span: Span) {
-        let Some((key, [busy, carried])) = drum.time_at_record(span) else { return };
-        self.busy[number][key.store as usize] += busy;
-        self.carried[key.store as usize] += carried;
+    /// Notes the record that a drum is at.
+    fn note(&mut self, number: usize, drum: &DrumAtWork, span: Span) {
+        self.spells.extend(drum.spell(span).map(|(key, ticks)| (number, key, ticks)));
     }
 }

@@ -176,16 +176,14 @@ impl DrumAtWork {
         Some((Key { store, record }, self.read_until(store, under)))
     }
 
-    /// Its present record, with the ticks of `span` in which it turned to it or read it, and in which its channel carried it.
-    pub(crate) fn time_at_record(&self, span: Span) -> Option<(Key, [u64; 2])> {
+    /// Its present record, with the ticks of `span` at which it began to turn to it, began to read it, and was done or is at the end.
+    pub(crate) fn spell(&self, span: Span) -> Option<(Key, [u64; 3])> {
         let ticks = match self.heads {
-            Heads::Idle => [0, 0],
-            Heads::Turning { begun, .. } => [span.part(begun, span.end), 0],
-            Heads::Reading { store, begun, under, .. } => {
-                [begun, under].map(|from| span.part(from, self.read_until(store, under)))
-            }
+            Heads::Idle => return None,
+            Heads::Turning { begun, .. } => [begun, span.end, span.end],
+            Heads::Reading { store, begun, under, .. } => [begun, under, self.read_until(store, under)],
         };
-        Some((self.record()?, ticks))
+        Some((self.record()?, ticks.map(|tick| span.nearest(tick))))
     }
 
     /// Turns to the request that the discipline serves from `now` on, if any waits.

@@ -2,6 +2,7 @@
 
 use std::collections::VecDeque;
 
+use crate::EditSpell;
 use crate::span::Span;
 
 /// An I/O processor of one kind of data; master ticks.
@@ -45,9 +46,13 @@ impl Editor {
         self.work.iter().copied()
     }
 
-    /// Ticks of `span` in which the records that it has taken are edited.
-    pub(crate) fn busy(&self, span: Span) -> u64 {
-        self.work.iter().map(|&(_, done)| span.part(done.saturating_sub(self.ticks), done)).sum()
+    /// When within `span` it edits the records that it has taken.
+    pub(crate) fn spells(&self, span: Span) -> Vec<EditSpell> {
+        let spell = |&(record, done): &(u32, u64)| {
+            let [begun, until] = [done.saturating_sub(self.ticks), done].map(|tick| span.nearest(tick));
+            EditSpell { record, begun, until }
+        };
+        self.work.iter().map(spell).filter(|spell| spell.begun < spell.until).collect()
     }
 }
 
@@ -56,15 +61,21 @@ mod tests {
     use super::Editor;
     use crate::span::Span;
 
+    /// Record, begin and end of each spell.
+    fn spells(editor: &Editor, start: u64, end: u64) -> Vec<(u32, u64, u64)> {
+        let spells = editor.spells(Span { start, end });
+        spells.iter().map(|spell| (spell.record, spell.begun, spell.until)).collect()
+    }
+
     #[test]
     fn one_record_is_edited_after_another() {
         let mut editor = Editor::new(10);
         editor.take(&[(1, 100), (2, 103), (3, 150)]);
         assert_eq!(editor.work().collect::<Vec<_>>(), [(1, 110), (2, 120), (3, 160)]);
-        assert_eq!(editor.busy(Span { start: 0, end: 155 }), 25);
+        assert_eq!(spells(&editor, 0, 155), [(1, 100, 110), (2, 110, 120), (3, 150, 155)]);
         assert!(editor.has(3) && !editor.has(4));
         assert_eq!(editor.done_by(120), [(1, 110), (2, 120)]);
-        assert_eq!(editor.busy(Span { start: 155, end: 300 }), 5);
+        assert_eq!(spells(&editor, 155, 300), [(3, 155, 160)]);
         assert_eq!(editor.done_by(159), []);
     }
 
@@ -73,6 +84,6 @@ mod tests {
         let mut editor = Editor::new(0);
         editor.take(&[(1, 5), (2, 5), (3, 9)]);
         assert_eq!(editor.done_by(9), [(1, 5), (2, 5), (3, 9)]);
-        assert_eq!(editor.busy(Span { start: 0, end: 9 }), 0);
+        assert_eq!(spells(&editor, 0, 9), []);
     }
 }

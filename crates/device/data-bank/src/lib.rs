@@ -60,4 +60,4 @@ pub use drum::DrumUnit;
 pub use layout::Contents;
 pub use state::{BankState, DrumState, Heads, HeldRecord, OrderedRecord, StoreState};
 pub use store::StoreDesign;
-pub use supply::{Demand, FrameSupply, Missing, Piece};
+pub use supply::{Demand, DrumSpell, EditSpell, FrameSupply, Missing, Piece};

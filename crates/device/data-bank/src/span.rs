@@ -8,8 +8,8 @@ pub(crate) struct Span {
 }
 
 impl Span {
-    /// Ticks of it from `from` to `until`.
-    pub(crate) fn part(self, from: u64, until: u64) -> u64 {
-        until.min(self.end).saturating_sub(from.max(self.start))
+    /// The nearest tick of it.
+    pub(crate) fn nearest(self, tick: u64) -> u64 {
+        tick.clamp(self.start, self.end)
     }
 }

@@ -151,7 +151,9 @@ impl Store {
         supply: &mut FrameSupply,
     ) -> BTreeMap<u32, u64> {
         self.editor.take(arrived);
-        supply.edited += self.editor.busy(span);
+        let edits = self.editor.spells(span);
+        supply.edited += edits.iter().map(|spell| spell.until - spell.begun).sum::<u64>();
+        supply.edits.extend(edits);
         let mut taken = BTreeMap::new();
         for (record, arrival) in self.editor.done_by(span.end) {
             if let Some(order) = self.orders.remove(&record) {

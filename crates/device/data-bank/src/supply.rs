@@ -42,6 +42,32 @@ pub struct Missing {
     pub arrival: Option<Tick>,
 }
 
+/// A spell of a drum at one record; what lies before or behind the frame is cut off (master ticks).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct DrumSpell {
+    /// Number of the drum among those of the bank.
+    pub drum: u32,
+    /// Number of the record in its store.
+    pub record: u32,
+    /// From when on it turned to the record.
+    pub begun: u64,
+    /// From when on it read the record over its channel; the end of the spell where it did not.
+    pub under: u64,
+    /// When it had read the record, or had to leave it.
+    pub until: u64,
+}
+
+/// A spell of an I/O processor at one record; what lies before or behind the frame is cut off (master ticks).
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct EditSpell {
+    /// Number of the record in its store.
+    pub record: u32,
+    /// From when on it edited the record.
+    pub begun: u64,
+    /// When it had edited the record.
+    pub until: u64,
+}
+
 /// What a data bank did in one frame for one store. Counts are of records.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct FrameSupply {
@@ -71,6 +97,10 @@ pub struct FrameSupply {
     pub carried: Vec<u64>,
     /// Master ticks of the frame in which the I/O processor edited records.
     pub edited: u64,
+    /// What the drums were at, drum by drum in order of time.
+    pub spells: Vec<DrumSpell>,
+    /// What the I/O processor was at, in order of time.
+    pub edits: Vec<EditSpell>,
     /// Longest queue of a drum, with the record under its heads and those of other stores.
     pub longest_queue: u32,
     /// Longest time from request to arrival, of the records delivered (ticks).
@@ -82,6 +112,16 @@ pub struct FrameSupply {
 }
 
 impl FrameSupply {
+    /// Notes what a drum on channel `channel` was at.
+    pub(crate) fn note_spell(&mut self, channel: usize, spell: DrumSpell) {
+        let DrumSpell { drum, begun, under, until, .. } = spell;
+        self.busy[drum as usize] += until - begun;
+        self.carried[channel] += until - under;
+        if begun < until {
+            self.spells.push(spell);
+        }
+    }
+
     /// Notes a record that was delivered `latency` ticks after its request.
     pub(crate) fn note_delivery(&mut self, latency: u64) {
         self.delivered += 1;

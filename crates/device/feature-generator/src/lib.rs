@@ -48,7 +48,7 @@ mod sub_generator;
 mod units;
 
 pub use generator::FeatureGenerator;
-pub use loads::{CRATER_WORDS, FeatureMiss};
+pub use loads::{CRATER_WORDS, FeatureArrival, FeatureMiss};
 pub use of_parts::{ChainScratch, MOST, PartsFeatures};
 pub use passing::Passings;
 pub use profile::{FeatureProfile, Kink, SIGNALS, Surface};

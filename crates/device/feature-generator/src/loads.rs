@@ -82,7 +82,7 @@ pub(crate) fn bring(
         Organisation::ByRegion => free.max(request.taken),
     };
     let load = FeatureLoad { sub_generator, ..request.load };
-    let timed = timing.load(free, request.entry, request.exit);
+    let timed = timing.load(load.crater, [free, request.entry, request.exit]);
     let arrival = FeatureArrival {
         crater: load.crater,
         kind: request.kind as u32 + 1,

@@ -200,7 +200,8 @@ pub(crate) fn serve_in_time(
         busy[line_generator as usize] = boundary.held[1];
         let in_use = busy.iter().filter(|&&freed| freed > boundary.held[0]).count() as u32;
         service.most_in_use = service.most_in_use.max(in_use);
-        let load = timing.load(free, boundary.range, boundary.held[1].min(reach));
+        let number = service.loads.len() as u32;
+        let load = timing.load(number, [free, boundary.range, boundary.held[1].min(reach)]);
         service.loads.push(SegmentLoad { line_generator, range: boundary.range, load });
         let TimedLoad { due, arrival, range, slack, cause } = load;
         if slack >= 0 {

@@ -34,6 +34,16 @@ fn gates(parts: ShadowParts, eye: [f64; 2], directions: &[[f64; 2]], segments: &
 
 /// The gate of a sweep to the north that passes a metre a sample, with loads that take as long as `metres`.
 fn in_time(slabs: &[Segment], line_generators: Option<u32>, metres: f64, strobes_through: bool) -> Gate {
+    in_time_but(slabs, line_generators, (metres, strobes_through), None)
+}
+
+/// The same, with the load of a number on time.
+fn in_time_but(
+    slabs: &[Segment],
+    line_generators: Option<u32>,
+    (metres, strobes_through): (f64, bool),
+    on_time: Option<u32>,
+) -> Gate {
     let rate = |hertz| Rate::new(hertz, 1).unwrap();
     let timebase = Timebase::new(rate(10_000), rate(1), 1, 1000, 0).unwrap();
     let words_a_second = f64::from(SEGMENT_WORDS) * 1000.0 / metres;
@@ -43,6 +53,7 @@ fn in_time(slabs: &[Segment], line_generators: Option<u32>, metres: f64, strobes
             strobes_through,
             time_of: SweepTime,
             range_at: |SweepTime(time)| time,
+            on_time,
         })
     };
     let mut out = Vec::new();
@@ -89,6 +100,13 @@ fn a_late_boundary_changes_the_gate_when_its_words_come() {
     let slacks: Vec<i64> = gate.loads.iter().map(|load| load.load.slack).collect();
     assert_eq!((gate.misses.len(), slacks, gate.load_ticks), (1, vec![50, 50, -90, 0], 600));
     assert_eq!((miss.line_generator, miss.cause), (Some(2), Some(MissCause::Queue)));
+    // On time it acts where it is crossed, and the line is as busy as it was.
+    for strobes in [true, false] {
+        let on_time = in_time_but(&slabs, None, (15.0, strobes), Some(2));
+        assert_eq!(on_time.toggles, [20.0, 35.0, 36.0, 60.0]);
+        assert_eq!((on_time.misses.len(), on_time.load_ticks), (0, 600));
+        assert_eq!(in_time_but(&slabs, None, (15.0, strobes), Some(3)), in_time(&slabs, None, 15.0, strobes));
+    }
     // The fourth finds no generator free, and is no load.
     let three = in_time(&slabs, Some(3), 9.0, true);
     assert_eq!((three.toggles.clone(), three.dropped, three.loads.len()), (vec![20.0, 35.0, 36.0], 1, 3));

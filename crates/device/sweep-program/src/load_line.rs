@@ -25,15 +25,26 @@ pub struct LoadTiming<T, R> {
     pub time_of: T,
     /// Ground range at an instant (m).
     pub range_at: R,
+    /// Number of the load whose words are taken as in time whenever they come; none in the machine as it is.
+    pub on_time: Option<u32>,
 }
 
 /// No timing: loads take no time.
 pub type NoTiming = LoadTiming<fn(f64) -> SweepTime, fn(SweepTime) -> f64>;
 
 impl<T: Fn(f64) -> SweepTime, R: Fn(SweepTime) -> f64> LoadTiming<T, R> {
-    /// One load into a part that is free from ground range `free` on, wanted at `due`; words that could not set out before
-    /// `end` do not (m).
-    pub fn load(&mut self, free: f64, due: f64, end: f64) -> TimedLoad {
+    /// The load of this number in the sweep, into a part that is free from ground range `free` on, wanted at `due`; words that could
+    /// not set out before `end` do not (m). A load that is to be on time takes the line for as long as it does late.
+    pub fn load(&mut self, number: u32, [free, due, end]: [f64; 3]) -> TimedLoad {
+        let timed = self.brought(free, due, end);
+        match self.on_time == Some(number) {
+            true => TimedLoad { slack: timed.slack.max(0), ..timed },
+            false => timed,
+        }
+    }
+
+    /// What the line makes of a load.
+    fn brought(&mut self, free: f64, due: f64, end: f64) -> TimedLoad {
         // A part that was never used is free before all time.
         let instant = |range: f64| match range {
             f64::NEG_INFINITY => SweepTime(range),
@@ -127,7 +138,7 @@ pub fn slack(clock: &SweepClock, due: SweepTime, ready: Tick) -> i64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{LoadLine, slack};
+    use super::{LoadLine, LoadTiming, slack};
     use crate::MissCause;
     use quantities::{Rate, SweepTime, Tick, Timebase};
 
@@ -150,6 +161,32 @@ mod tests {
         // 110 samples of 10.1 ticks a sweep: sweep 1 begins at tick 1111.1, and early is half a tick before.
         let second = timebase.sweep_clock(0, 1);
         assert_eq!([1110, 1111].map(|ready| slack(&second, early, Tick(ready))), [0, -1]);
+    }
+
+    /// Loads of 40 ticks from 20 samples before the first, all wanted two samples later: all are late, and the last could not even set
+    /// out.
+    #[test]
+    fn a_load_that_is_to_be_on_time_is_and_no_other_moves() {
+        let loads = |on_time: Option<u32>| {
+            let (time_of, range_at) = (SweepTime, |SweepTime(time): SweepTime| time);
+            let mut timing = LoadTiming { line: line(), strobes_through: true, time_of, range_at, on_time };
+            let ends = [f64::NEG_INFINITY, -18.0, 80.0];
+            let mut all: Vec<_> = (0..3).map(|number| timing.load(number, ends)).collect();
+            all.push(timing.load(3, [f64::NEG_INFINITY, -18.0, -9.0]));
+            (all, timing.line.busy())
+        };
+        let (as_it_is, busy) = loads(None);
+        let late: Vec<bool> = as_it_is.iter().map(|load| load.slack < 0).collect();
+        assert_eq!(late, [true; 4]);
+        assert!(as_it_is[3].arrival.is_none());
+        for number in 0..4 {
+            let (again, busy_again) = loads(Some(number));
+            assert_eq!(busy_again, busy);
+            for (index, (before, after)) in as_it_is.iter().zip(&again).enumerate() {
+                let slack = if index == number as usize { 0 } else { before.slack };
+                assert_eq!((after.arrival, after.slack), (before.arrival, slack), "{number}: {index}");
+            }
+        }
     }
 
     #[test]

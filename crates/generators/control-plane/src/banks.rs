@@ -73,8 +73,18 @@ pub(crate) fn banks(stage: &MachineStage, blocks: &Blocks, layouts: &Layouts) ->
 }
 
 /// Drums of all banks of a machine.
-pub fn drum_count(stage: &MachineStage, blocks: &Blocks) -> usize {
+pub(crate) fn drum_count(stage: &MachineStage, blocks: &Blocks) -> usize {
     let of_bank = stage.settings.data_banks.drum.map_or(0, |drum| drum.count as usize);
+    of_bank * kinds_by_drums(stage, blocks).len()
+}
+
+/// Channels of all banks of a machine.
+pub(crate) fn channel_count(stage: &MachineStage, blocks: &Blocks) -> usize {
+    let banks = &stage.settings.data_banks;
+    let of_bank = banks.drum.map_or(0, |drum| {
+        let drums = drum.count.max(1);
+        banks.channels.count.unwrap_or(drums).clamp(1, drums) as usize
+    });
     of_bank * kinds_by_drums(stage, blocks).len()
 }
 

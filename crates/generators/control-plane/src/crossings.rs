@@ -2,6 +2,7 @@
 
 use crate::stage::MachineStage;
 use dpu::{CrossingService, MissingCorner, Watch};
+use feature_generator::FeatureProgram;
 use hardware_model::{Loader, Settings};
 use landscape::Level;
 use sweep_generator::RangeTable;
@@ -9,7 +10,9 @@ use sweep_program::SweepProgram;
 
 use crate::absent::AbsentCrater;
 use crate::blocks::Coarse;
+use crate::feature_loads::FeatureLoads;
 use crate::frame_plan::FramePlan;
+use crate::late_words::LateOf;
 
 /// The service of the crossings in one frame.
 #[derive(Debug, Clone, Copy)]
@@ -58,14 +61,21 @@ impl<'a> Crossings<'a> {
         self.bring_on_time(sweep, 1, program);
     }
 
+    /// Craters that sweep `sweep`, drawn with the set-up of sweep `drawn`, meets up to ground range `end` (m), and their loads.
+    pub fn feature_program(&self, [drawn, sweep]: [u32; 2], end: f64) -> FeatureProgram {
+        let &Self { stage, table, plan, absent_craters: absent, .. } = self;
+        let mut program = FeatureProgram::default();
+        FeatureLoads { stage, table, plan, among: None, absent }.write([drawn, sweep], end, &mut program);
+        program
+    }
+
     /// Brings late words on time where the plan asks for it, in the program of `level` for `sweep`.
     fn bring_on_time(&self, sweep: u32, level: usize, program: &mut SweepProgram) {
-        let asked = self
-            .plan
-            .on_time
-            .filter(|late| (late.frame, late.sweep, late.level) == (self.plan.frame, sweep, level));
-        if let Some(late) = asked {
-            program.bring_on_time(late.crossing);
+        match self.plan.late_of(sweep) {
+            Some(LateOf::Crossing { level: asked, crossing }) if asked == level => {
+                program.bring_on_time(crossing);
+            }
+            _ => {}
         }
     }
 

@@ -21,6 +21,7 @@ use crate::blocks::{Blocks, Shadows};
 use crate::craters_in_sight::CratersInSight;
 use crate::feature_loads::load_timing;
 use crate::frame_plan::FramePlan;
+use crate::late_words::LateOf;
 use crate::raster::WrittenRaster;
 use crate::refusal::Refusal;
 use crate::sight::InSight;
@@ -175,7 +176,8 @@ impl Supply<'_> {
         let timing = |sweep: u32| {
             let place = (self.plan.frame, sweep);
             let rate = self.stage.settings.segment_words?;
-            Some(load_timing(self.stage, self.table, place, SEGMENT_WORDS, rate))
+            let on_time = self.plan.late_of(sweep).and_then(LateOf::boundary);
+            Some(load_timing(self.stage, self.table, place, (SEGMENT_WORDS, rate), on_time))
         };
         let foot = [self.plan.eye[0], self.plan.eye[1]];
         self.with_outlines(shadows, under_sun, seen, time, |directions, cast| {

@@ -3,7 +3,7 @@
 use crate::stage::MachineStage;
 use data_bank::{BankState, DrumUnit, FrameSupply};
 use dpu::{CpuFrame, CpuLoad, CrossingTime, MissingCorner, cpu_frame, held_by_set_ups};
-use hardware_model::CrossingServer;
+use hardware_model::{CrossingServer, Settings};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use remote_shadow::Footings;
 use scenario::Standing;
@@ -121,10 +121,9 @@ impl Digital {
     /// The digital side of a mission that draws `stage` with `blocks`.
     pub fn new(stage: &MachineStage, blocks: &Blocks) -> Self {
         let settings = &stage.settings;
-        let serves = settings.loader.served_by == CrossingServer::CpuInterrupt;
         let layouts = Layouts::new(stage, blocks);
         let banks = banks(stage, blocks, &layouts);
-        Self { layouts, banks, is_timed: settings.cpu.is_timed() || serves }
+        Self { layouts, banks, is_timed: processor_takes_time(settings) }
     }
 
     /// The drums that a kind lies on as the seed drew them, with the transfer of one of its records; none where all data are at
@@ -199,6 +198,11 @@ impl Digital {
         let Surroundings { blocks, raster, footings } = around;
         Asking { stage, blocks, raster, footings, layouts: &self.layouts }
     }
+}
+
+/// Whether the processor of a machine takes any time.
+pub(crate) fn processor_takes_time(settings: &Settings) -> bool {
+    settings.cpu.is_timed() || settings.loader.served_by == CrossingServer::CpuInterrupt
 }
 
 /// Craters whose records are not all there, ascending.

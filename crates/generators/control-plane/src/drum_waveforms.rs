@@ -3,19 +3,20 @@
 use std::ops::Range;
 use std::sync::LazyLock;
 
-use data_bank::{DrumUnit, FrameSupply, Missing};
-use quantities::{SweepClock, SweepTime, Tick};
+use data_bank::{DrumSpell, DrumUnit, FrameSupply, Missing};
 use signal::{Kind, Signal, Unit};
 
+use crate::banks::Supplied;
 use crate::data_kind::DataKind;
 use crate::digital::DigitalFrame;
+use crate::stretches::SweepTicks;
 use crate::waveforms::Changes;
 
 /// Drums whose wires can be told: those of fine terrain first, then those of each other kind that has its own.
-const DRUMS: usize = 20;
+pub(crate) const DRUMS: usize = 20;
 
 /// Wires of each drum.
-const WIRES: [(&str, Unit, Kind, &str); 4] = [
+const WIRES: [(&str, Unit, Kind, &str); 6] = [
     (
         "index",
         Unit::Number,
@@ -40,10 +41,17 @@ const WIRES: [(&str, Unit, Kind, &str); 4] = [
         Kind::Bus,
         "corners and squares that the frame asks for, which this drum has and has not brought yet",
     ),
+    ("heads", Unit::Number, Kind::Bus, "what the drum is at: 0 idle, 1 turning to a record, 2 reading it"),
+    (
+        "reads",
+        Unit::Number,
+        Kind::Bus,
+        "number of the record in its store that the drum turns to or reads; -1: none",
+    ),
 ];
 
 /// Wires of all drums, drum by drum.
-pub static DRUM_WIRES: LazyLock<Vec<Signal>> = LazyLock::new(|| {
+pub(crate) static DRUM_WIRES: LazyLock<Vec<Signal>> = LazyLock::new(|| {
     let of_drum = |drum: usize| {
         WIRES.map(|(wire, unit, kind, meaning)| {
             // Names of wires live as long as the program: the table is made once.
@@ -55,20 +63,21 @@ pub static DRUM_WIRES: LazyLock<Vec<Signal>> = LazyLock::new(|| {
 });
 
 /// Number of the drum that a wire is of, and what it tells; none of another wire.
-pub fn drum_of(name: &str) -> Option<(usize, &str)> {
+pub(crate) fn drum_of(name: &str) -> Option<(usize, &str)> {
     let (drum, wire) = name.strip_prefix("drum.")?.split_once('.')?;
     Some((drum.parse().ok()?, wire))
 }
 
-/// What the wire of this name does in a sweep of `samples` samples, retrace included, that sees the master clock as `clock` says.
-/// Nothing where the drum is not there.
-pub fn drum_changes(name: &str, digital: &DigitalFrame, clock: &SweepClock, samples: u32) -> Changes {
+/// What the wire of this name does in a sweep. Nothing where the drum is not there.
+pub(crate) fn drum_changes(name: &str, digital: &DigitalFrame, sweep: &SweepTicks) -> Changes {
     let mut changes = Changes::default();
     let of = drum_of(name).and_then(|(drum, wire)| Some((OneDrum::find(digital, drum)?, wire)));
     let Some((drum, wire)) = of else { return changes };
-    let ticks = ticks_of(clock, samples);
-    let at = |tick: u64| clock.instant_of(Tick(tick)).0;
+    let ticks = sweep.ticks.clone();
+    let at = |tick: u64| sweep.at(tick);
     match wire {
+        "heads" => return sweep.held(drum.heads(), 0.0),
+        "reads" => return sweep.held(drum.reads(), -1.0),
         "index" => drum.turns(ticks).for_each(|(tick, turn)| changes.push(at(tick), turn)),
         "record" => {
             drum.records(ticks).into_iter().for_each(|(tick, _, piece)| changes.push(at(tick), piece))
@@ -87,10 +96,37 @@ pub fn drum_changes(name: &str, digital: &DigitalFrame, clock: &SweepClock, samp
     changes
 }
 
-/// Ticks from the start of a sweep to that of the next.
-fn ticks_of(clock: &SweepClock, samples: u32) -> Range<u64> {
-    let [start, end] = [0.0, f64::from(samples)].map(|time| clock.tick_at_or_after(SweepTime(time)).0);
-    start..end
+/// One of the drums or channels of a bank.
+pub(crate) struct BankShare<'a> {
+    /// Its number among those of its bank.
+    pub number: usize,
+    /// Drums of the banks before.
+    pub drums_before: usize,
+    /// The bank, by the kind after which it is called.
+    pub bank: &'a Supplied,
+    /// What each kind on the bank's drums gets.
+    pub supplies: Vec<(DataKind, &'a FrameSupply)>,
+}
+
+impl<'a> BankShare<'a> {
+    /// Number `number` over all banks, of which each has as many as `count` says.
+    pub(crate) fn find(
+        digital: &'a DigitalFrame,
+        number: usize,
+        count: impl Fn(&Supplied) -> usize,
+    ) -> Option<Self> {
+        let (mut number, mut drums_before) = (number, 0);
+        for bank in digital.supplies.iter().filter(|supplied| supplied.names_drums()) {
+            if number < count(bank) {
+                let of_bank = digital.supplies.iter().filter(|supplied| supplied.drums == bank.kind);
+                let supplies = of_bank.map(|supplied| (supplied.kind, supplied.supply())).collect();
+                return Some(Self { number, drums_before, bank, supplies });
+            }
+            number -= count(bank);
+            drums_before += bank.units.len();
+        }
+        None
+    }
 }
 
 /// A drum, and what it brings in the frame.
@@ -107,16 +143,28 @@ type Coming = (u64, DataKind, f64);
 
 impl<'a> OneDrum<'a> {
     fn find(digital: &'a DigitalFrame, drum: usize) -> Option<Self> {
-        let mut number = drum;
-        for bank in digital.supplies.iter().filter(|supplied| supplied.names_drums()) {
-            if let Some(&unit) = bank.units.get(number) {
-                let of_bank = digital.supplies.iter().filter(|supplied| supplied.drums == bank.kind);
-                let supplies = of_bank.map(|supplied| (supplied.kind, supplied.supply())).collect();
-                return Some(Self { unit, supplies, number: number as u32 });
-            }
-            number = number.checked_sub(bank.units.len())?;
-        }
-        None
+        let BankShare { number, bank, supplies, .. } =
+            BankShare::find(digital, drum, |supplied| supplied.units.len())?;
+        Some(Self { unit: bank.units[number], supplies, number: number as u32 })
+    }
+
+    /// Its spells at records of all kinds, in order of time.
+    fn spells(&self) -> Vec<DrumSpell> {
+        let all = self.supplies.iter().flat_map(|(_, supply)| &supply.spells);
+        let mut own: Vec<DrumSpell> = all.filter(|spell| spell.drum == self.number).copied().collect();
+        own.sort_by_key(|spell| spell.begun);
+        own
+    }
+
+    /// When it turns to a record (1) and reads it (2).
+    fn heads(&self) -> impl Iterator<Item = (Range<u64>, f64)> {
+        let spells = self.spells().into_iter();
+        spells.flat_map(|spell| [(spell.begun..spell.under, 1.0), (spell.under..spell.until, 2.0)])
+    }
+
+    /// Which record it turns to or reads.
+    fn reads(&self) -> impl Iterator<Item = (Range<u64>, f64)> {
+        self.spells().into_iter().map(|spell| (spell.begun..spell.until, f64::from(spell.record)))
     }
 
     fn missing(&self) -> impl Iterator<Item = (DataKind, &'a Missing)> {

@@ -9,6 +9,7 @@ use sweep_program::{LoadLine, LoadTiming};
 
 use crate::absent::AbsentCrater;
 use crate::frame_plan::FramePlan;
+use crate::late_words::LateOf;
 use crate::ticks::start_of;
 
 /// The schedule of the feature generator in one frame.
@@ -66,17 +67,18 @@ impl FeatureLoads<'_> {
     /// Where the model has a rate, the words of a sweep come one after another.
     fn timing(&self, sweep: u32) -> Option<LoadTiming<impl Fn(f64) -> SweepTime, impl Fn(SweepTime) -> f64>> {
         let rate = self.stage.settings.feature_words?;
-        Some(load_timing(self.stage, self.table, (self.plan.frame, sweep), CRATER_WORDS, rate))
+        let on_time = self.plan.late_of(sweep).and_then(LateOf::crater);
+        Some(load_timing(self.stage, self.table, (self.plan.frame, sweep), (CRATER_WORDS, rate), on_time))
     }
 }
 
-/// Loads of `words` words at `rate` words a second in sweep `sweep` of a frame.
+/// Loads of so many words at a rate (words a second) in one sweep of a frame, of which that numbered `on_time` is taken as in time.
 pub(crate) fn load_timing<'a>(
     stage: &MachineStage,
     table: &'a RangeTable,
     place: (u64, u32),
-    words: u32,
-    rate: f64,
+    (words, rate): (u32, f64),
+    on_time: Option<u32>,
 ) -> LoadTiming<impl Fn(f64) -> SweepTime + use<'a>, impl Fn(SweepTime) -> f64 + use<'a>> {
     let Settings { timebase, loader, .. } = &stage.settings;
     LoadTiming {
@@ -84,5 +86,6 @@ pub(crate) fn load_timing<'a>(
         strobes_through: loader.late_policy == LatePolicy::StrobeThrough,
         time_of: |range| table.time_of(range),
         range_at: |time| table.range_at(time),
+        on_time,
     }
 }

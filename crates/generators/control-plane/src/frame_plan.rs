@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use crate::late_crossing::LateCrossing;
+use crate::late_words::{LateOf, LateWords};
 use crate::refusal::Refusal;
 use crate::stage::MachineStage;
 use dpu::{CrossingService, Sector, Watch};
@@ -35,7 +35,7 @@ pub struct FramePlan {
     /// Direction of the sun in this frame.
     pub sun: Sun,
     /// Words that were late and are taken as if they had been on time; none in the machine as it is.
-    pub(crate) on_time: Option<LateCrossing>,
+    on_time: Option<LateWords>,
 }
 
 impl FramePlan {
@@ -72,10 +72,16 @@ impl FramePlan {
         })
     }
 
-    /// The same frame, with the late words that `late` names on time and nothing else changed.
+    /// The same frame, with the late words that `late` names on time and nothing else changed. The words of a shadow boundary are
+    /// those of the sweep whose set-up has them.
     #[must_use]
-    pub fn with_words_on_time(self, late: LateCrossing) -> Self {
+    pub fn with_words_on_time(self, late: LateWords) -> Self {
         Self { on_time: Some(late), ..self }
+    }
+
+    /// Which late words of `sweep` are to be on time, if any are.
+    pub(crate) fn late_of(&self, sweep: u32) -> Option<LateOf> {
+        self.on_time.filter(|late| (late.frame, late.sweep) == (self.frame, sweep)).map(|late| late.of)
     }
 
     /// Regions that the frame can show, out to `range` (m).

@@ -162,6 +162,11 @@ impl FrameSweeps<'_> {
         self.gates.get(sweep as usize)
     }
 
+    /// The shadow gate with which a sweep is drawn: that of its set-up, if gates were asked for.
+    pub(crate) fn drawn_gate(&self, sweep: u32) -> Option<&Gate> {
+        self.gate(self.set_up_of(sweep))
+    }
+
     /// Shadow boundaries that the gates of all sweeps were given, and crossings that united with others and are none; 0
     /// where no gates were asked for.
     pub fn shadow_edges(&self) -> [u64; 2] {

@@ -23,7 +23,7 @@
 //! | 1 | `refusal` | why a frame cannot be drawn |
 //! | 1 | `guests` | what a scene may have, and no block draws |
 //! | 1 | `preview` | what keeps a machine from drawing a preview |
-//! | 1 | `late_crossing` | one fold that found words missing |
+//! | 1 | `late_words` | late words of a fold, of a crater or of a shadow boundary |
 //! | 1 | `waveforms` | digital wires of a sweep, from its programs |
 //! | 2 | `digital_event` | one event of the digital side |
 //! | 2 | `absent` | what the storage buffers lack in a frame beside corners |
@@ -40,16 +40,23 @@
 //! | 6 | `banks` | which kinds of data share drums, and what each frame gets |
 //! | 7 | `digital` | what the banks lack in a frame, and what its processor has ready |
 //! | 6 | `delivery` | shadow gates, polyhedra and craters of a frame |
+//! | 2 | `stretches` | what a unit is at over a sweep, from stretches of ticks |
 //! | 8 | `drum_waveforms` | digital wires of the drums over a sweep |
+//! | 8 | `processor_waveforms` | the same of the central processor |
+//! | 8 | `loader_waveforms` | the same of what serves the crossings |
+//! | 9 | `bank_waveforms` | the same of channels, I/O processors of the banks, storage buffers |
+//! | 10 | `state_wires` | all of these wires: which there are, and what each does |
 //! | 8 | `control_plane` | what all frames of a stage share |
 //! | 9 | `before_mission` | tasks before frame 0 |
 //! | 9 | `frame_sweeps` | the sweeps of one frame |
+//! | 10 | `load_miss` | loads of craters and shadow boundaries whose words came late |
 //! | 10 | `event_list` | all events of a sweep or a frame |
 //! | 10 | `register_state` | registers at an instant |
 //! | 10 | `timing_record` | the timing record of a frame |
 //! | 11 | `timed` | the control plane as a job that takes time; hash of what decides its timing |
 
 mod absent;
+mod bank_waveforms;
 mod banks;
 mod before_mission;
 mod blocks;
@@ -68,14 +75,19 @@ mod feature_loads;
 mod frame_plan;
 mod frame_sweeps;
 mod guests;
-mod late_crossing;
+mod late_words;
+mod load_miss;
+mod loader_waveforms;
 mod preview;
+mod processor_waveforms;
 mod raster;
 mod refusal;
 mod register_state;
 mod sight;
 mod squares;
 mod stage;
+mod state_wires;
+mod stretches;
 mod sweep_recorder;
 mod ticks;
 mod timed;
@@ -83,7 +95,7 @@ mod timing_record;
 pub mod waveforms;
 
 pub use absent::{Absent, AbsentCrater};
-pub use banks::{BankDemand, Supplied, drum_count};
+pub use banks::{BankDemand, Supplied};
 pub use blocks::{Blocks, Coarse, Shadows};
 pub use control_plane::ControlPlane;
 pub use crossings::Crossings;
@@ -92,17 +104,17 @@ pub use delivery::{Delivery, ShadowBoundary, Supply};
 pub use digital::{Digital, DigitalFrame, Surroundings};
 pub use digital_event::{DigitalEvent, DigitalUnit, EventWord, LoadedPart};
 pub use dpu::Register;
-pub use drum_waveforms::{DRUM_WIRES, drum_changes, drum_of};
-
 pub use elaboration::{Block, Elaboration};
 pub use feature_loads::FeatureLoads;
 pub use frame_plan::FramePlan;
 pub use frame_sweeps::FrameSweeps;
 pub use guests::guest_omissions;
-pub use late_crossing::LateCrossing;
+pub use late_words::{LateOf, LateWords};
+pub use load_miss::LoadMiss;
 pub use preview::preview_obstacle;
 pub use raster::WrittenRaster;
 pub use register_state::{RegisterState, RegisterWords};
 pub use sight::vertices;
 pub use squares::SquareGrid;
 pub use stage::{MachineStage, RANGE, scan};
+pub use state_wires::{STATE_WIRES, has_state, is_state, state_changes};

@@ -1,7 +1,7 @@
 //! What the service of one sweep did, on both levels.
 
 use dpu::{AskedCorner, CornerArrival, CrossingTime, LineUse, Register, ServiceEvent, Watch};
-use feature_generator::{CRATER_WORDS, FeatureMiss, FeatureProgram};
+use feature_generator::{CRATER_WORDS, FeatureMiss};
 use hardware_model::Settings;
 use quantities::{SweepClock, SweepTime, Tick};
 use shadow_controller::{Gate, SEGMENT_WORDS, SegmentMiss};
@@ -86,16 +86,11 @@ impl SweepRecorder {
 
     /// The loads of craters, with the set-up of sweep `drawn`.
     pub fn note_features(&mut self, crossings: &Crossings<'_>, drawn: u32) {
-        let &Crossings { stage, table, plan, .. } = crossings;
+        let &Crossings { stage, table, .. } = crossings;
         if !FeatureLoads::can_miss(stage) {
             return;
         }
-        let mut program = FeatureProgram::default();
-        FeatureLoads { stage, table, plan, among: None, absent: crossings.absent_craters }.write(
-            [drawn, self.sweep],
-            self.end_range,
-            &mut program,
-        );
+        let program = crossings.feature_program([drawn, self.sweep], self.end_range);
         self.load_ticks[0] = program.load_ticks;
         program.arrivals.iter().for_each(|arrival| self.features.add(arrival.load.slack));
         for miss in &program.misses {

@@ -94,6 +94,7 @@ impl Walker<'_> {
         self.record.signals.insert("mu.height".into(), heights.clone());
         let bends =
             (!self.scene.settings.analog.features_are_ideal()).then(|| features.surface.bends.clone());
+        self.record.shadow_answers = self.shadow_answers(samples.ranges);
         let video = if self.scene.settings.analog.switching_is_ideal() {
             self.mix_ideally(&samples, &features, &grain)
         } else {

@@ -47,9 +47,6 @@ fn inside_blocks(signal: &str, settings: &Settings, unknown: Unknown) -> Option<
         "sweep.range" => None,
         _ if signal.starts_with("sweep.") || signal.starts_with("tg.") => terrain_parts(settings),
         "sc.or" => Some("given: the gate is taken as the machine has it"),
-        _ if signal.starts_with("sc.comparator.") => {
-            Some("given: edges of shadow are taken as the machine has them")
-        }
         "sc.gate" | "mu.vs2" | "mu.vs2.fade" | "txg.texture" => None,
         "sm.write" => Some("strokes of the beam between samples"),
         "pg.present" | "pg.reflectivity" => Some("polyhedra"),
@@ -61,8 +58,17 @@ fn inside_blocks(signal: &str, settings: &Settings, unknown: Unknown) -> Option<
         }
         _ if signal.starts_with("fg.") => None,
         _ if signal.starts_with("dpp.") => of("mu.height"),
+        _ if is_digital_state(signal) => {
+            Some("folded from events of the digital side, which are compared one by one")
+        }
         _ => Some("no such wire in the report's drawing"),
     }
+}
+
+/// Whether a wire is the state of a unit of the digital side.
+fn is_digital_state(signal: &str) -> bool {
+    const UNITS: [&str; 6] = ["cpu", "loader", "drum", "channel", "editor", "buffer"];
+    signal.split('.').next().is_some_and(|unit| UNITS.contains(&unit))
 }
 
 fn terrain_parts(settings: &Settings) -> Option<&'static str> {

@@ -37,6 +37,9 @@ pub struct Record {
     /// Distance of the accumulators of either level from another word of their converters (full scales), by sample: the least within
     /// the memory of the parts.
     pub stairs: Vec<f64>,
+    /// When the comparator behind each line generator answers (steps), edge by edge of the given gate of shadow; none for an edge before
+    /// the first sample or behind the last.
+    pub shadow_answers: Vec<Option<f64>>,
     /// Samples within the stored ground.
     pub samples: usize,
     /// Whether the sweep left the stored ground before its end.

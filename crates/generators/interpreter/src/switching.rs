@@ -91,6 +91,13 @@ impl Walker<'_> {
         features.surface.bends.iter().map(lit).collect()
     }
 
+    /// When the comparators behind the line generators answer, edge by edge of the gate of shadow: at once in an ideal unit.
+    pub(crate) fn shadow_answers(&self, ranges: &[f64]) -> Vec<Option<f64>> {
+        let [_, comparator] = MixerFigures::of(&Kit::of(self.scene, self.given)).comparators;
+        let (_, edges) = self.given.shadow_edges;
+        edges.iter().map(|edge| edge.answered(ranges, &comparator)).collect()
+    }
+
     /// The presence line behind its comparator.
     pub(crate) fn presence(&self, samples: &Samples<'_>, features: &Features, unit: &MixerFigures) -> Gate {
         let comparator = self.scene.settings.analog.comparator;

@@ -84,7 +84,13 @@ impl<S: Real> Elaborated<S> {
         Ok(Begun { plan, digital, delivery })
     }
 
-    fn deliver(&self, plan: &FramePlan, digital: &DigitalFrame, time: f64) -> Result<Delivery, FrameError> {
+    /// What the I/O processors bring for the frame of `plan` at `time` (s).
+    pub(crate) fn deliver(
+        &self,
+        plan: &FramePlan,
+        digital: &DigitalFrame,
+        time: f64,
+    ) -> Result<Delivery, FrameError> {
         let mut delivery = self.deliveries.take();
         let supply = Supply {
             stage: &self.stage,

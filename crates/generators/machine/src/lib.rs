@@ -66,8 +66,8 @@ pub use unprobed::prepare_unprobed;
 
 // The command still asks the machine for what the planes hold.
 pub use control_plane::{
-    BankDemand, ControlPlane, DataKind, DigitalEvent, DigitalUnit, EventWord, FrameSweeps, LateCrossing,
-    LoadedPart, MachineStage, RANGE, Register, RegisterState, RegisterWords,
+    BankDemand, ControlPlane, DataKind, DigitalEvent, DigitalUnit, EventWord, FrameSweeps, LateOf, LateWords,
+    LoadMiss, LoadedPart, MachineStage, RANGE, Register, RegisterState, RegisterWords,
 };
 pub use picture_tube::SIGNALS as LINE_SIGNALS;
 pub use signal_plane::signals;

@@ -2,25 +2,27 @@
 
 use std::collections::BTreeSet;
 use std::iter::once;
+use std::mem;
 use std::ops::Range;
 use std::sync::Arc;
 
-use control_plane::{FramePlan, LateCrossing, MachineStage};
+use control_plane::{FramePlan, LateOf, LateWords, MachineStage};
 use generator::{FrameError, PlaneKind, Planes};
 use scenario::{Pose, Scalar};
 use signal::Real;
 use signal_plane::Wanted;
 
 use crate::again::Again;
-use crate::elaborated::Elaborated;
+use crate::elaborated::{Begun, Elaborated};
 use crate::residue::Written;
 
 /// Late words that are to be on time, and what is drawn again for them.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OnTime {
-    /// The fold that found them missing.
-    pub late: LateCrossing,
-    /// Sweeps of its frame that are drawn again; the others are taken over. Words of a sweep change that sweep alone.
+    /// The words, and what waited for them.
+    pub late: LateWords,
+    /// Sweeps of its frame that are drawn again; the others are taken over. Words of a fold or a crater change their sweep alone, words
+    /// of a shadow boundary all sweeps that are drawn with the same set-up.
     pub again: Range<u32>,
 }
 
@@ -134,7 +136,7 @@ impl<S: Real> Elaborated<S> {
         known: Option<&Arc<Written>>,
         on_time: &OnTime,
     ) -> Result<[Arc<Written>; 2], FrameError> {
-        let begun = self.begin(frame, pose)?;
+        let mut begun = self.begin(frame, pose)?;
         let draw = || {
             let mut store = Vec::new();
             let wanted = Wanted { look: &(), picture: true };
@@ -144,12 +146,25 @@ impl<S: Real> Elaborated<S> {
         let is = known.map_or_else(draw, Arc::clone);
         let mut would_be = Arc::clone(&is);
         if frame == on_time.late.frame {
-            let other = begun.plan.with_words_on_time(on_time.late);
+            self.bring_on_time(on_time.late, pose.time, &mut begun)?;
             let wanted = Wanted { look: &Again(&on_time.again), picture: false };
-            self.write(&other, &begun, wanted, &mut Arc::make_mut(&mut would_be).1);
+            self.write(&begun.plan, &begun, wanted, &mut Arc::make_mut(&mut would_be).1);
         }
         self.deliveries.give_back(begun.delivery);
         Ok([is, would_be])
+    }
+
+    /// Has the words on time in a frame at `time` (s) that has begun. Shadow gates belong to the whole frame, so those are delivered
+    /// again.
+    fn bring_on_time(&self, late: LateWords, time: f64, begun: &mut Begun) -> Result<(), FrameError> {
+        let is_of_gate = matches!(late.of, LateOf::Boundary(_));
+        let sweep = if is_of_gate { begun.digital.drawn(late.sweep) } else { late.sweep };
+        begun.plan = begun.plan.with_words_on_time(LateWords { sweep, ..late });
+        if is_of_gate {
+            let other = self.deliver(&begun.plan, &begun.digital, time)?;
+            self.deliveries.give_back(mem::replace(&mut begun.delivery, other));
+        }
+        Ok(())
     }
 
     /// What the storage tube still holds of earlier frames in the picture of `frame`, nearest first.

@@ -104,7 +104,8 @@ impl<S: Real> Group<'_, S> {
         })
     }
 
-    fn crossings(&self) -> Crossings<'_> {
+    /// The service of the crossings in the frame.
+    pub fn crossings(&self) -> Crossings<'_> {
         Crossings {
             stage: self.stage,
             coarse: self.blocks.coarse.as_ref(),

@@ -1,6 +1,6 @@
 //! Which wires an elaborated machine has, and what full scale means on them.
 
-use control_plane::{Blocks, MachineStage, WrittenRaster, drum_count, drum_of};
+use control_plane::{Blocks, MachineStage, WrittenRaster, has_state, is_state};
 use display_projection_processor::DERIVATIVE;
 use feature_generator::{SubGeneratorPlace, place_of};
 use hardware_model::{Settings, ShadowParts};
@@ -39,15 +39,18 @@ pub(crate) struct Scales {
 /// Wires of the machine elaborated for `stage`, in the order of the signal table: those of blocks that are there.
 pub fn wires(stage: &MachineStage, blocks: &Blocks, raster: &WrittenRaster) -> Vec<Wire> {
     let scales = Scales::of(stage, raster);
-    let drums = drum_count(stage, blocks);
     signals()
         .iter()
-        .filter(|signal| is_there(signal, blocks, &stage.settings, drums))
+        .filter(|signal| is_there(signal, blocks, stage))
         .map(|signal| scales.wire(signal))
         .collect()
 }
 
-fn is_there(signal: &Signal, blocks: &Blocks, settings: &Settings, drums: usize) -> bool {
+fn is_there(signal: &Signal, blocks: &Blocks, stage: &MachineStage) -> bool {
+    let settings = &stage.settings;
+    if is_state(signal) {
+        return has_state(signal, stage, blocks);
+    }
     match (signal.prefix(), signal.name) {
         ("fg", name) if place_of(name).is_some_and(|place| !has_sub_generator(place, settings)) => false,
         ("sc", name) if comparator_of(name).is_some_and(|number| !has_line_generator(number, settings)) => {
@@ -58,7 +61,6 @@ fn is_there(signal: &Signal, blocks: &Blocks, settings: &Settings, drums: usize)
         ("txg", _) => blocks.texture,
         ("pg", _) => blocks.bodies,
         ("yoke", _) => settings.yoke.is_some(),
-        ("drum", name) => drum_of(name).is_some_and(|(drum, _)| drum < drums),
         (_, "dpp.derivative") => settings.laws.occlusion == Occlusion::Derivative,
         (_, name) if name.contains(".coarse.") => blocks.coarse.is_some(),
         _ => true,

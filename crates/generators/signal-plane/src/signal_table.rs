@@ -2,7 +2,7 @@
 
 use std::sync::OnceLock;
 
-use control_plane::{DRUM_WIRES, RANGE, waveforms};
+use control_plane::{RANGE, STATE_WIRES, waveforms};
 use signal::{Kind, Signal, Unit};
 use terrain_generator::{COARSE, FINE};
 
@@ -52,7 +52,7 @@ pub fn signals() -> &'static [Signal] {
             polyhedron_generator::SIGNALS,
             sweep_memory::SIGNALS,
             YOKE,
-            &DRUM_WIRES,
+            &STATE_WIRES,
         ]
         .concat()
     })

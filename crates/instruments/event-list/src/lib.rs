@@ -22,7 +22,7 @@ use crate::seen::Seen;
 pub use error::EventListError;
 pub use filter::{Filter, LEVELS, unit};
 pub use frame::{At, DigitalFrame};
-pub use late_place::LatePlace;
+pub use late_place::{LatePlace, PlaceOf};
 pub use listing::{Form, told};
 pub use registers::Registers;
 

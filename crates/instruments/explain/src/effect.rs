@@ -1,27 +1,39 @@
 //! Forward: from late words to the pixels that they changed.
 
 use std::iter::once;
+use std::ops::Range;
 
-use control_plane::{ControlPlane, LateCrossing, MachineStage};
+use control_plane::{FrameSweeps, LateOf, LateWords, MachineStage};
 use generator::{FrameError, PlaneKind};
 use machine::{OnTime, Twice};
 use picture::{ChangedPixels, Depth, Encoder, PictureError, Transfer};
 use scenario::Pose;
-use sweep_program::SweepProgram;
+use serde::Serialize;
 
-use crate::late::{LEVELS, Late, late_words};
+use crate::late::{Late, LateLoad, late_words};
+use crate::not_late::{no_late_load, no_late_word, place_of};
 
-/// What the words that one fold found missing changed in the pictures.
+/// What late words changed in the pictures.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LateEffect {
-    /// The fold that found them missing.
-    pub late: LateCrossing,
-    /// The words; those still in force are wrong up to the end of the sweep.
-    pub words: Vec<Late>,
+    /// What waited for them, and in which sweep.
+    pub late: LateWords,
+    /// The words themselves, and when they came.
+    pub missed: Missed,
     /// The frame of the words, then every later frame that can differ.
     pub frames: Vec<FrameEffect>,
     /// Which later frames can differ, and why no other can.
     pub later: String,
+}
+
+/// Words that were late.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Missed {
+    /// Those that one fold found missing; what is in force is wrong up to the end of the sweep.
+    Words(Vec<Late>),
+    /// Those of a crater or of a shadow boundary, a single entry.
+    Load([LateLoad; 1]),
 }
 
 /// What late words changed in one picture.
@@ -45,50 +57,43 @@ pub enum LateError {
     #[error(transparent)]
     Picture(#[from] PictureError),
     /// There is no such sweep.
-    #[error("{sweep}:{crossing}: a frame has sweeps 0..{sweeps}; expected one of them")]
+    #[error("{place}: a frame has sweeps 0..{sweeps}; expected one of them")]
     Sweep {
-        /// Sweep that was asked for.
-        sweep: u32,
-        /// Crossing that was asked for.
-        crossing: u32,
+        /// What was asked for.
+        place: String,
         /// Sweeps of a frame.
         sweeps: u32,
     },
     /// There is no such level.
-    #[error(
-        "{sweep}:{crossing}, coarse level: the machine draws one level of terrain; expected the fine one"
-    )]
+    #[error("{place}, coarse level: the machine draws one level of terrain; expected the fine one")]
     Level {
-        /// Sweep that was asked for.
-        sweep: u32,
-        /// Crossing that was asked for.
-        crossing: u32,
+        /// What was asked for.
+        place: String,
     },
     /// No word was late there.
-    #[error("{sweep}:{crossing}: {found}")]
+    #[error("{place}: {found}")]
     NotLate {
-        /// Sweep that was asked for.
-        sweep: u32,
-        /// Crossing that was asked for.
-        crossing: u32,
+        /// What was asked for.
+        place: String,
         /// What the sweep has instead, and where words were late.
         found: String,
     },
 }
 
-/// What the words that `late` names changed, on `stage` drawn by `machine` whose digital side is `control`; `pose` is that
-/// of their frame. Only their sweep is drawn twice. Threads of the current pool draw.
+/// What the words that `late` names changed, on `stage` drawn by `machine`; `sweeps` are those of their frame as its digital side makes
+/// them from `pose`, with shadow gates where a boundary is asked for. Only sweeps that the words can change are drawn twice. Threads of
+/// the current pool draw.
 ///
 /// # Errors
 /// If no word was late there, or a frame cannot be drawn.
 pub fn late_effect(
     machine: &dyn Twice,
-    (stage, control): (&MachineStage, &ControlPlane),
+    (stage, sweeps): (&MachineStage, &FrameSweeps<'_>),
     pose: &Pose,
-    late: LateCrossing,
+    late: LateWords,
 ) -> Result<LateEffect, LateError> {
-    let words = words(stage, control, pose, late)?;
-    let on_time = OnTime { late, again: late.sweep..late.sweep + 1 };
+    let missed = missed(stage, sweeps, late)?;
+    let on_time = OnTime { late, again: again(stage, sweeps, late) };
     let settings = &stage.settings;
     let transfer = Transfer::new(settings.display.white as f32, settings.display.gamma as f32)?;
     let encoder = Encoder::new(transfer, Depth::Eight);
@@ -104,72 +109,41 @@ pub fn late_effect(
     let later = shown.iter().map_while(|&frame| Some((frame, course.get(frame as usize)?)));
     let frames: Vec<FrameEffect> =
         once((late.frame, pose)).chain(later).map(effect).collect::<Result<_, LateError>>()?;
-    Ok(LateEffect { late, words, later: told_later(&shown, &frames), frames })
+    Ok(LateEffect { late, missed, later: told_later(&shown, &frames), frames })
+}
+
+/// Sweeps that the words can change: their own, or for a shadow boundary all that are drawn with the same set-up.
+fn again(stage: &MachineStage, sweeps: &FrameSweeps<'_>, late: LateWords) -> Range<u32> {
+    let LateOf::Boundary(_) = late.of else { return late.sweep..late.sweep + 1 };
+    let set_up = sweeps.set_up_of(late.sweep);
+    let is_alike = |sweep: &u32| sweeps.set_up_of(*sweep) == set_up;
+    let last = (late.sweep..stage.settings.raster.sweeps).take_while(is_alike).last();
+    set_up..last.unwrap_or(late.sweep) + 1
 }
 
 /// The late words that are asked for.
-fn words(
-    stage: &MachineStage,
-    control: &ControlPlane,
-    pose: &Pose,
-    late: LateCrossing,
-) -> Result<Vec<Late>, LateError> {
-    let LateCrossing { frame, sweep, level, crossing } = late;
-    let sweeps = stage.settings.raster.sweeps;
-    if sweep >= sweeps {
-        return Err(LateError::Sweep { sweep, crossing, sweeps });
+fn missed(stage: &MachineStage, sweeps: &FrameSweeps<'_>, late: LateWords) -> Result<Missed, LateError> {
+    let (place, count) = (place_of(late), stage.settings.raster.sweeps);
+    if late.sweep >= count {
+        return Err(LateError::Sweep { place, sweeps: count });
     }
-    let all = control.sweeps(frame, pose)?;
-    let programs = all.programs(sweep);
-    let Some(program) = programs.get(level) else { return Err(LateError::Level { sweep, crossing }) };
-    let words = late_words(program, level, crossing);
-    if !words.is_empty() {
-        return Ok(words);
-    }
-    let has_late =
-        |sweep: &u32| all.programs(*sweep).iter().any(|program| !program.late_crossings().is_empty());
-    let found = not_late(&programs, late, || (0..sweeps).filter(has_late).collect());
-    Err(LateError::NotLate { sweep, crossing, found })
-}
-
-/// What to say of a crossing that was not late: late ones of the sweep, or else sweeps that have some.
-fn not_late(programs: &[SweepProgram], late: LateCrossing, sweeps: impl FnOnce() -> Vec<u32>) -> String {
-    let LateCrossing { frame, sweep, level, crossing } = late;
-    let folds = programs[level].steps.iter().filter(|step| step.kind.fold().is_some()).count();
-    let there = match crossing < folds as u32 {
-        true => "no word that this crossing wanted was late".to_owned(),
-        false => format!("the {} level has crossings 0..{folds} in sweep {sweep}", LEVELS[level]),
+    let found = match late.of {
+        LateOf::Crossing { level, crossing } => {
+            let programs = sweeps.programs(late.sweep);
+            let Some(program) = programs.get(level) else { return Err(LateError::Level { place }) };
+            let words = late_words(program, level, crossing);
+            match words.is_empty() {
+                true => Err(no_late_word(sweeps, late, (level, crossing), count)),
+                false => Ok(Missed::Words(words)),
+            }
+        }
+        LateOf::Crater(_) | LateOf::Boundary(_) => {
+            let misses = sweeps.load_misses(late.sweep);
+            let load = misses.iter().find(|miss| miss.of == late.of);
+            load.map(|miss| Missed::Load([LateLoad::of(miss)])).ok_or_else(|| no_late_load(&misses, late))
+        }
     };
-    let of_level = programs.iter().zip(LEVELS).map(|(program, level)| (program.late_crossings(), level));
-    let of_sweep: Vec<String> = of_level
-        .filter(|(late, _)| !late.is_empty())
-        .map(|(late, level)| format!("{} ({level} level)", some_of(&late)))
-        .collect();
-    if !of_sweep.is_empty() {
-        return format!(
-            "{there}; late in sweep {sweep} of frame {frame} are crossings {}",
-            of_sweep.join("; ")
-        );
-    }
-    match sweeps().as_slice() {
-        [] => format!(
-            "{there}, and none of frame {frame}; choose a model whose loader takes time, or another frame"
-        ),
-        sweeps => format!(
-            "{there}, and none of sweep {sweep}; sweeps with late words in frame {frame} are {}",
-            some_of(sweeps)
-        ),
-    }
-}
-
-/// Numbers, and how many more there are.
-fn some_of(numbers: &[u32]) -> String {
-    const MOST: usize = 20;
-    let told: Vec<String> = numbers.iter().take(MOST).map(u32::to_string).collect();
-    match numbers.len().saturating_sub(MOST) {
-        0 => told.join(", "),
-        more => format!("{} and {more} more", told.join(", ")),
-    }
+    found.map_err(|found| LateError::NotLate { place, found })
 }
 
 /// Which later frames can differ: of `shown`, in which a tube still shows the frame, the mission has those in `frames`.

@@ -1,36 +1,56 @@
 //! The effect of late words, for people and as a document.
 
+use control_plane::{LateOf, LateWords};
 use picture::{ChangedPixel, ChangedPixels};
 use serde_json::{Value, json};
 
-use crate::effect::{FrameEffect, LateEffect};
+use crate::effect::{FrameEffect, LateEffect, Missed};
 use crate::late::LEVELS;
-use crate::text::late_row;
+use crate::text::{late_load_row, late_row};
 
 impl LateEffect {
     /// What is said of the words, for people: the words, then each frame's changed pixels.
     pub fn text(&self) -> String {
-        let level = if self.late.level == 0 { "" } else { " of the coarse level" };
+        let LateWords { frame, sweep, of } = self.late;
+        let of = match of {
+            LateOf::Crossing { level: 0, crossing } => format!("crossing {crossing}"),
+            LateOf::Crossing { crossing, .. } => format!("crossing {crossing} of the coarse level"),
+            LateOf::Crater(number) => format!("crater {number}"),
+            LateOf::Boundary(number) => format!("shadow boundary {number}"),
+        };
         let mut lines = vec![format!(
-            "frame {} ({:.3} s), sweep {}, crossing {}{level}: late words, and the pixels that they changed",
-            self.late.frame, self.frames[0].time_s, self.late.sweep, self.late.crossing
+            "frame {frame} ({:.3} s), sweep {sweep}, {of}: late words, and the pixels that they changed",
+            self.frames[0].time_s
         )];
-        lines.extend(self.words.iter().map(late_row));
+        match &self.missed {
+            Missed::Words(words) => lines.extend(words.iter().map(late_row)),
+            Missed::Load([load]) => lines.push(late_load_row(load)),
+        }
         lines.extend(self.frames.iter().map(FrameEffect::text));
         lines.push(self.later.clone());
         lines.join("\n") + "\n"
     }
 
     /// A document of schema `lunoid.explain.late/1`. Of each frame it has every changed pixel: column, line, levels of 255 by
-    /// which the lateness made it brighter or darker, and the same in linear intensity.
+    /// which the lateness made it brighter or darker, and the same in linear intensity. What waited for the words is a crossing
+    /// with its level, a crater or a boundary; the keys of the other two are null.
     pub fn json(&self) -> Value {
+        let [level, crossing, crater, boundary] = match self.late.of {
+            LateOf::Crossing { level, crossing } => {
+                [json!(LEVELS[level]), json!(crossing), Value::Null, Value::Null]
+            }
+            LateOf::Crater(number) => [Value::Null, Value::Null, json!(number), Value::Null],
+            LateOf::Boundary(number) => [Value::Null, Value::Null, Value::Null, json!(number)],
+        };
         json!({
             "schema": "lunoid.explain.late/1",
             "frame": self.late.frame,
             "sweep": self.late.sweep,
-            "level": LEVELS[self.late.level],
-            "crossing": self.late.crossing,
-            "words": self.words,
+            "level": level,
+            "crossing": crossing,
+            "crater": crater,
+            "boundary": boundary,
+            "words": self.missed,
             "frames": self.frames.iter().map(FrameEffect::json).collect::<Vec<_>>(),
             "later": self.later,
         })

@@ -1,5 +1,6 @@
 //! Words that were late, and whether they still are.
 
+use control_plane::{FrameSweeps, LateOf, LoadMiss, LoadedPart};
 use serde::Serialize;
 use sweep_program::{Event, Load, Miss, MissCause, PreloadRegister, SweepProgram, Target, WordMask};
 
@@ -35,6 +36,50 @@ impl Late {
     }
 }
 
+/// Words of a crater or of a shadow boundary that were not there when the sweep met it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct LateLoad {
+    /// Part into which they are loaded, by its number: `sub-generator.2.0`, `line-generator.3`.
+    pub part: String,
+    /// Ground range at which the sweep meets the crater's edge, or crosses the boundary (m).
+    pub range_m: f64,
+    /// When they were due (samples of the sweep).
+    pub due: f64,
+    /// When the last one came; none if never.
+    pub came: Option<f64>,
+    /// Number of words.
+    pub words: u32,
+    /// Why: `access` or `queue`, as in the timing record.
+    pub cause: &'static str,
+}
+
+impl LateLoad {
+    pub(crate) fn of(miss: &LoadMiss) -> Self {
+        let &LoadMiss { part, range, due, came, words, cause, .. } = miss;
+        Self { part: part.to_string(), range_m: range, due, came, words, cause: cause_name(cause) }
+    }
+}
+
+/// The late load of a shadow boundary in a sweep, by its line generator and the ground range where the sweep crosses it, which the
+/// listing rounds to a centimetre (m); none if no load of that generator was late there.
+pub fn boundary_at(sweeps: &FrameSweeps<'_>, sweep: u32, line_generator: u32, range: f64) -> Option<LateOf> {
+    const ROUNDED: f64 = 0.01;
+    let misses = sweeps.load_misses(sweep).into_iter();
+    let of_part = misses.filter(|miss| miss.part == LoadedPart::LineGenerator(line_generator));
+    let near = of_part
+        .map(|miss| ((miss.range.max(0.0) - range).abs(), miss.of))
+        .filter(|(away, _)| *away < ROUNDED);
+    near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, of)| of)
+}
+
+fn cause_name(cause: MissCause) -> &'static str {
+    match cause {
+        MissCause::Access => "access",
+        MissCause::Queue => "queue",
+        MissCause::HeldBack => "held-back",
+    }
+}
+
 /// Names of the levels of terrain, the finest first.
 pub(crate) const LEVELS: [&str; 2] = ["fine", "coarse"];
 
@@ -62,11 +107,7 @@ fn told(miss: &Miss, level: usize, in_force: bool) -> Late {
         due: miss.time.0,
         came: miss.arrival.map(|time| time.0),
         words: miss.words.0,
-        cause: match miss.cause {
-            MissCause::Access => "access",
-            MissCause::Queue => "queue",
-            MissCause::HeldBack => "held-back",
-        },
+        cause: cause_name(miss.cause),
         in_force,
     }
 }

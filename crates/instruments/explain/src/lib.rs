@@ -17,7 +17,8 @@
 //! for, whatever brought it there.
 //! **Forward** ([`late_effect`]). The words that one fold found missing are brought into their registers right before that fold, and
 //! nothing else is changed: the pixels that differ are the work of these words. A sweep's program is its own, so only that sweep is
-//! drawn twice. Later frames differ only where the storage tube or the picture tube still shows this one.
+//! drawn twice. The words of a crater are in its sub-generator, and those of a shadow boundary in its line generator, as the sweep meets
+//! them. A boundary is of all sweeps that are drawn with the same set-up. Later frames differ only where the storage tube or the picture tube still shows this one.
 //! **Other generators** ([`facts`]) say of a pixel what they will, or else what their planes hold there.
 //! **Not told.** What the read beam, the storage tube's residue, noise and the law of the picture tube add to what the sweep left: that is the difference
 //! between `left` and the pixel's `intensity`.
@@ -29,10 +30,11 @@ mod effect_text;
 mod facts;
 mod ground;
 mod late;
+mod not_late;
 mod seek;
 mod text;
 
-pub use effect::{FrameEffect, LateEffect, LateError, late_effect};
+pub use effect::{FrameEffect, LateEffect, LateError, Missed, late_effect};
 pub use facts::facts;
-pub use late::Late;
+pub use late::{Late, LateLoad, boundary_at};
 pub use seek::{Explanation, Inquiry, InquiryError, Place, ReadSweep, Writer};

@@ -3,7 +3,7 @@
 use quantities::fixed;
 
 use crate::ground::GroundPoint;
-use crate::{Explanation, Late};
+use crate::{Explanation, Late, LateLoad};
 
 impl Explanation {
     /// What is said of the pixel, for people: why it is so, then every wire at the sample.
@@ -117,8 +117,20 @@ fn craters(numbers: &[u32]) -> String {
     }
 }
 
+/// When words came, for people.
+fn came(at: Option<f64>) -> String {
+    at.map_or_else(|| "never came".to_owned(), |came| format!("came at {came:.2}"))
+}
+
+/// Words of a crater or a shadow boundary, in a line.
+pub(crate) fn late_load_row(load: &LateLoad) -> String {
+    let LateLoad { part, range_m, due, words, cause, .. } = load;
+    let came = came(load.came);
+    row(part, &format!("at {range_m:.2} m: due at sample {due:.2}, {came}, words {words}, {cause}"))
+}
+
 pub(crate) fn late_row(late: &Late) -> String {
-    let came = late.came.map_or_else(|| "never came".to_owned(), |came| format!("came at {came:.2}"));
+    let came = came(late.came);
     let force = if late.in_force { ", in force" } else { "" };
     row(
         "dpu.late",

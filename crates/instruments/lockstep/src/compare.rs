@@ -130,25 +130,30 @@ impl Sides<'_> {
             // NaN agrees with nothing.
             let agrees = off <= allowed;
             if !agrees && first.is_none() {
-                first = Some(Difference {
-                    signal: name.to_owned(),
-                    frame: self.scene.frame,
-                    sweep: self.sweep,
-                    sample,
-                    tick: Clock::of(self.scene, self.sweep).last_before(sample as f64),
-                    range: self.range(sample),
-                    machine,
-                    interpreter,
-                    allowed,
-                });
+                first = Some(Difference { machine, interpreter, allowed, ..self.place(name, sample) });
             }
         }
         (tally, first)
     }
 
+    /// A difference of `signal` at a sample of the sweep, whose values are not said yet.
+    pub fn place(&self, signal: &str, sample: usize) -> Difference {
+        Difference {
+            signal: signal.to_owned(),
+            frame: self.scene.frame,
+            sweep: self.sweep,
+            sample,
+            tick: Clock::of(self.scene, self.sweep).last_before(sample as f64),
+            range: self.range(sample),
+            machine: f64::NAN,
+            interpreter: f64::NAN,
+            allowed: 0.0,
+        }
+    }
+
     fn range(&self, sample: usize) -> f64 {
         let wave = self.machine.iter().find(|wave| wave.signal.name == "sweep.range");
-        wave.map_or(f64::NAN, |wave| wave.values[sample])
+        wave.and_then(|wave| wave.values.get(sample)).copied().unwrap_or(f64::NAN)
     }
 
     /// Full scale of the wire, or the largest value that the sweep has on it; the summer takes the eye's height off, so

@@ -5,6 +5,7 @@ use std::collections::HashSet;
 use control_plane::{BankDemand, ControlPlane, DigitalUnit, FrameSweeps, MachineStage, ShadowBoundary};
 use data_bank::{DrumUnit, Piece};
 use generator::{FrameError, Planes, Session};
+use hardware_model::ShadowParts;
 use interpreter::parts::gates::Edge;
 use interpreter::parts::kit::Kit;
 use interpreter::parts::{Array, Drawn, LightStage};
@@ -13,14 +14,15 @@ use interpreter::{
     range_programme, straight, why_not, why_straight,
 };
 use machine::Prepare;
-use parts::{NoiseSource, Spread};
+use parts::{GateEdge, NoiseSource, Spread};
 use quantities::{Timebase, unit_interval};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use scenario::Pose;
-use shadow_controller::PartsLines;
+use shadow_controller::{COMPARATORS, PartsLines, comparator_of};
 use signal::{Axis, Probe, Waveform};
 use terrain_generator::broken_lines;
 
+use crate::answers::compare_answers;
 use crate::compare::{Sides, compare, compare_frame};
 use crate::report::Report;
 
@@ -91,7 +93,10 @@ impl Engines {
                 events.retain(|event| event.unit != DigitalUnit::ShadowController);
             }
             let mut machine = probe.waveforms;
-            machine.retain(|wave| wave.signal.axis != Axis::Changes && there.contains(wave.signal.name));
+            machine.retain(|wave| there.contains(wave.signal.name));
+            let answers: Vec<Waveform> =
+                machine.extract_if(.., |wave| comparator_of(wave.signal.name).is_some()).collect();
+            machine.retain(|wave| wave.signal.axis != Axis::Changes);
             machine.iter_mut().for_each(tamper);
             let record = own.interpret(&own.scene, sweep, &machine, 1);
             let unknown = unknown(&record);
@@ -105,6 +110,8 @@ impl Engines {
                 record: &record,
             };
             let mut report = compare(&sides);
+            let turns = &own.gates[own.frame.set_ups[sweep as usize] as usize].turns;
+            compare_answers(&sides, &answers, turns, &mut report);
             report.counts = counts;
             Ok(Seen { machine, interpreter: record, report })
         };
@@ -224,19 +231,27 @@ impl Engines {
     }
 
     /// Gates of remote shadow of all sweeps as their line generators have them.
-    fn shadow_gates(&self, digital: &FrameSweeps<'_>) -> Vec<(bool, Vec<Edge>)> {
+    fn shadow_gates(&self, digital: &FrameSweeps<'_>) -> Vec<ShadowGate> {
         let settings = &self.stage.settings;
         let is_real = !settings.analog.shadow_lines_are_ideal();
         let own = || PartsLines::new(&settings.shadow_controller, &settings.analog, settings.seed);
         let lines = is_real.then(own).flatten();
+        let in_turn = match settings.shadow_controller {
+            ShadowParts::Digital { line_generators: Some(count) } => count.max(1) as usize,
+            _ => COMPARATORS.len(),
+        };
         let gate = |sweep: u32| {
             let gate = digital.gate(sweep)?;
-            let mut edges = gate.edges().collect();
-            if let Some(lines) = &lines {
-                lines.displace(gate, &mut edges);
-            }
-            let edges = edges.iter().map(|edge| Edge { range: edge.range, slope: edge.slope });
-            Some((gate.dark_at_start, edges.collect()))
+            let mut found: Vec<(usize, GateEdge)> = match &lines {
+                Some(lines) => lines.answers(gate).collect(),
+                // Ideal line generators take turns.
+                None => gate.edges().enumerate().map(|(n, edge)| (n % in_turn, edge)).collect(),
+            };
+            found.sort_by(|(_, a), (_, b)| a.range.total_cmp(&b.range));
+            let edge =
+                |(turn, edge): (usize, GateEdge)| (turn, Edge { range: edge.range, slope: edge.slope });
+            let (turns, edges) = found.into_iter().map(edge).unzip();
+            Some(ShadowGate { dark_at_start: gate.dark_at_start, edges, turns })
         };
         (0..settings.raster.sweeps).map(|sweep| gate(sweep).unwrap_or_default()).collect()
     }
@@ -277,13 +292,24 @@ impl Engines {
 /// Signals of the machine that the interpreter is given: ground range of the samples, gate of remote shadow.
 const GIVEN: [&str; 2] = ["sweep.range", "sc.or"];
 
+/// A gate of remote shadow as its line generators have it.
+#[derive(Debug, Clone, Default)]
+struct ShadowGate {
+    /// Whether the sweep starts in shadow.
+    dark_at_start: bool,
+    /// Where it changes, ascending.
+    edges: Vec<Edge>,
+    /// Number of the line generator that finds each of them.
+    turns: Vec<usize>,
+}
+
 /// What the interpreter has of a frame.
 struct Own<'a> {
     scene: SceneData<'a>,
     frame: Frame,
     lines: Vec<ShadowLine>,
-    /// Gates of remote shadow by sweep: whether they are open at the eye, and where they change.
-    gates: Vec<(bool, Vec<Edge>)>,
+    /// Gates of remote shadow by sweep.
+    gates: Vec<ShadowGate>,
     full_scales: Vec<(&'static str, f64)>,
     parts: Drawn<'a>,
 }
@@ -298,8 +324,9 @@ impl Own<'_> {
         let steps = between as usize;
         let ranges = straight(stretched(ranges, steps), steps);
         let shadow = stretched(shadow, steps);
-        let (dark, edges) = &self.gates[self.frame.set_ups[sweep as usize] as usize];
-        let given = Given { shadow_edges: (*dark, edges), ..self.given(&ranges, &shadow, steps) };
+        let ShadowGate { dark_at_start, edges, .. } =
+            &self.gates[self.frame.set_ups[sweep as usize] as usize];
+        let given = Given { shadow_edges: (*dark_at_start, edges), ..self.given(&ranges, &shadow, steps) };
         interpret(scene, sweep, &given)
     }
 

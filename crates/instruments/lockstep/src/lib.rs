@@ -12,7 +12,8 @@
 //!
 //! [`ComparedScene`] is a scene by hand, [`random`] one from a seed; [`shrink`] makes one that differs as small as it can.
 
-pub mod bounds;
+pub mod answers;
+mod bounds;
 mod compare;
 mod engines;
 mod events;

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeSet;
 
-use data_bank::{DrumUnit, FrameSupply, Missing};
+use data_bank::{DrumSpell, DrumUnit, FrameSupply, Missing};
 use hardware_model::{Channels, Drum, DrumQueue};
 use proptest::collection::vec;
 use proptest::prelude::{Just, Strategy, any, prop_assert_eq, prop_oneof, proptest};
@@ -58,6 +58,19 @@ impl SlowDrum {
 
     fn is_reading(&self) -> bool {
         matches!(self.heads, Heads::Reading(..))
+    }
+
+    /// Notes what the heads are at from this tick to the next.
+    fn note(&self, drum: u32, tick: u64, spells: &mut Vec<DrumSpell>) {
+        let (Heads::Turning(record) | Heads::Reading(record, _)) = self.heads else { return };
+        if !spells.last().is_some_and(|last| (last.record, last.until) == (record, tick)) {
+            spells.push(DrumSpell { drum, record, begun: tick, under: tick, until: tick });
+        }
+        let Some(spell) = spells.last_mut() else { return };
+        spell.until = tick + 1;
+        if !self.is_reading() {
+            spell.under = tick + 1;
+        }
     }
 
     fn turn(&mut self) {
@@ -125,19 +138,21 @@ impl SlowBank {
         self.held.iter().any(|held| held.0 == record)
     }
 
-    /// Turns to `end`; drums choose only while `serving`. Busy ticks of drums and of channels, and arrivals.
-    fn run(&mut self, end: u64, serving: bool) -> ([Vec<u64>; 2], Vec<(u32, u64)>) {
+    /// Turns to `end`; drums choose only while `serving`. Busy ticks of drums and of channels, spells of the drums, and arrivals.
+    fn run(&mut self, end: u64, serving: bool) -> ([Vec<u64>; 2], Vec<DrumSpell>, Vec<(u32, u64)>) {
+        let mut spells: Vec<Vec<DrumSpell>> = vec![vec![]; self.drums.len()];
         let mut busy = [vec![0; self.drums.len()], vec![0; self.channels]];
         let mut arrived = vec![];
         loop {
             let queue = (serving && self.tick < end).then_some(self.design.queue);
             (0..self.channels).for_each(|channel| self.instant(channel, queue, &mut arrived));
             if self.tick >= end {
-                return (busy, arrived);
+                return (busy, spells.concat(), arrived);
             }
             for (number, drum) in self.drums.iter_mut().enumerate() {
                 busy[0][number] += u64::from(!matches!(drum.heads, Heads::Idle));
                 busy[1][number % self.channels] += u64::from(drum.is_reading());
+                drum.note(number as u32, self.tick, &mut spells[number]);
                 drum.turn();
             }
             self.tick += 1;
@@ -218,18 +233,18 @@ impl SlowBank {
         supply.pieces = named.len() as u64;
         supply.missing.sort_by_key(|missing| missing.item);
         supply.missing.dedup();
-        let ([busy, carried], arrived) = self.run(end, true);
+        let ([busy, carried], spells, arrived) = self.run(end, true);
         self.take_in(&arrived, frame, &wanted, &mut supply);
         for missing in &mut supply.missing {
             let record = self.record_of(missing.item);
             missing.arrival = arrived.iter().find(|arrived| arrived.0 == record).map(|found| Tick(found.1));
         }
-        FrameSupply { busy, carried, pending: self.ordered.len() as u64, ..supply }
+        FrameSupply { busy, carried, spells, pending: self.ordered.len() as u64, ..supply }
     }
 
     /// Lets time pass between two frames.
     fn pause(&mut self, ticks: u64) {
-        self.between = self.run(self.tick + ticks, false).1;
+        self.between = self.run(self.tick + ticks, false).2;
     }
 
     fn order(&mut self, frame: u64, wanted: &[u32], kept: &[u32], supply: &mut FrameSupply) {

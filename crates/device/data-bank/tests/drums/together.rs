@@ -82,6 +82,8 @@ fn an_editor_takes_one_record_after_another_beside_the_drum() {
         tick = read(&unit, record, tick);
         edited = tick.max(edited) + 400;
         assert_eq!(supplies[0].missing[record as usize].arrival, Some(Tick(edited)));
+        let spell = supplies[0].edits[record as usize];
+        assert_eq!((spell.begun, spell.until), (edited - 400, edited));
     }
     // The processor is slower than the drum here: records wait for it.
     assert!(edited > tick + 800);

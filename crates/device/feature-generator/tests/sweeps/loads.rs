@@ -25,6 +25,7 @@ fn timebase() -> Timebase {
 fn timing(
     metres: f64,
     strobes_through: bool,
+    on_time: Option<u32>,
 ) -> LoadTiming<impl Fn(f64) -> SweepTime, impl Fn(SweepTime) -> f64> {
     let rate = f64::from(CRATER_WORDS) * f64::from(SAMPLES) / metres;
     LoadTiming {
@@ -32,6 +33,7 @@ fn timing(
         strobes_through,
         time_of: SweepTime,
         range_at: |SweepTime(time)| time,
+        on_time,
     }
 }
 
@@ -40,6 +42,7 @@ struct Loads {
     limit: Option<u32>,
     metres: f64,
     strobes_through: bool,
+    on_time: Option<u32>,
 }
 
 impl Loads {
@@ -54,7 +57,7 @@ impl Loads {
             absent: &[],
         };
         let mut program = FeatureProgram::default();
-        let timing = timing(self.metres, self.strobes_through);
+        let timing = timing(self.metres, self.strobes_through, self.on_time);
         schedule.write_by(eye, direction, [0.0, f64::from(SAMPLES - 1)], Some(timing), &mut program);
         program
     }
@@ -80,7 +83,8 @@ fn late(program: &FeatureProgram) -> Vec<(f64, Option<f64>, Option<MissCause>)> 
     program.misses.iter().map(of).collect()
 }
 
-const ONE: Loads = Loads { organisation: Scheduled, limit: Some(1), metres: 10.0, strobes_through: true };
+const ONE: Loads =
+    Loads { organisation: Scheduled, limit: Some(1), metres: 10.0, strobes_through: true, on_time: None };
 
 #[test]
 fn words_come_one_crater_after_another() {
@@ -162,6 +166,28 @@ fn a_late_crater_is_drawn_from_where_its_words_come() {
     assert_eq!(strobed.kinks[0][..], whole.kinks[0][1..]);
     let latched = at(&Loads { strobes_through: false, ..ONE });
     assert!(latched.height.iter().all(|sample| sample[0] == 0.0) && latched.kinks[0].is_empty());
+}
+
+/// The first comes when the sweep has left it, the second could not set out, the third is in time.
+#[test]
+fn a_crater_whose_words_are_on_time_is_drawn_whole_and_no_other_moves() {
+    let craters = [chord(2.0, 8.0), chord(3.0, 9.0), chord(20.0, 60.0)];
+    for strobes_through in [true, false] {
+        let program = |on_time| Loads { limit: None, strobes_through, on_time, ..ONE }.north(&craters);
+        let (as_it_is, whole) = (program(None), f64::NEG_INFINITY);
+        for (crater, drawn) in [(0, vec![0, 2]), (1, vec![1, 2]), (2, vec![2])] {
+            let again = program(Some(crater));
+            let loads: Vec<_> = again.loads.iter().map(|load| (load.crater, load.from)).collect();
+            assert_eq!(loads, drawn.iter().map(|&crater| (crater, whole)).collect::<Vec<_>>(), "{crater}");
+            assert_eq!(again.load_ticks, as_it_is.load_ticks);
+            let missed = |program: &FeatureProgram| -> Vec<u32> {
+                program.misses.iter().map(|miss| miss.crater).collect()
+            };
+            let expected: Vec<u32> =
+                missed(&as_it_is).into_iter().filter(|missed| *missed != crater).collect();
+            assert_eq!(missed(&again), expected, "{crater}");
+        }
+    }
 }
 
 proptest! {

@@ -57,7 +57,7 @@ fn what_was_not_late_and_what_is_no_place_is_refused() {
     assert!(wrong("ideal", &["--late", "3:0", "--level", "coarse"]).contains("one level"));
     assert!(wrong("ideal", &["--late", "3"]).contains("expected sweep and crossing"));
     assert!(wrong("ideal", &["--late", "3:0", "--pixel", "1,1"]).contains("--pixel"));
-    assert!(wrong("ideal", &[]).contains("--late SWEEP:CROSSING: expected one of them"));
+    assert!(wrong("ideal", &[]).contains("--late SWEEP:PLACE: expected one of them"));
     assert!(wrong("exact", &["--late", "3:0"]).contains("no words that come late"));
 }
 

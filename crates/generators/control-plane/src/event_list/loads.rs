@@ -2,14 +2,13 @@
 //!
 //! Where the model has no rate for them they take no time: they are there as the sweep meets the crater or the boundary.
 
-use feature_generator::{CRATER_WORDS, FeatureProgram};
+use feature_generator::CRATER_WORDS;
 use hardware_model::ShadowParts;
 use quantities::{SweepTime, Tick};
 use shadow_controller::SEGMENT_WORDS;
 use sweep_program::{TimedLoad, WordMask};
 
 use crate::digital_event::{DigitalEvent, DigitalUnit, EventWord, LoadedPart};
-use crate::feature_loads::FeatureLoads;
 use crate::frame_sweeps::FrameSweeps;
 
 /// What a load is told by: its unit, its words for in time, late and dropped, and how many words it has.
@@ -41,15 +40,8 @@ impl Loads<'_> {
     /// Craters of the sweep up to ground range `end` (m).
     pub fn craters(&self, end: f64) -> Vec<DigitalEvent> {
         let crossings = self.sweeps.crossings();
-        let (stage, plan) = (crossings.stage, crossings.plan);
-        let mut program = FeatureProgram::default();
-        let drawn = self.sweeps.set_up_of(self.sweep);
-        let (table, absent) = (self.sweeps.table(), crossings.absent_craters);
-        FeatureLoads { stage, table, plan, among: None, absent }.write(
-            [drawn, self.sweep],
-            end,
-            &mut program,
-        );
+        let stage = crossings.stage;
+        let program = crossings.feature_program([self.sweeps.set_up_of(self.sweep), self.sweep], end);
         let is_timed = stage.settings.feature_words.is_some();
         let came = program.arrivals.iter().map(|arrival| DigitalEvent {
             crater: Some(arrival.crater),
@@ -76,8 +68,9 @@ impl Loads<'_> {
     /// Shadow boundaries of the sweep; none from a scan converter, which takes them all with its map.
     pub fn segments(&self) -> Vec<DigitalEvent> {
         let settings = &self.sweeps.crossings().stage.settings;
-        let gate = self.sweeps.gates.get(self.sweeps.set_up_of(self.sweep) as usize);
-        let (Some(gate), ShadowParts::Digital { .. }) = (gate, settings.shadow_controller) else {
+        let (Some(gate), ShadowParts::Digital { .. }) =
+            (self.sweeps.drawn_gate(self.sweep), settings.shadow_controller)
+        else {
             return Vec::new();
         };
         let came = gate.loads.iter().map(|load| DigitalEvent {

@@ -11,6 +11,16 @@ pub struct Edge {
     pub slope: f64,
 }
 
+impl Edge {
+    /// When a comparator has seen it, in steps over samples at these ranges (m); none beyond the first and the last of them.
+    pub fn answered(&self, ranges: &[f64], comparator: &ComparatorFigures) -> Option<f64> {
+        let sample = ranges.iter().position(|range| *range >= self.range)?;
+        let pace = ranges[sample] - ranges[sample.checked_sub(1)?];
+        let at = sample as f64 - 1.0 + (self.range - ranges[sample - 1]) / pace;
+        Some(at + comparator.on_ramp(self.slope * pace))
+    }
+}
+
 /// A gate over a sweep: how it begins, and when it changes (steps, ascending).
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Gate {
@@ -24,13 +34,8 @@ impl Gate {
     /// Of a gate that is `open` at the eye and changes at `edges`, behind its comparator.
     pub fn of_edges(open: bool, edges: &[Edge], ranges: &[f64], comparator: &ComparatorFigures) -> Self {
         let passed = edges.iter().take_while(|edge| edge.range <= ranges[0]).count();
-        let late = |edge: &Edge| {
-            let sample = ranges.iter().position(|range| *range >= edge.range)?.max(1);
-            let pace = ranges[sample] - ranges[sample - 1];
-            let at = sample as f64 - 1.0 + (edge.range - ranges[sample - 1]) / pace;
-            Some(at + comparator.on_ramp(edge.slope * pace))
-        };
-        let mut changes: Vec<f64> = edges[passed..].iter().map_while(late).collect();
+        let mut changes: Vec<f64> =
+            edges[passed..].iter().map_while(|edge| edge.answered(ranges, comparator)).collect();
         changes.sort_by(f64::total_cmp);
         Self { begins_open: open ^ (passed % 2 == 1), changes }
     }

@@ -4,7 +4,7 @@ mod inner;
 mod units;
 
 use control_plane::waveforms::{Changes, changes, feature_centres};
-use control_plane::{RANGE, drum_changes, drum_of};
+use control_plane::{RANGE, is_state, state_changes};
 use mixing_unit::Inputs;
 use polyhedron_generator::Overlay;
 use scenario::Occlusion;
@@ -47,7 +47,9 @@ impl<S: Real> Recorded<'_, S> {
             let Changes { times, values } = match signal.axis {
                 Axis::Ground => sampled(self.along_the_ground(signal.name, lane, &mut together)),
                 Axis::Display => sampled(self.down_the_display(signal.name, lane, sweep)),
-                Axis::Changes if drum_of(signal.name).is_some() => self.drum(signal.name, sweep),
+                Axis::Changes if is_state(signal) => {
+                    state_changes(signal, &self.group.crossings(), self.group.digital, sweep)
+                }
                 Axis::Changes => self.digital(signal.name, (lane, sweep), &mut together),
                 // The read beam scans lines when the sweeps are done.
                 Axis::Line => Changes::default(),
@@ -69,12 +71,6 @@ impl<S: Real> Recorded<'_, S> {
             _ if group.blocks.coarse.is_some() => changes(name, &work.coarse[lane]),
             _ => Changes::default(),
         }
-    }
-
-    fn drum(&self, name: &str, sweep: u32) -> Changes {
-        let (group, clocks) = (self.group, &self.group.stage.settings.timebase);
-        let clock = clocks.sweep_clock(group.plan.frame, sweep);
-        drum_changes(name, group.digital, &clock, clocks.sweep_samples())
     }
 
     fn along_the_ground(&self, name: &str, lane: usize, together: &mut Together) -> Vec<f64> {

@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use deadlines::Rehearsal;
-use event_list::{LEVELS, LatePlace};
-use explain::{LateEffect, LateError, late_effect};
+use event_list::{LEVELS, LatePlace, PlaceOf};
+use explain::{LateEffect, LateError, boundary_at, late_effect};
 use front_door::Opened;
-use machine::{LateCrossing, prepare_twice};
+use machine::{FrameSweeps, LateOf, LateWords, prepare_twice};
 
 use crate::commands::{again::command, changed};
 use crate::frame::FrameArgs;
@@ -19,9 +19,10 @@ use crate::{Failure, Verdict};
 /// Late words in place of a pixel.
 #[derive(Debug, Args)]
 pub struct LateArgs {
-    /// Late words instead of a pixel: the sweep and the crossing that found them missing, both from 0; or the line of `lunoid
-    /// trace` that tells them, as text, CSV or JSON. Only of the hybrid machine.
-    #[arg(long, value_name = "SWEEP:CROSSING|LINE", conflicts_with_all = ["pixel", "no_exact"])]
+    /// Late words instead of a pixel: the sweep and the crossing that found them missing, both from 0; the sweep and a crater
+    /// (260:crater.7) or a shadow boundary (260:boundary.3); or the line of `lunoid trace` that tells them, as text, CSV or JSON.
+    /// Only of the hybrid machine.
+    #[arg(long, value_name = "SWEEP:PLACE|LINE", conflicts_with_all = ["pixel", "no_exact"])]
     pub late: Option<LatePlace>,
     /// Level of terrain of the crossing, where the words are named by SWEEP:CROSSING [default: fine].
     #[arg(long, value_name = "LEVEL", requires = "late", value_parser = PossibleValuesParser::new(LEVELS))]
@@ -47,10 +48,15 @@ impl LateArgs {
         let Rehearsal { stage: machine, control, pool, .. } = &rehearsal;
         let frame = chosen.frame;
         let pose = rehearsal.poses(&[frame])?[0].pose;
-        let LatePlace { sweep, level, crossing } = place;
-        let late = LateCrossing { frame, sweep, level: level.unwrap_or_else(|| self.level()), crossing };
         let twice = prepare_twice(machine.clone());
-        let told = pool.install(|| late_effect(&*twice, (machine, control), &pose, late)).map_err(failure)?;
+        let told = pool.install(|| {
+            let sweeps = match place.of.needs_gates() {
+                true => control.sweeps_with_gates(frame, &pose),
+                false => control.sweeps(frame, &pose),
+            }?;
+            let late = LateWords { frame, sweep: place.sweep, of: self.asked(place, &sweeps)? };
+            late_effect(&*twice, (machine, &sweeps), &pose, late).map_err(failure)
+        })?;
         if let Some(folder) = &self.pictures {
             told.frames
                 .iter()
@@ -63,8 +69,22 @@ impl LateArgs {
         Ok(Verdict::Yes)
     }
 
-    fn level(&self) -> usize {
-        LEVELS.iter().position(|name| self.level.as_deref() == Some(name)).unwrap_or(0)
+    /// What waited for the words at `place` of the frame of `sweeps`.
+    fn asked(&self, place: LatePlace, sweeps: &FrameSweeps<'_>) -> Result<LateOf, Failure> {
+        match place.of {
+            PlaceOf::Said(of) => Ok(of),
+            PlaceOf::Crossing(crossing) => {
+                let level = LEVELS.iter().position(|name| self.level.as_deref() == Some(name));
+                Ok(LateOf::Crossing { level: level.unwrap_or(0), crossing })
+            }
+            PlaceOf::LineGenerator(number, range) => boundary_at(sweeps, place.sweep, number, range).ok_or_else(|| {
+                Failure::usage(format!(
+                    "--late: no word of line-generator.{number} was late at {range} m in sweep {} of this frame; expected a line of \
+                     this frame, scenario and model",
+                    place.sweep
+                ))
+            }),
+        }
     }
 }
 
@@ -76,7 +96,7 @@ pub fn option(sweep: u32, late: &explain::Late) -> String {
 
 /// Commands that go on: the pixel that changed most, and the events of the sweep.
 fn next(told: &LateEffect, stage: &StageArgs) -> String {
-    let LateCrossing { frame, sweep, .. } = told.late;
+    let LateWords { frame, sweep, .. } = told.late;
     let largest = told.frames[0].changed.largest();
     let pixel = largest.map(|pixel| ("explain", format!("--pixel {},{}", pixel.column, pixel.line)));
     let commands = pixel.into_iter().chain([("trace", format!("--sweep {sweep}"))]);

@@ -66,7 +66,7 @@ impl Explain {
             }
             (None, Some(pixel)) if opened.is_machine() => self.of_the_machine(opened, &stage, pixel),
             (None, Some(pixel)) => self.of_a_guest(&opened, pixel),
-            (None, None) => Err(Failure::usage("--pixel X,Y or --late SWEEP:CROSSING: expected one of them")),
+            (None, None) => Err(Failure::usage("--pixel X,Y or --late SWEEP:PLACE: expected one of them")),
         }
     }
 
