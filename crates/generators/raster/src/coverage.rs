@@ -1,0 +1,270 @@
+//! Which sampling points of a sub-area a triangle covers.
+
+use crate::fixed::STEPS;
+use crate::pattern::MOST_SAMPLES;
+use crate::sampling::{LATTICE, Offsets, Sampling};
+use crate::screen::{LARGEST_SIDE, SubArea};
+use crate::triangle::{Edge, Triangle};
+
+const SIDE: usize = LARGEST_SIDE as usize;
+
+/// Steps of a corner's position between two points of the lattice.
+const LATTICE_STEPS: i32 = STEPS / LATTICE;
+
+/// Sampling points of a sub-area that a triangle covers, as bits.
+///
+/// Pixels have numbers: 8 times the row in the sub-area plus the column in it. One value is used for sub-area after sub-area.
+#[derive(Debug, Clone)]
+pub struct Coverage {
+    full: u64,
+    partial: u64,
+    /// Bits of the partly covered pixels; all others hold what an earlier triangle left.
+    masks: [u32; SIDE * SIDE],
+    /// Bits of a whole pixel.
+    all: u32,
+}
+
+impl Default for Coverage {
+    fn default() -> Self {
+        Self { full: 0, partial: 0, masks: [0; SIDE * SIDE], all: 0 }
+    }
+}
+
+impl Coverage {
+    /// Finds what `triangle` covers of `area`, for any triangle and any sub-area.
+    pub fn find(&mut self, triangle: &Triangle, area: &SubArea, sampling: &Sampling) {
+        (self.full, self.partial) = (0, 0);
+        self.all = u32::MAX >> (MOST_SAMPLES - sampling.count());
+        let Some(window) = Window::new(triangle, area) else { return };
+        match (sampling.count(), sampling.is_turned()) {
+            (1, _) => self.find_in::<1, 1>(triangle, &window, sampling),
+            (4, false) => self.find_in::<4, 1>(triangle, &window, sampling),
+            (4, true) => self.find_in::<4, 4>(triangle, &window, sampling),
+            (8, false) => self.find_in::<8, 1>(triangle, &window, sampling),
+            (8, true) => self.find_in::<8, 4>(triangle, &window, sampling),
+            (16, false) => self.find_in::<16, 1>(triangle, &window, sampling),
+            (16, true) => self.find_in::<16, 4>(triangle, &window, sampling),
+            (_, false) => self.find_in::<MOST_SAMPLES, 1>(triangle, &window, sampling),
+            (_, true) => self.find_in::<MOST_SAMPLES, 4>(triangle, &window, sampling),
+        }
+    }
+
+    /// Pixels of which every sampling point is covered, as bits.
+    pub fn full(&self) -> u64 {
+        self.full
+    }
+
+    /// Pixels with covered points that [`Coverage::full`] does not count, as bits.
+    pub fn partial(&self) -> u64 {
+        self.partial
+    }
+
+    /// Covered sampling points of a pixel, 0 to 63, as bits in the order of the pattern.
+    pub fn mask(&self, pixel: usize) -> u32 {
+        match (self.full >> pixel & 1, self.partial >> pixel & 1) {
+            (1, _) => self.all,
+            (_, 1) => self.masks[pixel],
+            _ => 0,
+        }
+    }
+
+    /// Pixels with covered points, by number, and their bits.
+    pub fn pixels(&self) -> impl Iterator<Item = (usize, u32)> {
+        ones(self.full | self.partial).map(|pixel| (pixel, self.mask(pixel)))
+    }
+
+    fn find_in<const N: usize, const TURNS: usize>(
+        &mut self,
+        triangle: &Triangle,
+        window: &Window,
+        sampling: &Sampling,
+    ) {
+        let mut lines = [Line::<N, TURNS>::NONE; 3];
+        let mut count = 0;
+        for edge in &triangle.edges {
+            match Crossing::new(edge, window, sampling) {
+                Crossing::Outside => return,
+                Crossing::Inside => {}
+                Crossing::Through(first) => {
+                    lines[count] = Line::new(edge, first, sampling);
+                    count += 1;
+                }
+            }
+        }
+        let lines = &mut lines[..count];
+        for row in window.rows[0]..=window.rows[1] {
+            let [outside, crossed] = classify(lines);
+            let (inside, crossed) = (!(outside | crossed) & window.mask, crossed & !outside & window.mask);
+            let mut hit = 0;
+            for column in ones(u64::from(crossed)) {
+                let turn = if TURNS == 1 { 0 } else { sampling.turn(window.pixel(column, row)) };
+                let mask = samples(lines, column, turn);
+                self.masks[row * SIDE + column] = mask;
+                hit |= u64::from(mask != 0) << column;
+            }
+            self.full |= u64::from(inside) << (row * SIDE);
+            self.partial |= hit << (row * SIDE);
+            lines.iter_mut().for_each(Line::next_row);
+        }
+    }
+}
+
+/// The pixels of a sub-area that the box of a triangle meets.
+struct Window {
+    origin: [u32; 2],
+    /// First and last column and row, counted in the sub-area.
+    columns: [usize; 2],
+    rows: [usize; 2],
+    /// The columns as bits.
+    mask: u32,
+}
+
+impl Window {
+    fn new(triangle: &Triangle, area: &SubArea) -> Option<Self> {
+        let range = |axis: usize, low: i32, high: i32| {
+            let origin = area.origin[axis] as i32;
+            let first = low.div_euclid(STEPS) - origin;
+            // The top-left rule keeps no point on the right or lower border of the box.
+            let last = (high - 1).div_euclid(STEPS) - origin;
+            let end = area.size[axis] as i32 - 1;
+            (first <= end && last >= 0).then(|| [first.max(0) as usize, last.min(end) as usize])
+        };
+        let columns = range(0, triangle.low.x, triangle.high.x)?;
+        let rows = range(1, triangle.low.y, triangle.high.y)?;
+        let mask = (1 << (columns[1] + 1)) - (1 << columns[0]);
+        Some(Self { origin: area.origin, columns, rows, mask })
+    }
+
+    /// Place on the screen of a pixel of the sub-area.
+    fn pixel(&self, column: usize, row: usize) -> [u32; 2] {
+        [self.origin[0] + column as u32, self.origin[1] + row as u32]
+    }
+}
+
+/// How an edge lies to the sampling points of a window.
+enum Crossing {
+    Outside,
+    Inside,
+    /// The edge function at the lattice's first point in column 0 and the first row of the window.
+    Through(i32),
+}
+
+impl Crossing {
+    /// The lattice makes the integers short: with `x = 8 X + o`, and `y` alike, `a x + b y + c >= 0` holds just if
+    /// `a X + b Y + floor((c + o (a + b)) / 8) >= 0`. Over a window that an edge crosses this stays below 2^31, as
+    /// `|a| + |b| < 2^22.01` and a window spans less than 2^8 points of the lattice.
+    fn new(edge: &Edge, window: &Window, sampling: &Sampling) -> Self {
+        let [a, b] = [edge.a, edge.b].map(i64::from);
+        let origin = i64::from(sampling.origin * (LATTICE_STEPS / 2));
+        let constant = (edge.c + origin * (a + b)).div_euclid(i64::from(LATTICE_STEPS));
+        let lattice =
+            |axis: usize, pixel: usize| i64::from(LATTICE) * (i64::from(window.origin[axis]) + pixel as i64);
+        let [[left, right], [top, bottom]] = sampling.extent.map(|extent| extent.map(i64::from));
+        let x = [lattice(0, window.columns[0]) + left, lattice(0, window.columns[1]) + right];
+        let y = [lattice(1, window.rows[0]) + top, lattice(1, window.rows[1]) + bottom];
+        let at = |[x, y]: [i64; 2]| a * x + b * y + constant;
+        let [nearest_x, farthest_x] = if a > 0 { [x[1], x[0]] } else { x };
+        let [nearest_y, farthest_y] = if b > 0 { [y[1], y[0]] } else { y };
+        if at([nearest_x, nearest_y]) < 0 {
+            Self::Outside
+        } else if at([farthest_x, farthest_y]) >= 0 {
+            Self::Inside
+        } else {
+            // Columns left of the window are no columns of it: their values may wrap.
+            Self::Through(at([lattice(0, 0), lattice(1, window.rows[0])]) as i32)
+        }
+    }
+}
+
+/// An edge that crosses a window: its function in steps of the lattice, modulo 2^32. Values in the window are below 2^31.
+#[derive(Debug, Clone, Copy)]
+struct Line<const N: usize, const TURNS: usize> {
+    /// At the first lattice point of each pixel of the row.
+    pixels: [i32; SIDE],
+    /// From one row of pixels to the next.
+    down: i32,
+    /// Greatest and least value over the sampling points of a pixel, less that at its first lattice point.
+    most: i32,
+    least: i32,
+    /// Values at the sampling points, by quarter turn, less that at the pixel's first lattice point.
+    samples: [[i32; N]; TURNS],
+}
+
+impl<const N: usize, const TURNS: usize> Line<N, TURNS> {
+    const NONE: Self = Self { pixels: [0; SIDE], down: 0, most: 0, least: 0, samples: [[0; N]; TURNS] };
+
+    fn new(edge: &Edge, first: i32, sampling: &Sampling) -> Self {
+        let Edge { a, b, .. } = *edge;
+        let [x, y] = sampling.extent;
+        let [[most_x, least_x], [most_y, least_y]] =
+            [(a, x), (b, y)].map(|(slope, [low, high])| if slope > 0 { [high, low] } else { [low, high] });
+        let mut line = Self {
+            pixels: [0; SIDE],
+            down: LATTICE * b,
+            most: a * most_x + b * most_y,
+            least: a * least_x + b * least_y,
+            samples: [[0; N]; TURNS],
+        };
+        for column in 0..SIDE {
+            line.pixels[column] = first.wrapping_add(LATTICE * a * column as i32);
+        }
+        for (samples, Offsets { x, y }) in line.samples.iter_mut().zip(sampling.turns()) {
+            for i in 0..N {
+                samples[i] = a * x[i] + b * y[i];
+            }
+        }
+        line
+    }
+
+    fn next_row(&mut self) {
+        for at in &mut self.pixels {
+            *at = at.wrapping_add(self.down);
+        }
+    }
+}
+
+/// Pixels of a row that lie wholly outside one of the lines, and pixels with a point outside, as bits.
+fn classify<const N: usize, const TURNS: usize>(lines: &[Line<N, TURNS>]) -> [u32; 2] {
+    let mut outside = [0; SIDE];
+    let mut crossed = [0; SIDE];
+    for line in lines {
+        for column in 0..SIDE {
+            outside[column] |= line.pixels[column].wrapping_add(line.most);
+            crossed[column] |= line.pixels[column].wrapping_add(line.least);
+        }
+    }
+    [signs(&outside), signs(&crossed)]
+}
+
+/// Sampling points of a pixel that lie inside all lines, as bits.
+fn samples<const N: usize, const TURNS: usize>(lines: &[Line<N, TURNS>], column: usize, turn: usize) -> u32 {
+    let mut outside = [0; N];
+    for line in lines {
+        let at = line.pixels[column];
+        for i in 0..N {
+            outside[i] |= at.wrapping_add(line.samples[turn][i]);
+        }
+    }
+    !signs(&outside) & u32::MAX >> (MOST_SAMPLES - N)
+}
+
+/// Which values are below 0, as bits.
+fn signs<const N: usize>(values: &[i32; N]) -> u32 {
+    let mut bits = 0;
+    for i in 0..N {
+        bits |= (values[i] >> 31) & (1 << i);
+    }
+    bits as u32
+}
+
+/// Numbers of the bits that are set, from the lowest.
+fn ones(mut bits: u64) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let lowest = bits.trailing_zeros() as usize;
+        let rest = bits & bits.wrapping_sub(1);
+        (bits != 0).then(|| {
+            bits = rest;
+            lowest
+        })
+    })
+}
