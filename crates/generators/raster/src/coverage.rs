@@ -136,8 +136,8 @@ impl Window {
     }
 
     /// Place on the screen of a pixel of the sub-area.
-    fn pixel(&self, column: usize, row: usize) -> [u32; 2] {
-        [self.origin[0] + column as u32, self.origin[1] + row as u32]
+    fn pixel(&self, column: usize, row: usize) -> [i32; 2] {
+        [self.origin[0] as i32 + column as i32, self.origin[1] as i32 + row as i32]
     }
 }
 

@@ -16,7 +16,7 @@ pub(crate) const MOST_SAMPLES: usize = 32;
 pub enum Pattern {
     /// `1`: one point in the middle of the pixel.
     One,
-    /// `4`: four points, one in each row and column of eighths that it uses.
+    /// `4`: four points, one in each row and column of quarters.
     Four,
     /// `8`: eight points, one in each row and column of eighths.
     Eight,
@@ -67,15 +67,16 @@ impl Pattern {
         }
     }
 
-    /// Diameter (pixels) of the widest disc that can lie on the screen without a sampling point inside.
+    /// Diameter (pixels) of the widest disc that can lie on the screen without a sampling point inside. Derived: the widest circle
+    /// through three points that holds none, as a root of a fraction.
     pub fn widest_miss(self) -> f64 {
         match self {
             Self::One => SQRT_2,
-            Self::Four => 0.790_569_415_042_094_8,
-            Self::Eight => 0.525_594_901_040_716_5,
-            Self::Sixteen | Self::OffCentre16 => 0.386_405_372_934_256_7,
+            Self::Four => (5.0f64 / 8.0).sqrt(),
+            Self::Eight => (221.0f64 / 800.0).sqrt(),
+            Self::Sixteen | Self::OffCentre16 => 4625f64.sqrt() / 176.0,
             Self::Grid16 => SQRT_2 / 4.0,
-            Self::Lattice32 => 0.227_772_101_321_770_9,
+            Self::Lattice32 => (425.0f64 / 8192.0).sqrt(),
         }
     }
 }

@@ -75,10 +75,11 @@ impl Sampling {
         self.is_turned
     }
 
-    /// Places (pixels on the screen, exact) of the sampling points of a pixel, in the order of the pattern.
-    pub fn places(&self, [column, row]: [u32; 2]) -> impl Iterator<Item = [f64; 2]> {
+    /// Places (pixels on the screen, exact) of the sampling points of a pixel, on the screen or beside it, in the order of the
+    /// pattern.
+    pub fn places(&self, [column, row]: [i32; 2]) -> impl Iterator<Item = [f64; 2]> {
         let Offsets { x, y } = &self.turns[self.turn([column, row])];
-        let place = |pixel: u32, offset: i32| {
+        let place = |pixel: i32, offset: i32| {
             f64::from(pixel) + f64::from(2 * offset + self.origin) / f64::from(OFFSET_UNIT)
         };
         (0..self.count()).map(move |i| [place(column, x[i]), place(row, y[i])])
@@ -93,7 +94,7 @@ impl Sampling {
     }
 
     /// Which of its quarter turns a pixel has, 0 to 3.
-    pub(crate) fn turn(&self, pixel: [u32; 2]) -> usize {
+    pub(crate) fn turn(&self, pixel: [i32; 2]) -> usize {
         if self.is_turned { quarter_turns(pixel) } else { 0 }
     }
 
@@ -105,7 +106,8 @@ impl Sampling {
 
 /// Quarter turns of a pixel, 0 to 3: the highest bits of a multiplicative hash. Chosen: any hash whose turns do not repeat
 /// visibly would do.
-fn quarter_turns([column, row]: [u32; 2]) -> usize {
+fn quarter_turns(pixel: [i32; 2]) -> usize {
+    let [column, row] = pixel.map(|at| at as u32);
     let mixed = column.wrapping_mul(0x9e37_79b1) ^ row.wrapping_mul(0x85eb_ca77);
     ((mixed ^ mixed >> 15).wrapping_mul(0x2c1b_3c6d) >> 30) as usize
 }
