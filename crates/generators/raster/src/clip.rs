@@ -13,6 +13,20 @@ pub type Fan = SmallVec<[[Point; 3]; 6]>;
 /// Corners of a clipped triangle: a half-space adds one at most, and there are five.
 type Polygon = SmallVec<[DVec3; 8]>;
 
+/// Farthest coordinate of a corner (m). Chosen: a cut at a near plane of half a metre is good to less than a snap up to there.
+const FARTHEST: f64 = 1e9;
+
+/// A corner that cannot be drawn.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum ClipError {
+    /// A coordinate in camera axes (m) that is not finite or too far away.
+    #[error("corner coordinate {0} m: expected a number from -1e9 to 1e9")]
+    Corner(f64),
+    /// A corner that is not on the largest raster, because `near` is too small for how far away the corners lie.
+    #[error(transparent)]
+    Raster(#[from] OffRaster),
+}
+
 /// Clips a triangle in camera axes (m) at depth `near` (m, above 0) and at the screen with a margin of one sub-area, projects
 /// and snaps what is left, and fans it about its first corner.
 ///
@@ -20,16 +34,16 @@ type Polygon = SmallVec<[DVec3; 8]>;
 /// turn as the triangle does, or have no area. A cut that lies within 1/256 pixel of a corner may fold one over: a sampling
 /// point in the fold is then covered twice, and none is lost.
 ///
-/// # Errors If a corner is not finite, or so far away that its cut is not.
+/// # Errors If a coordinate is not finite or beyond 1e9 m, or a cut so close to the eye that it is not on the raster.
 pub fn clip(
     corners: [DVec3; 3],
     projection: &Projection,
     screen: &Screen,
     near: f64,
-) -> Result<Fan, OffRaster> {
-    if let Some(wrong) = corners.iter().flat_map(|corner| corner.to_array()).find(|value| !value.is_finite())
-    {
-        return Err(OffRaster(wrong));
+) -> Result<Fan, ClipError> {
+    let coordinates = corners.iter().flat_map(|corner| corner.to_array());
+    if let Some(wrong) = coordinates.into_iter().find(|along| !(-FARTHEST..=FARTHEST).contains(along)) {
+        return Err(ClipError::Corner(wrong));
     }
     let kept = half_spaces(projection, screen, near)
         .iter()

@@ -43,7 +43,7 @@ mod screen;
 mod triangle;
 
 pub use area::{area_within, visible_areas};
-pub use clip::{Fan, clip};
+pub use clip::{ClipError, Fan, clip};
 pub use coverage::Coverage;
 pub use filter::{Filter, Weights};
 pub use fixed::{OffRaster, Point};
