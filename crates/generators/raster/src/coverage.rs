@@ -91,20 +91,30 @@ impl Coverage {
                 }
             }
         }
-        let lines = &mut lines[..count];
+        if count == 0 {
+            self.full = window.pixels();
+            return;
+        }
+        // Lines beyond `count` are `NONE`, which no point lies outside.
         for row in window.rows[0]..=window.rows[1] {
-            let [outside, crossed] = classify(lines);
-            let (inside, crossed) = (!(outside | crossed) & window.mask, crossed & !outside & window.mask);
-            let mut hit = 0;
-            for column in ones(u64::from(crossed)) {
-                let turn = if TURNS == 1 { 0 } else { sampling.turn(window.pixel(column, row)) };
-                let mask = samples(lines, column, turn);
-                self.masks[row * SIDE + column] = mask;
-                hit |= u64::from(mask != 0) << column;
+            let mut at = lines.map(|line| line.start);
+            for column in window.columns[0]..=window.columns[1] {
+                let [p, q, r] = [0, 1, 2].map(|i| at[i] + lines[i].most);
+                if p | q | r >= 0 {
+                    let pixel = row * SIDE + column;
+                    let [p, q, r] = [0, 1, 2].map(|i| at[i] + lines[i].least);
+                    if p | q | r >= 0 {
+                        self.full |= 1 << pixel;
+                    } else {
+                        let turn = if TURNS == 1 { 0 } else { sampling.turn(window.place(column, row)) };
+                        let mask = samples(&lines[..count], &at, turn);
+                        self.masks[pixel] = mask;
+                        self.partial |= u64::from(mask != 0) << pixel;
+                    }
+                }
+                (0..3).for_each(|i| at[i] += lines[i].right);
             }
-            self.full |= u64::from(inside) << (row * SIDE);
-            self.partial |= hit << (row * SIDE);
-            lines.iter_mut().for_each(Line::next_row);
+            lines.iter_mut().for_each(|line| line.start += line.down);
         }
     }
 }
@@ -115,8 +125,6 @@ struct Window {
     /// First and last column and row, counted in the sub-area.
     columns: [usize; 2],
     rows: [usize; 2],
-    /// The columns as bits.
-    mask: u32,
 }
 
 impl Window {
@@ -131,13 +139,18 @@ impl Window {
         };
         let columns = range(0, triangle.low.x, triangle.high.x)?;
         let rows = range(1, triangle.low.y, triangle.high.y)?;
-        let mask = (1 << (columns[1] + 1)) - (1 << columns[0]);
-        Some(Self { origin: area.origin, columns, rows, mask })
+        Some(Self { origin: area.origin, columns, rows })
     }
 
     /// Place on the screen of a pixel of the sub-area.
-    fn pixel(&self, column: usize, row: usize) -> [i32; 2] {
+    fn place(&self, column: usize, row: usize) -> [i32; 2] {
         [self.origin[0] as i32 + column as i32, self.origin[1] as i32 + row as i32]
+    }
+
+    /// Its pixels as bits.
+    fn pixels(&self) -> u64 {
+        let row = (1 << (self.columns[1] + 1)) - (1 << self.columns[0]);
+        (self.rows[0]..=self.rows[1]).fold(0, |pixels, number| pixels | row << (number * SIDE))
     }
 }
 
@@ -145,14 +158,14 @@ impl Window {
 enum Crossing {
     Outside,
     Inside,
-    /// The edge function at the lattice's first point in column 0 and the first row of the window.
+    /// The edge function at the first lattice point of the window's first pixel.
     Through(i32),
 }
 
 impl Crossing {
     /// The lattice makes the integers short: with `x = 8 X + o`, and `y` alike, `a x + b y + c >= 0` holds just if
-    /// `a X + b Y + floor((c + o (a + b)) / 8) >= 0`. Over a window that an edge crosses this stays below 2^31, as
-    /// `|a| + |b| < 2^22.01` and a window spans less than 2^8 points of the lattice.
+    /// `a X + b Y + floor((c + o (a + b)) / 8) >= 0`. Over a window that an edge crosses this stays below 2^31, a pixel beyond
+    /// its borders included: `|a| + |b| < 2^22.01`, and a window spans 2^8 points of the lattice.
     fn new(edge: &Edge, window: &Window, sampling: &Sampling) -> Self {
         let [a, b] = [edge.a, edge.b].map(i64::from);
         let origin = i64::from(sampling.origin * (LATTICE_STEPS / 2));
@@ -170,18 +183,18 @@ impl Crossing {
         } else if at([farthest_x, farthest_y]) >= 0 {
             Self::Inside
         } else {
-            // Columns left of the window are no columns of it: their values may wrap.
-            Self::Through(at([lattice(0, 0), lattice(1, window.rows[0])]) as i32)
+            Self::Through(at([lattice(0, window.columns[0]), lattice(1, window.rows[0])]) as i32)
         }
     }
 }
 
-/// An edge that crosses a window: its function in steps of the lattice, modulo 2^32. Values in the window are below 2^31.
+/// An edge that crosses a window: its function in steps of the lattice.
 #[derive(Debug, Clone, Copy)]
 struct Line<const N: usize, const TURNS: usize> {
-    /// At the first lattice point of each pixel of the row.
-    pixels: [i32; SIDE],
-    /// From one row of pixels to the next.
+    /// At the first lattice point of the row's first pixel.
+    start: i32,
+    /// From one pixel to the next, and from one row of pixels to the next.
+    right: i32,
     down: i32,
     /// Greatest and least value over the sampling points of a pixel, less that at its first lattice point.
     most: i32,
@@ -191,58 +204,36 @@ struct Line<const N: usize, const TURNS: usize> {
 }
 
 impl<const N: usize, const TURNS: usize> Line<N, TURNS> {
-    const NONE: Self = Self { pixels: [0; SIDE], down: 0, most: 0, least: 0, samples: [[0; N]; TURNS] };
+    const NONE: Self = Self { start: 0, right: 0, down: 0, most: 0, least: 0, samples: [[0; N]; TURNS] };
 
-    fn new(edge: &Edge, first: i32, sampling: &Sampling) -> Self {
+    fn new(edge: &Edge, start: i32, sampling: &Sampling) -> Self {
         let Edge { a, b, .. } = *edge;
         let [x, y] = sampling.extent;
         let [[most_x, least_x], [most_y, least_y]] =
             [(a, x), (b, y)].map(|(slope, [low, high])| if slope > 0 { [high, low] } else { [low, high] });
-        let mut line = Self {
-            pixels: [0; SIDE],
-            down: LATTICE * b,
-            most: a * most_x + b * most_y,
-            least: a * least_x + b * least_y,
-            samples: [[0; N]; TURNS],
-        };
-        for column in 0..SIDE {
-            line.pixels[column] = first.wrapping_add(LATTICE * a * column as i32);
-        }
-        for (samples, Offsets { x, y }) in line.samples.iter_mut().zip(sampling.turns()) {
+        let mut samples = [[0; N]; TURNS];
+        for (samples, Offsets { x, y }) in samples.iter_mut().zip(sampling.turns()) {
             for i in 0..N {
                 samples[i] = a * x[i] + b * y[i];
             }
         }
-        line
-    }
-
-    fn next_row(&mut self) {
-        for at in &mut self.pixels {
-            *at = at.wrapping_add(self.down);
+        Self {
+            start,
+            right: LATTICE * a,
+            down: LATTICE * b,
+            most: a * most_x + b * most_y,
+            least: a * least_x + b * least_y,
+            samples,
         }
     }
 }
 
-/// Pixels of a row that lie wholly outside one of the lines, and pixels with a point outside, as bits.
-fn classify<const N: usize, const TURNS: usize>(lines: &[Line<N, TURNS>]) -> [u32; 2] {
-    let mut outside = [0; SIDE];
-    let mut crossed = [0; SIDE];
-    for line in lines {
-        for column in 0..SIDE {
-            outside[column] |= line.pixels[column].wrapping_add(line.most);
-            crossed[column] |= line.pixels[column].wrapping_add(line.least);
-        }
-    }
-    [signs(&outside), signs(&crossed)]
-}
-
-/// Sampling points of a pixel that lie inside all lines, as bits.
-fn samples<const N: usize, const TURNS: usize>(lines: &[Line<N, TURNS>], column: usize, turn: usize) -> u32 {
+/// Sampling points of a pixel that lie inside all lines, as bits. `at` has the values at the pixel's first lattice point.
+fn samples<const N: usize, const TURNS: usize>(lines: &[Line<N, TURNS>], at: &[i32; 3], turn: usize) -> u32 {
     let mut outside = [0; N];
-    for line in lines {
-        let at = line.pixels[column];
+    for (line, at) in lines.iter().zip(at) {
         for i in 0..N {
-            outside[i] |= at.wrapping_add(line.samples[turn][i]);
+            outside[i] |= at + line.samples[turn][i];
         }
     }
     !signs(&outside) & u32::MAX >> (MOST_SAMPLES - N)

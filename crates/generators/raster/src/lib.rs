@@ -27,7 +27,7 @@
 //! # See also
 //!
 //! `tests/raster`: a second evaluator that shares no code, partition of meshes, conservative lists, convergence to the
-//! exact area. `examples/million.rs` and `examples/cost.rs` are the long run of the lists and the cost of a sub-area.
+//! exact area. `examples/cost.rs` measures what a sub-area costs.
 
 mod area;
 mod clip;

@@ -98,6 +98,4 @@ fn what_is_not_finite_or_too_far_is_refused() {
             assert!(clip(corners, &PROJECTION, &screen(), NEAR).is_err(), "{corners:?}");
         }
     }
-    let near_zero = [[-1.0, 1.0, 1.0], [1e9, 1.0, -1.0], [0.0, -1e9, 1.0]].map(DVec3::from_array);
-    assert!(clip(near_zero, &PROJECTION, &screen(), 1e-300).is_err());
 }
