@@ -96,25 +96,23 @@ impl Coverage {
             return;
         }
         // Lines beyond `count` are `NONE`, which no point lies outside.
+        let [p, q, r] = &lines;
+        let mut start = [p.start, q.start, r.start];
         for row in window.rows[0]..=window.rows[1] {
-            let mut at = lines.map(|line| line.start);
+            let mut at = start;
             for column in window.columns[0]..=window.columns[1] {
-                let [p, q, r] = [0, 1, 2].map(|i| at[i] + lines[i].most);
-                if p | q | r >= 0 {
-                    let pixel = row * SIDE + column;
-                    let [p, q, r] = [0, 1, 2].map(|i| at[i] + lines[i].least);
-                    if p | q | r >= 0 {
-                        self.full |= 1 << pixel;
-                    } else {
-                        let turn = if TURNS == 1 { 0 } else { sampling.turn(window.place(column, row)) };
-                        let mask = samples(&lines[..count], &at, turn);
-                        self.masks[pixel] = mask;
-                        self.partial |= u64::from(mask != 0) << pixel;
-                    }
+                let pixel = row * SIDE + column;
+                if all_inside([at[0] + p.least, at[1] + q.least, at[2] + r.least]) {
+                    self.full |= 1 << pixel;
+                } else if all_inside([at[0] + p.most, at[1] + q.most, at[2] + r.most]) {
+                    let turn = if TURNS == 1 { 0 } else { sampling.turn(window.place(column, row)) };
+                    let mask = samples(&lines[..count], &at, turn);
+                    self.masks[pixel] = mask;
+                    self.partial |= u64::from(mask != 0) << pixel;
                 }
-                (0..3).for_each(|i| at[i] += lines[i].right);
+                at = [at[0] + p.right, at[1] + q.right, at[2] + r.right];
             }
-            lines.iter_mut().for_each(|line| line.start += line.down);
+            start = [start[0] + p.down, start[1] + q.down, start[2] + r.down];
         }
     }
 }
@@ -167,15 +165,14 @@ impl Crossing {
     /// `a X + b Y + floor((c + o (a + b)) / 8) >= 0`. Over a window that an edge crosses this stays below 2^31, a pixel beyond
     /// its borders included: `|a| + |b| < 2^22.01`, and a window spans 2^8 points of the lattice.
     fn new(edge: &Edge, window: &Window, sampling: &Sampling) -> Self {
-        let [a, b] = [edge.a, edge.b].map(i64::from);
+        let Edge { a, b, c } = *edge;
         let origin = i64::from(sampling.origin * (LATTICE_STEPS / 2));
-        let constant = (edge.c + origin * (a + b)).div_euclid(i64::from(LATTICE_STEPS));
-        let lattice =
-            |axis: usize, pixel: usize| i64::from(LATTICE) * (i64::from(window.origin[axis]) + pixel as i64);
-        let [[left, right], [top, bottom]] = sampling.extent.map(|extent| extent.map(i64::from));
+        let constant = (c + origin * (i64::from(a) + i64::from(b))).div_euclid(i64::from(LATTICE_STEPS));
+        let at = |[x, y]: [i32; 2]| i64::from(a) * i64::from(x) + i64::from(b) * i64::from(y) + constant;
+        let lattice = |axis: usize, pixel: usize| LATTICE * (window.origin[axis] as i32 + pixel as i32);
+        let [[left, right], [top, bottom]] = sampling.extent;
         let x = [lattice(0, window.columns[0]) + left, lattice(0, window.columns[1]) + right];
         let y = [lattice(1, window.rows[0]) + top, lattice(1, window.rows[1]) + bottom];
-        let at = |[x, y]: [i64; 2]| a * x + b * y + constant;
         let [nearest_x, farthest_x] = if a > 0 { [x[1], x[0]] } else { x };
         let [nearest_y, farthest_y] = if b > 0 { [y[1], y[0]] } else { y };
         if at([nearest_x, nearest_y]) < 0 {
@@ -209,12 +206,13 @@ impl<const N: usize, const TURNS: usize> Line<N, TURNS> {
     fn new(edge: &Edge, start: i32, sampling: &Sampling) -> Self {
         let Edge { a, b, .. } = *edge;
         let [x, y] = sampling.extent;
-        let [[most_x, least_x], [most_y, least_y]] =
-            [(a, x), (b, y)].map(|(slope, [low, high])| if slope > 0 { [high, low] } else { [low, high] });
+        let [most_x, least_x] = if a > 0 { [x[1], x[0]] } else { x };
+        let [most_y, least_y] = if b > 0 { [y[1], y[0]] } else { y };
         let mut samples = [[0; N]; TURNS];
-        for (samples, Offsets { x, y }) in samples.iter_mut().zip(sampling.turns()) {
+        for turn in 0..TURNS {
+            let Offsets { x, y } = &sampling.turns()[turn];
             for i in 0..N {
-                samples[i] = a * x[i] + b * y[i];
+                samples[turn][i] = a * x[i] + b * y[i];
             }
         }
         Self {
@@ -231,12 +229,18 @@ impl<const N: usize, const TURNS: usize> Line<N, TURNS> {
 /// Sampling points of a pixel that lie inside all lines, as bits. `at` has the values at the pixel's first lattice point.
 fn samples<const N: usize, const TURNS: usize>(lines: &[Line<N, TURNS>], at: &[i32; 3], turn: usize) -> u32 {
     let mut outside = [0; N];
-    for (line, at) in lines.iter().zip(at) {
+    for k in 0..lines.len() {
+        let samples = &lines[k].samples[turn];
         for i in 0..N {
-            outside[i] |= at + line.samples[turn][i];
+            outside[i] |= at[k] + samples[i];
         }
     }
     !signs(&outside) & u32::MAX >> (MOST_SAMPLES - N)
+}
+
+/// Whether no value is below 0.
+fn all_inside([p, q, r]: [i32; 3]) -> bool {
+    p | q | r >= 0
 }
 
 /// Which values are below 0, as bits.
