@@ -53,7 +53,7 @@ impl Disc {
         Ok(Self { diameter: least.pixels() * flux.max(1.0).sqrt(), intensity: flux.min(1.0) })
     }
 
-    /// Area (pixels squared).
+    /// Area of the disc (pixels squared).
     pub fn area(&self) -> f64 {
         PI * self.diameter * self.diameter / 4.0
     }

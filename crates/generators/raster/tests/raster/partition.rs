@@ -69,7 +69,7 @@ fn folds_cover_from_the_front_once_more_than_from_the_back() {
     for pattern in [Pattern::Four, Pattern::Sixteen, Pattern::OffCentre16] {
         let cells = 12;
         let corner = |i: usize, j: usize, random: &mut Random| {
-            let wander = if i % cells == 0 || j % cells == 0 { 0.0 } else { 6.0 };
+            let wander = if i.is_multiple_of(cells) || j.is_multiple_of(cells) { 0.0 } else { 6.0 };
             let along = |k: usize, random: &mut Random| 4.0 * k as f64 + random.between(-wander, wander);
             Point::snap([along(i, random), along(j, random)]).expect("on the raster")
         };

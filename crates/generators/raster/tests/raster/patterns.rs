@@ -52,7 +52,7 @@ fn widest_empty_disc(pattern: Pattern) -> f64 {
 #[test]
 fn the_widest_disc_that_misses_all_points() {
     for (pattern, published) in [
-        (Pattern::One, 1.414214),
+        (Pattern::One, std::f64::consts::SQRT_2),
         (Pattern::Four, 0.790569),
         (Pattern::Eight, 0.525595),
         (Pattern::Sixteen, 0.386405),
