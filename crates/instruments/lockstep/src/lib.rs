@@ -13,7 +13,7 @@
 //! [`ComparedScene`] is a scene by hand, [`random`] one from a seed; [`shrink`] makes one that differs as small as it can.
 
 pub mod answers;
-mod bounds;
+pub mod bounds;
 mod compare;
 mod engines;
 mod events;
