@@ -190,7 +190,7 @@ fn what_is_told_is_the_difference_of_whole_pictures() {
         ("descent", "pra-frugal", 20),
         ("nominal-drive", "pra-overloaded", 17),
     ] {
-        let asked = Asked::new(scenario, model, 24);
+        let asked = Asked::new(scenario, model, 48);
         let what = format!("{scenario} on {model}");
         let (changed, all) = agree(&asked, asked.late(frame), 10, &what);
         assert!(changed > 0, "{what}");
@@ -214,7 +214,7 @@ fn what_is_told_of_craters_and_boundaries_is_the_difference_of_whole_pictures() 
     for (scenario, model, frame, count) in
         [("full-drive", "pra-nominal", 3, 5), ("nominal-drive", "pra-overloaded", 17, 3)]
     {
-        let asked = Asked::new(scenario, model, 24);
+        let asked = Asked::new(scenario, model, 48);
         let all = asked.loads(frame);
         let (boundaries, craters): (Vec<_>, Vec<_>) =
             all.into_iter().partition(|late| matches!(late.of, LateOf::Boundary(_)));
@@ -256,7 +256,7 @@ fn a_load_on_time_draws_the_machine_whose_loads_take_no_time() {
             assert!(refused.contains("late in sweep"), "{refused}");
         }
     }
-    assert!(changed >= 5, "{changed} of 10 late loads changed a pixel");
+    assert!(changed >= 2, "{changed} of 10 late loads changed a pixel");
 }
 
 /// A word that the model holds back, and the same machine without that: two machines, two pictures, no word of `twice`.

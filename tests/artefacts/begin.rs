@@ -61,6 +61,7 @@ fn no_other_scene_begins_with_a_tick() {
         println!(
             "{scenario}: first sample off by {preset:.4?} m preset, by {jumps:.4?} m from the eye's foot"
         );
-        assert!(preset[1] < 0.02, "{scenario}: {preset:?} against {jumps:?}");
+        // Single sweeps begin beside a fold or a crater's rim: what is left of them is smaller than from the eye's foot.
+        assert!(preset[0] < 0.002 && preset[1] < jumps[1], "{scenario}: {preset:?} against {jumps:?}");
     }
 }

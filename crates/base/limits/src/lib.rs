@@ -108,7 +108,7 @@ pub const ROWS: [Row; 23] = [
     row(Limit::Landforms, "landforms", "massifs and rilles of a generated level", 1_000, 1 << 28),
     row(Limit::Rows, "rows", "rows of a table", 10_000_000, 1 << 40),
     row(Limit::Signals, "signals", "signals that are recorded at once", 20_000, 1 << 28),
-    row(Limit::Faults, "faults", "faults of one file that are listed", 1_000, 1 << 28),
+    row(Limit::Faults, "faults", "faults of one file that are listed", 100_000, 1 << 28),
     row(Limit::RecordBytes, "record-bytes", "bytes of the record or the journal of a run", 1 << 32, 1 << 44),
 ];
 

@@ -21,7 +21,7 @@ pub struct LoadMiss {
     pub due: f64,
     /// When the last one came; none if never.
     pub came: Option<f64>,
-    /// Number of words.
+    /// Number of words that it has.
     pub words: u32,
     /// What held them up.
     pub cause: MissCause,

@@ -47,7 +47,7 @@ pub struct LateLoad {
     pub due: f64,
     /// When the last one came; none if never.
     pub came: Option<f64>,
-    /// Number of words.
+    /// Number of words that it has.
     pub words: u32,
     /// Why: `access` or `queue`, as in the timing record.
     pub cause: &'static str,

@@ -26,7 +26,7 @@ pub struct OnFront {
     pub setting: Setting,
     /// Median time (s a frame).
     pub time_s: f64,
-    /// Its error.
+    /// Error of the picture at this setting.
     pub value: f64,
 }
 
