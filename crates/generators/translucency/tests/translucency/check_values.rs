@@ -59,7 +59,7 @@ fn for_all_orders(items: &mut [Placed; 7], count: usize, visit: &mut impl FnMut(
     }
     for i in 0..count {
         for_all_orders(items, count - 1, visit);
-        items.swap(if count % 2 == 0 { i } else { 0 }, count - 1);
+        items.swap(if count.is_multiple_of(2) { i } else { 0 }, count - 1);
     }
 }
 
