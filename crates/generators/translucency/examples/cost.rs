@@ -11,12 +11,13 @@ use translucency::{Capacity, Feature, Stack};
 const SIZE: u32 = 128;
 /// Frames of which the fastest counts.
 const FRAMES: usize = 5;
-/// Opaque features at each sampling point, near ones first and last.
+/// Opaque features at each sampling point, far to near. All sheets lie before them, in no order.
 const OPAQUE: u32 = 3;
 
 fn feature(id: u32, translucency: f64) -> (Feature, DistancePlane) {
+    let nearness = if translucency == 0.0 { id } else { 10 + id * 7 % 23 };
     let feature = Feature::surface(id, 0, [0.5; 3], translucency).expect("a feature in range");
-    (feature, DistancePlane { slope: [1e-5, 2e-5], origin: 0.01 + 0.01 * f64::from(id * 7 % 10) })
+    (feature, DistancePlane { slope: [1e-5, 2e-5], origin: 0.01 + 0.1 * f64::from(nearness) })
 }
 
 /// Nanoseconds a sampling point: of the fastest frame.

@@ -22,6 +22,7 @@ impl Entry {
 
     /// Whether this feature, not [`Entry::NONE`], lies nearer than another or nothing. What has no number for a distance, or is
     /// infinitely far behind, never does.
+    #[inline]
     pub fn is_nearer(self, other: Self, features: &[Feature]) -> bool {
         if self.q == other.q && !other.is_none() {
             let [own, other] = [self, other].map(|entry| &features[entry.number as usize]);

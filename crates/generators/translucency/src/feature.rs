@@ -137,6 +137,7 @@ impl Feature {
 
     /// Order of features equally near, the nearer first. Features of one priority and id differ by what they look like; beyond that
     /// nobody can tell them apart.
+    #[cold]
     pub(crate) fn order_at_one_distance(&self, other: &Self) -> Ordering {
         let own_and_other = || self.light.iter().zip(&other.light);
         other

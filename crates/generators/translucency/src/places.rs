@@ -8,6 +8,8 @@ use crate::stack::SIDE;
 #[derive(Debug, Clone)]
 pub(crate) struct Places {
     sampling: Sampling,
+    /// Sampling points of a pixel, 1 to 32.
+    pub samples: usize,
     /// Column and row on the screen of the first pixel.
     origin: [u32; 2],
     /// Offsets from a pixel's corner (pixels), by axis: of one pixel for all, or of every pixel where the pattern is turned.
@@ -18,15 +20,11 @@ impl Places {
     /// Those of a sampling, for no sub-area yet.
     pub fn new(sampling: Sampling) -> Self {
         let pixels = if sampling.is_turned() { SIDE * SIDE } else { 1 };
-        let empty = vec![0.0; pixels * sampling.count()];
-        let mut places = Self { sampling, origin: [0; 2], offsets: [empty.clone(), empty] };
+        let samples = sampling.count();
+        let empty = vec![0.0; pixels * samples];
+        let mut places = Self { sampling, samples, origin: [0; 2], offsets: [empty.clone(), empty] };
         places.fill(0, [0; 2]);
         places
-    }
-
-    /// Sampling points of a pixel, 1 to 32.
-    pub fn samples(&self) -> usize {
-        self.sampling.count()
     }
 
     /// Moves to a sub-area.
@@ -57,7 +55,7 @@ impl Places {
     }
 
     fn fill(&mut self, pixel: usize, on_screen: [i32; 2]) {
-        let first = pixel * self.samples();
+        let first = pixel * self.samples;
         for (i, place) in self.sampling.places(on_screen).enumerate() {
             for axis in 0..2 {
                 self.offsets[axis][first + i] = place[axis] - f64::from(on_screen[axis]);

@@ -74,7 +74,7 @@ impl Stack {
 
     /// Sampling points of a pixel, 1 to 32.
     pub fn samples(&self) -> usize {
-        self.places.samples()
+        self.places.samples
     }
 
     /// Adds a feature where it covers sampling points: `pixels` has numbers of pixels and their bits, as [`raster::Coverage::pixels`] gives
