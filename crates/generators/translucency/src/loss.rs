@@ -8,7 +8,8 @@ use crate::feature::{Feature, Kind};
 /// **Bound.** Up to the nearest lost feature nothing is missing. Behind it both sums, the machine's and that without limits, are means
 /// of colours from there on, so they differ by the largest of these colours at most, times what the kept features before it
 /// let through. The largest colour is taken over all translucent features of the sub-area, lights above intensity 1
-/// included, and the nearest opaque feature or the background; lights that hide nothing are added.
+/// included, and the nearest opaque feature or the background; lights that hide nothing are added. (What was lost belongs to it: white dust
+/// that is lost over black ground makes an error though nothing kept is bright.)
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Loss<'a> {
     /// The nearest translucent surface and the nearest light without a slot, with their q (1/m); `None` if none was lost.

@@ -83,7 +83,7 @@ fn rings_are_fine_near_and_coarse_far() {
     assert!(finest < 3.6 && coarsest > 35.0, "{finest} to {coarsest}");
 }
 
-/// Vertices of the innermost square that two eyes have in common are all that both squares hold.
+/// From any eye, all vertices lie on one grid of the finest step, or on the northern or eastern border.
 #[test]
 fn vertices_stay_while_the_eye_moves() {
     let (landscape, rings) = (two_levels(), Rings { half_side: 50.0, cells: 8 });
