@@ -1,0 +1,68 @@
+//! Slots of translucent features, near to far, for each sampling point.
+
+use crate::entry::Entry;
+use crate::feature::Feature;
+
+/// Slots that unlimited shelves begin with at each sampling point.
+const FIRST_SLOTS: usize = 4;
+
+/// The nearest features of each sampling point, up to a capacity.
+#[derive(Debug, Clone)]
+pub(crate) struct Shelf {
+    capacity: usize,
+    /// Slots that every sampling point has by now, at most the capacity.
+    stride: usize,
+    counts: Vec<u32>,
+    entries: Vec<Entry>,
+}
+
+impl Shelf {
+    /// An empty shelf of a capacity (`None`: without limit) for so many sampling points.
+    pub fn new(capacity: Option<u32>, samples: usize) -> Self {
+        let capacity = capacity.map_or(usize::MAX, |slots| slots as usize);
+        let stride = capacity.min(FIRST_SLOTS);
+        Self { capacity, stride, counts: vec![0; samples], entries: vec![Entry::NONE; stride * samples] }
+    }
+
+    /// Forgets what sampling points have.
+    pub fn clear(&mut self, samples: std::ops::Range<usize>) {
+        self.counts[samples].fill(0);
+    }
+
+    /// What a sampling point has, near to far.
+    pub fn of(&self, sample: usize) -> &[Entry] {
+        &self.entries[sample * self.stride..][..self.counts[sample] as usize]
+    }
+
+    /// Puts an entry in its place by distance and key; what then has no slot is given back, the farthest.
+    pub fn insert(&mut self, sample: usize, entry: Entry, features: &[Feature]) -> Option<Entry> {
+        let held = self.of(sample);
+        let nearer = held.iter().rposition(|&other| !entry.is_nearer(other, features));
+        let (place, count) = (nearer.map_or(0, |last| last + 1), held.len());
+        if place == self.capacity {
+            return Some(entry);
+        }
+        let lost = (count == self.capacity).then(|| held[count - 1]);
+        if lost.is_none() {
+            if count == self.stride {
+                self.grow();
+            }
+            self.counts[sample] += 1;
+        }
+        let slots = &mut self.entries[sample * self.stride..][..self.counts[sample] as usize];
+        slots[place..].rotate_right(1);
+        slots[place] = entry;
+        lost
+    }
+
+    /// Twice as many slots for every sampling point.
+    fn grow(&mut self) {
+        let stride = (2 * self.stride).min(self.capacity);
+        let mut entries = vec![Entry::NONE; stride * self.counts.len()];
+        for (sample, slots) in entries.chunks_exact_mut(stride).enumerate() {
+            let held = self.of(sample);
+            slots[..held.len()].copy_from_slice(held);
+        }
+        (self.stride, self.entries) = (stride, entries);
+    }
+}

@@ -1,0 +1,130 @@
+//! The ground around an eye as triangles.
+
+use std::collections::HashMap;
+
+use glam::DVec3;
+use landscape::Landscape;
+use rayon::prelude::*;
+
+use crate::error::MeshError;
+use crate::grid::{Grid, extent};
+use crate::rings::{Block, Rings, for_blocks};
+
+/// Vertices and triangles of the ground in flat buffers, which are used for mesh after mesh.
+#[derive(Debug, Clone, Default)]
+pub struct GroundMesh {
+    pub(crate) vertices: Vec<Vertex>,
+    pub(crate) triangles: Vec<[u32; 3]>,
+    numbers: HashMap<[i64; 2], u32>,
+}
+
+/// A vertex of the ground, from the closed form of the landscape.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Vertex {
+    /// Place: north, east, up (m).
+    pub place: DVec3,
+    /// Slopes of the ground to the north and to the east (m/m); its normal is `(-slopes[0], -slopes[1], 1)`, not scaled.
+    pub slopes: [f64; 2],
+    /// Share of red, green and blue light that is returned, 0..=1.
+    pub albedo: [f64; 3],
+}
+
+impl GroundMesh {
+    /// Makes the mesh anew for an eye (north, east, up; m).
+    ///
+    /// # Errors If the eye is not over the bank, or the rings are out of range.
+    pub fn fill(&mut self, landscape: &Landscape, eye: DVec3, rings: Rings) -> Result<(), MeshError> {
+        self.lay_out(landscape, eye, rings)?;
+        self.raise(landscape);
+        Ok(())
+    }
+
+    /// All vertices. One where the bank has no ground belongs to no triangle, and its height is not a number.
+    pub fn vertices(&self) -> &[Vertex] {
+        &self.vertices
+    }
+
+    /// Numbers of the corners of each triangle, counter-clockwise seen from above.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// Places and triangles, without heights.
+    pub(crate) fn lay_out(
+        &mut self,
+        landscape: &Landscape,
+        eye: DVec3,
+        rings: Rings,
+    ) -> Result<(), MeshError> {
+        let extent = extent(landscape.bank());
+        let [south, west, north, east] = extent;
+        let is_over = (south..=north).contains(&eye.x) && (west..=east).contains(&eye.y);
+        if !(is_over && eye.is_finite()) {
+            return Err(MeshError::Eye { eye: eye.to_array(), extent });
+        }
+        rings.check(landscape.bank())?;
+        let grid = Grid::new(landscape.bank(), rings.finest_step());
+        self.vertices.clear();
+        self.triangles.clear();
+        self.numbers.clear();
+        let eye = [grid.steps(0, eye.x), grid.steps(1, eye.y)];
+        for_blocks(&grid, eye, rings.cells, |block| self.fan(&block, &grid));
+        Ok(())
+    }
+
+    /// The triangles of a block: a fan about its middle.
+    fn fan(&mut self, block: &Block, grid: &Grid) {
+        let [x, y] = block.lines;
+        let [[south, north], [west, east]] = block.meets_coarser;
+        // Round the block, each side with its middle; a middle that a coarser ring lacks is left out.
+        let round = [
+            (false, 0, 0),
+            (south, 0, 1),
+            (false, 0, 2),
+            (east, 1, 2),
+            (false, 2, 2),
+            (north, 2, 1),
+            (false, 2, 0),
+            (west, 1, 0),
+        ];
+        let middle = self.vertex([x[1], y[1]], grid);
+        let kept = round.into_iter().filter(|(is_left_out, ..)| !is_left_out);
+        let mut corners = [0; 8];
+        let mut count = 0;
+        for (_, i, j) in kept {
+            corners[count] = self.vertex([x[i], y[j]], grid);
+            count += 1;
+        }
+        for k in 0..count {
+            let [from, to] = [corners[k], corners[(k + 1) % count]];
+            // At a border lines fall together.
+            if from != to && from != middle && to != middle {
+                self.triangles.push([middle, from, to]);
+            }
+        }
+    }
+
+    /// Number of the vertex at a place of the grid.
+    fn vertex(&mut self, at: [i64; 2], grid: &Grid) -> u32 {
+        let vertices = &mut self.vertices;
+        *self.numbers.entry(at).or_insert_with(|| {
+            let place = DVec3::new(grid.place(0, at[0]), grid.place(1, at[1]), f64::NAN);
+            vertices.push(Vertex { place, slopes: [0.0; 2], albedo: [0.0; 3] });
+            vertices.len() as u32 - 1
+        })
+    }
+
+    /// Heights, slopes and albedo of all vertices; triangles without ground go.
+    pub(crate) fn raise(&mut self, landscape: &Landscape) {
+        self.vertices.par_iter_mut().for_each(|vertex| {
+            let (x, y) = (vertex.place.x, vertex.place.y);
+            if let Some(ground) = landscape.at(x, y) {
+                vertex.place.z = ground.height;
+                vertex.slopes = ground.slopes;
+                vertex.albedo = landscape.albedo_at(x, y);
+            }
+        });
+        let vertices = &self.vertices;
+        self.triangles.retain(|corners| corners.iter().all(|&k| vertices[k as usize].place.z.is_finite()));
+    }
+}
