@@ -63,7 +63,7 @@ impl SlowDrum {
     /// Notes what the heads are at from this tick to the next.
     fn note(&self, drum: u32, tick: u64, spells: &mut Vec<DrumSpell>) {
         let (Heads::Turning(record) | Heads::Reading(record, _)) = self.heads else { return };
-        if !spells.last().is_some_and(|last| (last.record, last.until) == (record, tick)) {
+        if spells.last().is_none_or(|last| (last.record, last.until) != (record, tick)) {
             spells.push(DrumSpell { drum, record, begun: tick, under: tick, until: tick });
         }
         let Some(spell) = spells.last_mut() else { return };
@@ -94,6 +94,15 @@ struct SlowBank {
     between: Vec<(u32, u64)>,
     tick: u64,
     begun: bool,
+}
+
+/// What came of a run.
+struct Run {
+    /// Busy ticks of the drums, and of the channels.
+    busy: [Vec<u64>; 2],
+    spells: Vec<DrumSpell>,
+    /// Records with the tick at which each arrived.
+    arrived: Vec<(u32, u64)>,
 }
 
 impl SlowBank {
@@ -138,8 +147,8 @@ impl SlowBank {
         self.held.iter().any(|held| held.0 == record)
     }
 
-    /// Turns to `end`; drums choose only while `serving`. Busy ticks of drums and of channels, spells of the drums, and arrivals.
-    fn run(&mut self, end: u64, serving: bool) -> ([Vec<u64>; 2], Vec<DrumSpell>, Vec<(u32, u64)>) {
+    /// Turns to `end`; drums choose only while `serving`.
+    fn run(&mut self, end: u64, serving: bool) -> Run {
         let mut spells: Vec<Vec<DrumSpell>> = vec![vec![]; self.drums.len()];
         let mut busy = [vec![0; self.drums.len()], vec![0; self.channels]];
         let mut arrived = vec![];
@@ -147,7 +156,7 @@ impl SlowBank {
             let queue = (serving && self.tick < end).then_some(self.design.queue);
             (0..self.channels).for_each(|channel| self.instant(channel, queue, &mut arrived));
             if self.tick >= end {
-                return (busy, spells.concat(), arrived);
+                return Run { busy, spells: spells.concat(), arrived };
             }
             for (number, drum) in self.drums.iter_mut().enumerate() {
                 busy[0][number] += u64::from(!matches!(drum.heads, Heads::Idle));
@@ -233,7 +242,7 @@ impl SlowBank {
         supply.pieces = named.len() as u64;
         supply.missing.sort_by_key(|missing| missing.item);
         supply.missing.dedup();
-        let ([busy, carried], spells, arrived) = self.run(end, true);
+        let Run { busy: [busy, carried], spells, arrived } = self.run(end, true);
         self.take_in(&arrived, frame, &wanted, &mut supply);
         for missing in &mut supply.missing {
             let record = self.record_of(missing.item);
@@ -244,7 +253,7 @@ impl SlowBank {
 
     /// Lets time pass between two frames.
     fn pause(&mut self, ticks: u64) {
-        self.between = self.run(self.tick + ticks, false).2;
+        self.between = self.run(self.tick + ticks, false).arrived;
     }
 
     fn order(&mut self, frame: u64, wanted: &[u32], kept: &[u32], supply: &mut FrameSupply) {
