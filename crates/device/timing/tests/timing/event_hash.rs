@@ -86,3 +86,19 @@ proptest! {
         prop_assert_ne!(hash_of(&[event]).finish(), before);
     }
 }
+
+/// A list longer than what is hashed at once: the hash is that of all its bytes in a row.
+#[test]
+fn long_lists_are_hashed_whole() {
+    let (mut hash, mut bytes) = (EventHash::new(), Vec::new());
+    for tick in 0..5000_u64 {
+        hash.push(tick, "red", "x-first", &[7, tick]);
+        let numbers =
+            |numbers: &[u64]| numbers.iter().flat_map(|number| number.to_le_bytes()).collect::<Vec<_>>();
+        bytes.extend(
+            [&numbers(&[tick, 3])[..], b"red", &numbers(&[7]), b"x-first", &numbers(&[2, 7, tick])].concat(),
+        );
+    }
+    let mut whole = blake3::Hasher::new_derive_key("lunoid timing, ordered digital events, format 1");
+    assert_eq!(hash.finish(), (5000, whole.update(&bytes).finalize().to_hex().to_string()));
+}
