@@ -2,6 +2,8 @@
 
 use smallvec::SmallVec;
 
+use crate::keep;
+
 /// Corners (x, y; pixels) of a convex polygon, around it in either direction.
 type Polygon = SmallVec<[[f64; 2]; 12]>;
 
@@ -62,19 +64,9 @@ fn lines(polygon: &[[f64; 2]]) -> impl Iterator<Item = impl Fn([f64; 2]) -> f64>
 
 /// The part of a convex polygon where a linear function is at least 0.
 fn keep(polygon: &[[f64; 2]], height: impl Fn([f64; 2]) -> f64) -> Polygon {
-    let mut kept = Polygon::new();
-    for (i, &from) in polygon.iter().enumerate() {
-        let to = polygon[(i + 1) % polygon.len()];
-        let (start, end) = (height(from), height(to));
-        if start >= 0.0 {
-            kept.push(from);
-        }
-        if (start >= 0.0) != (end >= 0.0) {
-            let share = start / (start - end);
-            kept.push([from[0] + (to[0] - from[0]) * share, from[1] + (to[1] - from[1]) * share]);
-        }
-    }
-    kept
+    keep::keep(polygon, height, |from: [f64; 2], to: [f64; 2], share| {
+        [0, 1].map(|axis| from[axis] + (to[axis] - from[axis]) * share)
+    })
 }
 
 fn area(polygon: &[[f64; 2]]) -> f64 {

@@ -4,6 +4,7 @@ use glam::DVec3;
 use smallvec::SmallVec;
 
 use crate::fixed::{OffRaster, Point};
+use crate::keep::keep;
 use crate::projection::Projection;
 use crate::screen::Screen;
 
@@ -80,25 +81,6 @@ struct HalfSpace {
 impl HalfSpace {
     fn keep(&self, polygon: &Polygon) -> Polygon {
         let height = |point: DVec3| self.normal.dot(point) + self.offset;
-        let mut kept = Polygon::new();
-        for (i, &from) in polygon.iter().enumerate() {
-            let to = polygon[(i + 1) % polygon.len()];
-            let (start, end) = (height(from), height(to));
-            if start >= 0.0 {
-                kept.push(from);
-            }
-            match (start >= 0.0, end >= 0.0) {
-                (true, false) => kept.push(cut(from, start, to, end)),
-                (false, true) => kept.push(cut(to, end, from, start)),
-                _ => {}
-            }
-        }
-        kept
+        keep(polygon, height, |from: DVec3, to: DVec3, share| from + (to - from) * share)
     }
-}
-
-/// Where the way from a point inside to one outside leaves the half-space. The order of the two makes both triangles at an
-/// edge find the same point.
-fn cut(inside: DVec3, above: f64, outside: DVec3, below: f64) -> DVec3 {
-    inside + (outside - inside) * (above / (above - below))
 }

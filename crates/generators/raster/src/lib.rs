@@ -34,6 +34,7 @@ mod clip;
 mod coverage;
 mod filter;
 mod fixed;
+mod keep;
 mod lists;
 mod pattern;
 mod plane;

@@ -1,7 +1,7 @@
 //! Ladders of a small scene: what is exact has no error, what converges has its order, and a kept picture is taken again.
 
 use exact::Columns;
-use hardware_model::HardwareModel;
+use hardware_model::{Economy, HardwareModel};
 use landscape::Attitude;
 use quantities::radians;
 use scenario::Scenario;
@@ -177,4 +177,24 @@ fn what_lunsim_cannot_do_is_told_rung_by_rung() {
     let told =
         |rung: &study::ladder::RungOutcome| rung.refused.as_ref().is_some_and(|why| why.contains("relief"));
     assert!(ladder.rungs.iter().all(told), "{ladder:?}");
+}
+
+/// Rungs in preview are drawn in preview, and change what they name.
+#[test]
+fn rungs_in_preview_change_what_they_name() {
+    let text = SMOOTH.to_owned() + "\n[shadows]\nfinest_m = 0.5\nangle_mrad = 2\n";
+    let subject = subject_of(&text);
+    let of = |name: &str| -> Vec<_> {
+        let rungs = ladder(&subject, name).rungs;
+        rungs.iter().map(|rung| subject.changed(&rung.changes).unwrap().settings).collect()
+    };
+    for name in ["preview-samples", "preview-sweeps", "preview-shadows"] {
+        assert!(of(name).iter().all(|settings| settings.economy == Economy::Preview), "{name}");
+    }
+    let samples: Vec<u32> = of("preview-samples").iter().map(|settings| settings.raster.samples).collect();
+    assert_eq!(samples, [500, 1000, 2000]);
+    let sweeps: Vec<u32> = of("preview-sweeps").iter().map(|settings| settings.raster.sweeps).collect();
+    assert_eq!(sweeps, [12, 24, 48]);
+    let finest = of("preview-shadows").into_iter().map(|settings| settings.shadows.unwrap().finest);
+    assert_eq!(finest.collect::<Vec<_>>(), [4.0, 2.0, 1.0, 0.5]);
 }
