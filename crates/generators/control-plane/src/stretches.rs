@@ -11,7 +11,7 @@ use crate::waveforms::Changes;
 #[derive(Debug, Clone)]
 pub(crate) struct SweepTicks {
     clock: SweepClock,
-    /// Ticks from its start to that of the next sweep.
+    /// Master ticks from the start of the sweep to the start of the next sweep.
     pub(crate) ticks: Range<u64>,
 }
 

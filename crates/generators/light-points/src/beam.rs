@@ -47,8 +47,9 @@ impl BeamBudget {
     }
 }
 
-/// Orders points to cut jumps (`order = nearest-neighbour`): from the screen's top left corner each time to the nearest point that is left, of
-/// equally near ones that of the smaller id. Takes time by the square of their number.
+/// Orders points to cut jumps (`order = nearest-neighbour`). The beam begins in the top left corner of the screen and goes to the
+/// nearest point that it has not drawn. Of two points at one distance it takes the smaller id. The time grows with the square of the
+/// number of points.
 pub fn nearest_neighbour(points: &mut [BeamPoint]) {
     let mut from = [0.0, 0.0];
     for i in 0..points.len() {

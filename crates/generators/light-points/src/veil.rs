@@ -31,7 +31,7 @@ impl Veil {
 
     /// Reads out one point; points come near to far. `covered` has the numbers of the sampling points under its disc, and `stack` gives
     /// the share of light (0 to 1) that nearer features of the stack let through at one of them, 0 where an opaque one is nearer.
-    /// `translucency` is that of the point.
+    /// `translucency` is the share of light (0 to 1) that the point itself lets through.
     ///
     /// # Panics If the number of a sampling point is not in the store.
     pub fn read_out(

@@ -54,8 +54,8 @@ pub enum FeatureError {
 }
 
 impl Feature {
-    /// A surface of a colour (linear, 0 to 1; more for one that shines) and a translucency (0 opaque to 1 invisible). Of two
-    /// features equally near, the one of the higher `priority` is seen, then that of the lower `id`.
+    /// A surface of a colour (linear, 0 to 1; more for one that shines) and a translucency (0 opaque to 1 invisible). Where
+    /// two features have one distance, the higher `priority` is seen. Where these are equal too, the lower `id` is seen.
     ///
     /// # Errors If the translucency is no share, or a channel is below 0 or not finite.
     pub fn surface(
