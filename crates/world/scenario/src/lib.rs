@@ -13,8 +13,10 @@
 mod craters;
 mod curve;
 mod drift;
+mod effects;
 mod guests;
 mod laws;
+mod lights;
 mod limits;
 mod looks;
 mod meant;
@@ -30,6 +32,8 @@ mod ride;
 mod rocks;
 mod scenery;
 mod scenery_problem;
+mod sheets;
+mod sky_discs;
 mod sunlight;
 mod tracks;
 mod vehicle;
@@ -41,11 +45,13 @@ mod yoke;
 
 pub use craters::{CraterList, CraterPopulation, CraterWishes};
 pub use drift::Drift;
+pub use effects::Effects;
 pub use guests::{Frame, Group, GroupSun, Guest, MoveStation, Moves};
 pub use laws::{
     BodyVisibility, Curvature, FeatureLight, LawWishes, Laws, Occlusion, PixelRule, Projection,
     ShadowedBodies, TextureInShadow,
 };
+pub use lights::{Flash, LightPoint, LightSource, Lobe};
 pub use limits::{Limit, LimitReport};
 pub use looks::{AlbedoMapWish, MapCurve, RollDisplay, ShadowFineness, TextureWish};
 pub use meant::{GroundSource, Length, Scenario};
@@ -59,6 +65,8 @@ pub use raster::{Display, FieldOfView, FieldWish, RasterWishes, Scalar};
 pub use rocks::{RockArea, Rocks};
 pub use scenery::{Scenery, Standing, TrackPatch};
 pub use scenery_problem::{SceneryProblem, SceneryProblems};
+pub use sheets::{Medium, Overlay, Sheet};
+pub use sky_discs::{DiscFace, SkyDisc};
 pub use sunlight::{DatedSky, SunDate, Sunlight};
 pub use tracks::Tracks;
 pub use vehicle::{Stand, Vehicle};
