@@ -4,7 +4,7 @@
 use std::num::NonZeroU16;
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use landscape::{Attitude, Sun};
 use quantities::radians;
 use solids::{Body, Kind, Solid};
@@ -84,21 +84,29 @@ impl Guest {
         if !(self.from <= time && time < self.until) {
             return None;
         }
-        let frame = self.frame(time)?;
-        let heading = frame.attitude.heading + self.spin * time;
-        let stance =
-            Stance { at: [frame.foot.x, frame.foot.y], attitude: Attitude { heading, ..frame.attitude } };
-        let turn = stance.to_ground();
-        let mut body = Body::place(self.object, Kind::Culture, &self.solid, frame.foot, &turn, self.scale);
+        let (foot, turn) = Frame::at(&self.frames, self.spin, time)?;
+        let mut body = Body::place(self.object, Kind::Culture, &self.solid, foot, &turn, self.scale);
         (body.priority, body.group) = (self.priority, self.group);
         Some(body)
     }
+}
 
-    /// Its frame at `time` (s), in proportion between two of them.
-    fn frame(&self, time: f64) -> Option<Frame> {
-        let next = self.frames.partition_point(|frame| frame.time <= time);
-        let before = self.frames.get(next.saturating_sub(1))?;
-        let Some(after) = self.frames.get(next).filter(|_| next > 0) else { return Some(*before) };
+impl Frame {
+    /// Foot point (m) and turn from body axes (forward, starboard, up) to north, east, up at `time` (s), in proportion between two of
+    /// `frames`, with `spin` (rad/s) on top; `None` if there are no frames.
+    pub(crate) fn at(frames: &[Self], spin: f64, time: f64) -> Option<(DVec3, DMat3)> {
+        let frame = Self::between(frames, time)?;
+        let heading = frame.attitude.heading + spin * time;
+        let stance =
+            Stance { at: [frame.foot.x, frame.foot.y], attitude: Attitude { heading, ..frame.attitude } };
+        Some((frame.foot, stance.to_ground()))
+    }
+
+    /// The frame at `time` (s), in proportion between two of `frames`.
+    fn between(frames: &[Self], time: f64) -> Option<Self> {
+        let next = frames.partition_point(|frame| frame.time <= time);
+        let before = frames.get(next.saturating_sub(1))?;
+        let Some(after) = frames.get(next).filter(|_| next > 0) else { return Some(*before) };
         let share = (time - before.time) / (after.time - before.time);
         let mix = |from: f64, to: f64| from + share * (to - from);
         let (a, b) = (before.attitude, after.attitude);
@@ -107,7 +115,7 @@ impl Guest {
             pitch: mix(a.pitch, b.pitch),
             heading: mix(a.heading, b.heading),
         };
-        Some(Frame { time, foot: before.foot + share * (after.foot - before.foot), attitude })
+        Some(Self { time, foot: before.foot + share * (after.foot - before.foot), attitude })
     }
 }
 

@@ -45,7 +45,7 @@ mod yoke;
 
 pub use craters::{CraterList, CraterPopulation, CraterWishes};
 pub use drift::Drift;
-pub use effects::Effects;
+pub use effects::{Carried, Effects};
 pub use guests::{Frame, Group, GroupSun, Guest, MoveStation, Moves};
 pub use laws::{
     BodyVisibility, Curvature, FeatureLight, LawWishes, Laws, Occlusion, PixelRule, Projection,

@@ -5,7 +5,7 @@ use std::num::NonZeroU16;
 use landscape::{Attitude, Sun};
 use solids::Body;
 
-use crate::{DatedSky, Group, Guest, Pose, VehicleShape};
+use crate::{Carried, DatedSky, Effects, Group, Guest, Pose, VehicleShape};
 
 /// A body that stands from one time to another.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,6 +34,7 @@ pub struct Scenery {
     sky: Option<DatedSky>,
     standing: Vec<Standing>,
     guests: Vec<Guest>,
+    effects: Vec<Carried>,
     groups: Vec<Group>,
     patches: Vec<TrackPatch>,
     course: Vec<Pose>,
@@ -48,8 +49,17 @@ impl Scenery {
 
     /// Suns that follow one another, each with the time (s, ascending) from which on it holds; nothing on the ground.
     pub(crate) fn under(suns: Vec<(f64, Sun)>) -> Self {
-        let (standing, guests, groups, patches) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
-        Self { suns, sky: None, standing, guests, groups, patches, course: Vec::new(), vehicle: None }
+        Self {
+            suns,
+            sky: None,
+            standing: Vec::new(),
+            guests: Vec::new(),
+            effects: Vec::new(),
+            groups: Vec::new(),
+            patches: Vec::new(),
+            course: Vec::new(),
+            vehicle: None,
+        }
     }
 
     /// The same with the sky that the first sun is of, where it has a date.
@@ -65,6 +75,11 @@ impl Scenery {
     /// The same with bodies that move or are open.
     pub fn with_guests(self, guests: Vec<Guest>) -> Self {
         Self { guests, ..self }
+    }
+
+    /// The same with light points, sheets, overlays and discs of the sky.
+    pub fn with_effects(self, effects: Vec<Carried>) -> Self {
+        Self { effects, ..self }
     }
 
     /// The same with groups; bodies have their numbers from 1.
@@ -122,6 +137,18 @@ impl Scenery {
     /// The same of the whole mission.
     pub fn all_guests(&self) -> &[Guest] {
         &self.guests
+    }
+
+    /// Light points, sheets, overlays and discs of the sky at `time` (s).
+    pub fn effects(&self, time: f64) -> Effects {
+        let mut effects = Effects::default();
+        self.effects.iter().for_each(|carried| carried.add_at(time, &mut effects));
+        effects
+    }
+
+    /// The same of the whole mission.
+    pub fn all_effects(&self) -> &[Carried] {
+        &self.effects
     }
 
     /// Whether an object moves.
