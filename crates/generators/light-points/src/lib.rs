@@ -3,7 +3,6 @@
 //! ```text
 //!  diameter, distance --> Disc (diameter, intensity) --> raster: Light (light added, translucency), energy normalised
 //!  magnitude ----------->  ^                        \--> beam: Veil, Share (aperture, attenuation) --> budget --> Spot
-//!  lobe, flash, medium ----+
 //! ```
 //!
 //! # Law
@@ -25,11 +24,8 @@
 mod beam;
 mod disc;
 mod error;
-mod flash;
 mod least;
 mod light;
-mod lobe;
-mod medium;
 mod share;
 mod spot;
 mod under;
@@ -38,11 +34,8 @@ mod veil;
 pub use beam::{BeamBudget, BeamPoint, nearest_neighbour, path_length};
 pub use disc::{Disc, crossover, projected_diameter};
 pub use error::LightError;
-pub use flash::Flash;
 pub use least::LeastDiameter;
 pub use light::{Blending, Light};
-pub use lobe::Lobe;
-pub use medium::{path_in_sheet, transmittance};
 pub use share::{Share, add_up};
 pub use spot::Spot;
 pub use under::{count_under, mask_under};

@@ -30,6 +30,7 @@
 //! exact area. `examples/cost.rs` measures what a sub-area costs.
 
 mod area;
+mod attribute;
 mod clip;
 mod coverage;
 mod filter;
@@ -44,6 +45,7 @@ mod screen;
 mod triangle;
 
 pub use area::{area_within, visible_areas};
+pub use attribute::Attribute;
 pub use clip::{ClipError, Fan, clip};
 pub use coverage::Coverage;
 pub use filter::{Filter, Weights};

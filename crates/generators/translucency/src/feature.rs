@@ -2,6 +2,8 @@
 
 use std::cmp::Ordering;
 
+use raster::{Attribute, DistancePlane};
+
 /// In which slots a translucent feature is held.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
@@ -19,6 +21,14 @@ pub struct Feature {
     kind: Kind,
     translucency: f64,
     light: [f64; 3],
+    shading: Option<Shading>,
+}
+
+/// Colours of the corners of a triangle, in between.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Shading {
+    channels: [Attribute; 3],
+    plane: DistancePlane,
 }
 
 /// A figure that no feature has.
@@ -84,6 +94,12 @@ impl Feature {
         Self::new(id, priority, Kind::Light, colour, added, translucency)
     }
 
+    /// An opaque surface whose colour (linear red, green, blue) changes over its `plane`. Its order is that of [`Feature::surface`].
+    pub fn shaded(id: u32, priority: i32, channels: [Attribute; 3], plane: DistancePlane) -> Self {
+        let shading = Some(Shading { channels, plane });
+        Self { id, priority, kind: Kind::Surface, translucency: 0.0, light: [0.0; 3], shading }
+    }
+
     fn new(
         id: u32,
         priority: i32,
@@ -101,7 +117,7 @@ impl Feature {
         let light = colour.map(|channel| factor * channel);
         match light.iter().find(|channel| !is_light(**channel)) {
             Some(&value) => Err(FeatureError::Colour { id, value }),
-            None => Ok(Self { id, priority, kind, translucency, light }),
+            None => Ok(Self { id, priority, kind, translucency, light, shading: None }),
         }
     }
 
@@ -120,9 +136,21 @@ impl Feature {
         self.translucency
     }
 
-    /// Light that it sends itself (linear red, green, blue, at least 0), with nothing in front.
+    /// Light that it sends itself (linear red, green, blue, at least 0), with nothing in front; of a shaded one that of its
+    /// places is asked for by [`Feature::light_at`].
     pub fn own_light(&self) -> [f64; 3] {
         self.light
+    }
+
+    /// Light that it sends itself at a place on the screen (pixels), at least 0.
+    pub fn light_at(&self, place: [f64; 2]) -> [f64; 3] {
+        match &self.shading {
+            None => self.light,
+            Some(Shading { channels, plane }) => {
+                let q = plane.at(place);
+                channels.map(|channel| channel.at(place, q).max(0.0))
+            }
+        }
     }
 
     /// Whether it is a surface that lets nothing through.

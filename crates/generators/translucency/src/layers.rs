@@ -10,6 +10,8 @@ pub struct Layer<'a> {
     pub feature: &'a Feature,
     /// How near it is: q = 1/w (1/m), infinite for what is fixed to the eye.
     pub q: f64,
+    /// Light that it sends itself in the middle of the pixel (linear red, green, blue, at least 0).
+    pub own_light: [f64; 3],
     /// Share of its light, 0 to 1, that nearer features let through: the product of their translucencies.
     pub through: f64,
 }
@@ -27,7 +29,7 @@ impl Layer<'_> {
 
     /// Light of it that reaches the eye (linear red, green, blue).
     pub fn light(&self) -> [f64; 3] {
-        self.feature.own_light().map(|light| self.through * light)
+        self.own_light.map(|light| self.through * light)
     }
 }
 
@@ -36,12 +38,14 @@ pub(crate) struct Merged<'a> {
     features: &'a [Feature],
     shelves: [&'a [Entry]; 2],
     opaque: Entry,
+    /// Middle of the pixel (pixels on the screen).
+    middle: [f64; 2],
     through: f64,
 }
 
 impl<'a> Merged<'a> {
-    pub fn new(features: &'a [Feature], shelves: [&'a [Entry]; 2], opaque: Entry) -> Self {
-        Self { features, shelves, opaque, through: 1.0 }
+    pub fn new(features: &'a [Feature], shelves: [&'a [Entry]; 2], opaque: Entry, middle: [f64; 2]) -> Self {
+        Self { features, shelves, opaque, middle, through: 1.0 }
     }
 
     /// Takes the nearest entry that is left; what lies behind the opaque one is not seen.
@@ -67,8 +71,9 @@ impl<'a> Iterator for Merged<'a> {
 
     fn next(&mut self) -> Option<Layer<'a>> {
         let entry = self.take()?;
-        let layer =
-            Layer { feature: &self.features[entry.number as usize], q: entry.q, through: self.through };
+        let feature = &self.features[entry.number as usize];
+        let own_light = feature.light_at(self.middle);
+        let layer = Layer { feature, q: entry.q, own_light, through: self.through };
         self.through = layer.rest();
         Some(layer)
     }

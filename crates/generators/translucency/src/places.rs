@@ -50,7 +50,7 @@ impl Places {
     }
 
     /// Column and row on the screen of a pixel of the sub-area.
-    fn pixel(&self, pixel: usize) -> [u32; 2] {
+    pub fn pixel(&self, pixel: usize) -> [u32; 2] {
         [self.origin[0] + (pixel % SIDE) as u32, self.origin[1] + (pixel / SIDE) as u32]
     }
 

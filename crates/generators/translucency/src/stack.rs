@@ -201,7 +201,7 @@ impl Stack {
             true => [self.shelves[0].of(sample), self.shelves[1].of(sample)],
             false => [&[][..]; 2],
         };
-        Merged::new(&self.features, shelves, self.opaque(sample))
+        Merged::new(&self.features, shelves, self.opaque(sample), self.middle(sample))
     }
 
     /// Share of light (0 to 1) of something at distance `q` (1/m) that reaches the eye at a sampling point: the product of nearer
@@ -277,7 +277,8 @@ impl Stack {
         let seen = [0, 1].map(|kind| Some(self.lost[kind][sample]).filter(is_seen));
         let nearer = |a: Entry, b: Entry| if a.is_nearer(b, &self.features) { a } else { b };
         let first = seen.into_iter().flatten().reduce(nearer)?;
-        let behind = self.found(opaque).map_or(self.background, |(feature, _)| feature.own_light());
+        let behind = self.found(opaque).map(|(feature, _)| feature.light_at(self.middle(sample)));
+        let behind = behind.unwrap_or(self.background);
         let through = self.through(sample, first.q, &self.features[first.number as usize]);
         let bound = self.brightest.with(behind).map(|channel| through * channel);
         Some(Loss { nearest: seen.map(|entry| entry.and_then(|entry| self.found(entry))), bound })
@@ -294,6 +295,11 @@ impl Stack {
             }
         }
         losses
+    }
+
+    /// Middle of the pixel of a sampling point (pixels on the screen).
+    fn middle(&self, sample: usize) -> [f64; 2] {
+        self.places.pixel(sample / self.samples()).map(|at| f64::from(at) + 0.5)
     }
 
     fn found(&self, entry: Entry) -> Option<(&Feature, f64)> {
