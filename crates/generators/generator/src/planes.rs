@@ -165,6 +165,12 @@ codes! {
         Track = "vehicle track",
         /// A far silhouette, beyond the end of the sweeps.
         Silhouette = "far silhouette",
+        /// A lamp or a star.
+        Light = "light point",
+        /// A translucent surface.
+        Sheet = "sheet",
+        /// An overlay that is fixed to the eye.
+        EyeFixed = "fixed to the eye",
     }
 }
 
@@ -244,11 +250,22 @@ mod tests {
     #[test]
     fn codes_of_the_format() {
         let labels: Vec<_> = Label::ALL.iter().map(|label| (label.code(), label.name())).collect();
-        let words = ["sky", "terrain", "feature", "rock", "culture", "vehicle track", "far silhouette"];
+        let words = [
+            "sky",
+            "terrain",
+            "feature",
+            "rock",
+            "culture",
+            "vehicle track",
+            "far silhouette",
+            "light point",
+            "sheet",
+            "fixed to the eye",
+        ];
         assert_eq!(labels, (0..).zip(words).collect::<Vec<_>>());
         assert_eq!([Shade::Lit, Shade::Local, Shade::Remote].map(Shade::code), [0, 1, 2]);
         assert!(Label::ALL.iter().all(|label| Label::of_code(label.code()) == Some(*label)));
-        assert_eq!((Label::of_code(7), Shade::of_code(3)), (None, None));
+        assert_eq!((Label::of_code(10), Shade::of_code(3)), (None, None));
     }
 
     #[test]

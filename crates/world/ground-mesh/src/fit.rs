@@ -47,7 +47,7 @@ impl GroundMesh {
         let mut cells = FEWEST_CELLS;
         while cells <= MOST_CELLS {
             let rings = Rings { half_side: wish.half_side, cells };
-            self.lay_out(landscape, eye, rings)?;
+            self.lay_out(landscape, eye, rings, |_| true)?;
             if self.triangles.len() > wish.most_triangles {
                 break;
             }

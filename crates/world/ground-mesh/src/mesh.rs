@@ -34,7 +34,21 @@ impl GroundMesh {
     ///
     /// # Errors If the eye is not over the bank, or the rings are out of range.
     pub fn fill(&mut self, landscape: &Landscape, eye: DVec3, rings: Rings) -> Result<(), MeshError> {
-        self.lay_out(landscape, eye, rings)?;
+        self.fill_where(landscape, eye, rings, |_| true)
+    }
+
+    /// The same of those blocks alone of which `is_wanted` holds. It gets the south-western and the north-eastern corner of a block
+    /// (north, east; m); its triangles are those of the whole mesh.
+    ///
+    /// # Errors If the eye is not over the bank, or the rings are out of range.
+    pub fn fill_where(
+        &mut self,
+        landscape: &Landscape,
+        eye: DVec3,
+        rings: Rings,
+        is_wanted: impl Fn([[f64; 2]; 2]) -> bool,
+    ) -> Result<(), MeshError> {
+        self.lay_out(landscape, eye, rings, is_wanted)?;
         self.raise(landscape);
         Ok(())
     }
@@ -55,6 +69,7 @@ impl GroundMesh {
         landscape: &Landscape,
         eye: DVec3,
         rings: Rings,
+        is_wanted: impl Fn([[f64; 2]; 2]) -> bool,
     ) -> Result<(), MeshError> {
         let extent = extent(landscape.bank());
         let [south, west, north, east] = extent;
@@ -68,7 +83,12 @@ impl GroundMesh {
         self.triangles.clear();
         self.numbers.clear();
         let eye = [grid.steps(0, eye.x), grid.steps(1, eye.y)];
-        for_blocks(&grid, eye, rings.cells, |block| self.fan(&block, &grid));
+        for_blocks(&grid, eye, rings.cells, |block| {
+            let corner = |k: usize| [0, 1].map(|axis| grid.place(axis, block.lines[axis][k]));
+            if is_wanted([corner(0), corner(2)]) {
+                self.fan(&block, &grid);
+            }
+        });
         Ok(())
     }
 

@@ -1,0 +1,128 @@
+//! From the ground to camera axes and the screen.
+
+use glam::{DMat3, DVec3};
+use landscape::Attitude;
+use raster::Projection;
+use scenario::{Curvature, Pose, View};
+
+/// An eye and its axes: x right, y down, z ahead. Along y lengths are scaled so that pixels are square.
+#[derive(Debug, Clone, Copy)]
+pub struct Camera {
+    /// Eye: north, east, up (m).
+    pub eye: DVec3,
+    /// From camera axes to the screen.
+    pub projection: Projection,
+    /// From north, east, up to right, down, ahead.
+    turn: DMat3,
+    /// Height of a square pixel over that of the true one.
+    squeeze: f64,
+    curvature: Curvature,
+}
+
+impl Camera {
+    /// The camera of a pose in a view. What turns the picture is the yoke.
+    pub fn new(pose: &Pose, view: &View) -> Self {
+        let attitude = Attitude { roll: pose.yoke, ..pose.attitude };
+        let to_ahead = attitude.to_terrain().transpose();
+        // North, east, down to ahead, starboard, down; then right, down, ahead.
+        let [ahead, right, down] = [0, 1, 2].map(|k| to_ahead.row(k) * DVec3::new(1.0, 1.0, -1.0));
+        let focal = |pixels: u32, tangent: f64| f64::from(pixels) / (2.0 * tangent);
+        let across = focal(view.columns, view.field.tan_half_width);
+        let along = focal(view.lines, view.field.tan_half_height);
+        Self {
+            eye: DVec3::from_array(pose.eye),
+            projection: Projection {
+                focal: across,
+                centre: [view.columns, view.lines].map(|pixels| f64::from(pixels) / 2.0),
+            },
+            turn: DMat3::from_cols(right, down, ahead).transpose(),
+            squeeze: along / across,
+            curvature: view.laws.curvature,
+        }
+    }
+
+    /// Camera axes (m) of a place on the map (north, east, up; m), lowered by the drop of the lunoid at its range.
+    pub fn place(&self, place: DVec3) -> DVec3 {
+        let from_eye = place - self.eye;
+        let drop = self.curvature.drop(from_eye.truncate().length());
+        self.direction(from_eye - DVec3::Z * drop)
+    }
+
+    /// Camera axes of a direction (north, east, up).
+    pub fn direction(&self, direction: DVec3) -> DVec3 {
+        let turned = self.turn * direction;
+        DVec3::new(turned.x, turned.y * self.squeeze, turned.z)
+    }
+
+    /// The direction (north, east, up) that a place on the screen (pixels) shows, 1 long along the view axis.
+    pub fn ray(&self, place: [f64; 2]) -> DVec3 {
+        let ray = self.projection.ray(place);
+        self.turn.transpose() * DVec3::new(ray.x, ray.y / self.squeeze, ray.z)
+    }
+
+    /// Focal length (pixels) with which areas are right: a disc has the area of the ellipse that pixels of other shapes make of it.
+    pub fn focal(&self) -> f64 {
+        self.projection.focal * self.squeeze.sqrt()
+    }
+
+    /// Drop of the lunoid (m) under a foot point (north, east, up; m).
+    pub fn drop_at(&self, foot: DVec3) -> f64 {
+        self.curvature.drop((foot - self.eye).truncate().length())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use quantities::{Rate, radians};
+    use scenario::{Display, FieldOfView, Laws};
+
+    fn camera(heading: f64, pitch: f64, yoke: f64) -> Camera {
+        let rate = Rate::new(30, 1).unwrap();
+        let view = View {
+            columns: 200,
+            lines: 100,
+            field: FieldOfView { tan_half_width: 0.5, tan_half_height: 0.5 },
+            update: rate,
+            refresh: rate,
+            display: Display { white: 1.0, gamma: 1.0 },
+            laws: Laws::default(),
+            ranges: [1.0, 1000.0],
+            yoke: None,
+            levels: None,
+            shadows: None,
+        };
+        let attitude = Attitude { roll: 9.0, pitch: radians(pitch), heading: radians(heading) };
+        Camera::new(&Pose { time: 0.0, eye: [0.0, 0.0, 2.0], attitude, yoke: radians(yoke) }, &view)
+    }
+
+    #[test]
+    fn the_screen_shows_what_lies_there() {
+        let camera = camera(90.0, 0.0, 0.0);
+        // East ahead, south to the right.
+        let at = |place: [f64; 3]| camera.projection.project(camera.place(DVec3::from_array(place)));
+        let close = |found: [f64; 2], expected: [f64; 2]| {
+            assert!(found.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-9), "{found:?} {expected:?}");
+        };
+        close(at([0.0, 10.0, 2.0]), [100.0, 50.0]);
+        close(at([-5.0, 10.0, 2.0]), [200.0, 50.0]);
+        close(at([0.0, 10.0, -3.0]), [100.0, 100.0]);
+    }
+
+    #[test]
+    fn rays_go_where_places_came_from() {
+        let camera = camera(37.0, -8.0, 11.0);
+        let place = DVec3::new(40.0, 25.0, -1.0);
+        let ray = camera.ray(camera.projection.project(camera.place(place)));
+        let along = (place - camera.eye).normalize();
+        assert!((ray.normalize() - along).length() < 1e-12, "{ray} {along}");
+    }
+
+    #[test]
+    fn a_turned_picture_shows_the_right_side_higher() {
+        // Starboard down: what lies level to the right is seen above the middle.
+        let camera = camera(0.0, 0.0, 10.0);
+        let [_, y] = camera.projection.project(camera.place(DVec3::new(10.0, 3.0, 2.0)));
+        assert!(y < 50.0, "{y}");
+    }
+}

@@ -1,0 +1,168 @@
+//! From a scene to a picture: all sub-areas, then the beam.
+
+use generator::{FrameError, Label, PlaneKind, Planes};
+use glam::DVec3;
+use light_points::{BeamBudget, BeamPoint, Share, Spot, add_up};
+use quantities::luminance;
+use raster::{Lists, Screen};
+use rayon::prelude::*;
+use scenario::View;
+use translucency::{FeatureError, Losses};
+
+use crate::parameters::Parameters;
+use crate::scene::Scene;
+use crate::tile::{Sampler, Tile};
+
+/// A picture in linear light, and what it took.
+pub struct Picture {
+    /// Colour of each pixel (linear red, green, blue), row by row.
+    pub colours: Vec<[f64; 3]>,
+    /// Nearest opaque surface of each pixel: how near (1/m), and what it is.
+    pub surfaces: Vec<(f64, Label)>,
+    /// What the limits of the stacks lost.
+    pub losses: Losses,
+    /// Points that the beam drew, in the order of drawing.
+    pub beam: Vec<BeamPoint>,
+    /// Points for which the beam had no time.
+    pub dropped: Vec<BeamPoint>,
+    /// Entries of all lists.
+    pub entries: u64,
+}
+
+/// Draws every sub-area of a scene, and the calligraphic points over them.
+///
+/// # Errors If a light is no number.
+pub fn draw(
+    scene: &Scene,
+    screen: &Screen,
+    run: &Parameters,
+    view: &View,
+    frame: u64,
+) -> Result<Picture, FrameError> {
+    let refused = |error: FeatureError| FrameError::Refused { frame, reason: error.to_string() };
+    let mut lists = Lists::default();
+    lists.fill(screen, &scene.faces.triangles);
+    let tiles: Result<Vec<Tile>, FeatureError> = (0..screen.sub_areas())
+        .into_par_iter()
+        .map_init(
+            || Sampler::new(run),
+            |sampler, number| match sampler {
+                Ok(sampler) => sampler.draw(scene, &lists, screen, run, number),
+                Err(error) => Err(*error),
+            },
+        )
+        .collect();
+    let tiles = tiles.map_err(refused)?;
+    let mut picture = join(&tiles, screen, usize::from(run.filter != raster::Filter::Box));
+    picture.entries = lists.entries() as u64;
+    draw_beam(&mut picture, scene, &tiles, screen, run, view);
+    Ok(picture)
+}
+
+/// Puts sub-areas together, in their order.
+fn join(tiles: &[Tile], screen: &Screen, reach: usize) -> Picture {
+    let [width, height] = screen.size().map(|pixels| pixels as usize);
+    let mut sums = vec![([0.0; 3], 0.0); width * height];
+    let mut surfaces = vec![(0.0, Label::Sky); width * height];
+    let mut losses = Losses::default();
+    for (number, tile) in tiles.iter().enumerate() {
+        let area = screen.sub_area(number);
+        let (columns, rows) = (area.columns(), area.rows());
+        for (k, surface) in tile.surfaces.iter().enumerate() {
+            let [row, column] = [k / columns.len(), k % columns.len()];
+            surfaces[(rows.start as usize + row) * width + columns.start as usize + column] = *surface;
+        }
+        let across = columns.len() + 2 * reach;
+        for (k, (colour, weight)) in tile.colours.iter().enumerate() {
+            let x = (columns.start as usize + k % across).wrapping_sub(reach);
+            let y = (rows.start as usize + k / across).wrapping_sub(reach);
+            if x < width && y < height {
+                let (sum, weights) = &mut sums[y * width + x];
+                *sum = std::array::from_fn(|channel| sum[channel] + colour[channel]);
+                *weights += weight;
+            }
+        }
+        losses = losses.and(tile.losses);
+    }
+    // Beyond the border of the screen there are no sampling points: the others weigh more.
+    let colours = sums.into_iter().map(|(sum, weight)| sum.map(|channel| channel / weight)).collect();
+    Picture { colours, surfaces, losses, beam: Vec::new(), dropped: Vec::new(), entries: 0 }
+}
+
+/// Adds the spots of the calligraphic points for which the beam has time.
+fn draw_beam(
+    picture: &mut Picture,
+    scene: &Scene,
+    tiles: &[Tile],
+    screen: &Screen,
+    run: &Parameters,
+    view: &View,
+) {
+    let points = &scene.lights.points;
+    let shares = tiles.iter().zip(0..).flat_map(|(tile, area)| {
+        tile.shares.iter().map(move |&(point, share): &(u32, Share)| (area, point, share))
+    });
+    let sums = add_up(shares.collect(), points.len());
+    let lit =
+        points.iter().zip(&sums).filter(|(point, _)| point.is_calligraphic).filter_map(|(point, sum)| {
+            let intensity = sum.display(point.disc.intensity)?;
+            (intensity > 0.0).then(|| point.of_beam(intensity * point.disc.area()))
+        });
+    picture.beam = lit.collect();
+    let field_ns = (1e9 / view.update.hertz()) as u64;
+    picture.dropped = BeamBudget::default().drop_faintest(&mut picture.beam, field_ns);
+    let Ok(spot) = Spot::new(run.spot) else { return };
+    for beam in &picture.beam {
+        let Some(point) = points.iter().find(|point| point.id == beam.id) else { continue };
+        let width = screen.size()[0] as usize;
+        spot.draw(beam.place, beam.light, screen.size(), |[x, y], light| {
+            let pixel = &mut picture.colours[y as usize * width + x as usize];
+            let colour = point.colour();
+            *pixel = std::array::from_fn(|channel| pixel[channel] + light * colour[channel]);
+        });
+    }
+}
+
+/// Fills the planes that a caller wants.
+pub fn fill(picture: &Picture, scene: &Scene, planes: &mut Planes) {
+    for kind in PLANES.iter().copied() {
+        let columns = planes.columns();
+        let Some(values) = planes.get_mut(kind) else { continue };
+        values.par_iter_mut().enumerate().for_each(|(at, value)| {
+            *value = match kind {
+                PlaneKind::Red => picture.colours[at][0] as f32,
+                PlaneKind::Green => picture.colours[at][1] as f32,
+                PlaneKind::Blue => picture.colours[at][2] as f32,
+                PlaneKind::Label => f32::from(picture.surfaces[at].1.code()),
+                PlaneKind::Range => range(picture.surfaces[at].0, ray(scene, at, columns)),
+                PlaneKind::Distance => distance(picture.surfaces[at].0, ray(scene, at, columns)),
+                _ => luminance(picture.colours[at]) as f32,
+            };
+        });
+    }
+}
+
+/// The planes that the generator fills.
+pub const PLANES: &[PlaneKind] = &[
+    PlaneKind::Intensity,
+    PlaneKind::Range,
+    PlaneKind::Label,
+    PlaneKind::Red,
+    PlaneKind::Green,
+    PlaneKind::Blue,
+    PlaneKind::Distance,
+];
+
+fn ray(scene: &Scene, at: usize, columns: usize) -> DVec3 {
+    scene.camera.ray([(at % columns) as f64 + 0.5, (at / columns) as f64 + 0.5])
+}
+
+/// Ground range (m) of a surface that is as near as `q` (1/m).
+fn range(q: f64, ray: DVec3) -> f32 {
+    if q > 0.0 { (ray.truncate().length() / q) as f32 } else { PlaneKind::Range.sky() }
+}
+
+/// Distance (m) of the same.
+fn distance(q: f64, ray: DVec3) -> f32 {
+    if q > 0.0 { (ray.length() / q) as f32 } else { PlaneKind::Distance.sky() }
+}

@@ -1,0 +1,228 @@
+//! What a frame shows: faces, lights and discs of the sky, gathered from the stage.
+
+use generator::{FrameError, Label, Stage};
+use glam::DVec3;
+use ground_mesh::{GroundMesh, MeshError, Rings, Vertex, body_triangles};
+use landscape::Sun;
+use raster::Screen;
+use rayon::prelude::*;
+use scenario::{Medium, Overlay, Pose, Sheet, SkyDisc};
+use solids::{Body, Kind};
+use translucency::Feature;
+
+use crate::camera::Camera;
+use crate::faces::{Face, FaceError, Faces, Paint, Sides};
+use crate::lights::{Lights, Point};
+use crate::parameters::Parameters;
+use crate::wedge::Wedge;
+
+/// Everything of one frame, ready for the sub-areas.
+pub struct Scene {
+    /// The camera of the pose.
+    pub camera: Camera,
+    /// Triangles of all surfaces.
+    pub faces: Faces,
+    /// Sheets of dust, as their faces number them, with the numbers of their features.
+    pub dust: Vec<(Sheet, u32)>,
+    /// Light points, near to far.
+    pub lights: Lights,
+    /// Discs of the sky, the nearer first, with the numbers of their features.
+    pub discs: Vec<(SkyDisc, u32)>,
+}
+
+/// Priority of the nearest disc of the sky over stars, which are as far. Chosen.
+pub const DISC_PRIORITY: i32 = 1000;
+
+/// Triangles that a thread clips at a time. Chosen: the order of the list does not depend on it.
+const CHUNK: usize = 1024;
+
+/// Distance (m) of the plane on which overlays lie: any would do.
+const OVERLAY_DEPTH: f64 = 1.0;
+
+impl Scene {
+    /// Gathers frame `frame` from `pose`.
+    ///
+    /// # Errors If the mesh cannot be made, or a corner is no number.
+    pub fn new(
+        stage: &Stage,
+        run: &Parameters,
+        screen: &Screen,
+        frame: u64,
+        pose: &Pose,
+    ) -> Result<Self, FrameError> {
+        let refused = |reason: String| FrameError::Refused { frame, reason };
+        let mut gathering = Gathering {
+            stage,
+            screen,
+            camera: Camera::new(pose, &stage.view),
+            faces: Faces::default(),
+            dust: Vec::new(),
+        };
+        gathering.ground(run, &stage.scenery.sun(pose.time)).map_err(|error| refused(error.to_string()))?;
+        gathering.bodies(pose.time).map_err(|error| refused(error.to_string()))?;
+        let effects = stage.scenery.effects(pose.time);
+        gathering.sheets(&effects.sheets).map_err(|error| refused(error.to_string()))?;
+        gathering.overlays(&effects.overlays).map_err(|error| refused(error.to_string()))?;
+        let Gathering { camera, mut faces, dust, .. } = gathering;
+        let discs = effects.discs.iter().map(|disc| (*disc, faces.number(Label::Silhouette))).collect();
+        let points: Vec<Point> = effects
+            .lights
+            .iter()
+            .filter_map(|light| Point::new(light, faces.number(Label::Light), &camera, run))
+            .collect();
+        Ok(Self { camera, faces, dust, lights: Lights::new(points, screen), discs })
+    }
+}
+
+/// Why ground or bodies cannot be gathered.
+#[derive(Debug, thiserror::Error)]
+enum GatherError {
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    #[error(transparent)]
+    Face(#[from] FaceError),
+}
+
+struct Gathering<'a> {
+    stage: &'a Stage,
+    screen: &'a Screen,
+    camera: Camera,
+    faces: Faces,
+    dust: Vec<(Sheet, u32)>,
+}
+
+impl Gathering<'_> {
+    /// The ground as triangles, shaded at their corners.
+    fn ground(&mut self, run: &Parameters, sun: &Sun) -> Result<(), GatherError> {
+        let landscape = &self.stage.landscape;
+        let wedge = Wedge::new(&self.camera, &self.stage.view);
+        let mut mesh = GroundMesh::default();
+        let rings = Rings { half_side: run.ground_half_side, cells: run.ground_cells };
+        mesh.fill_where(landscape, self.camera.eye, rings, |area| wedge.may_show(area))?;
+        let camera = self.camera;
+        let shaded = |vertex: &Vertex| {
+            let to_eye = (camera.eye - vertex.place).normalize_or_zero().to_array();
+            let light = sun.shade(vertex.slopes, to_eye, *landscape.photometry());
+            (camera.place(vertex.place), vertex.albedo.map(|albedo| (albedo * light).clamp(0.0, 1.0)))
+        };
+        let corners: Vec<(DVec3, [f64; 3])> = mesh.vertices().par_iter().map(shaded).collect();
+        let id = self.faces.number(Label::Terrain);
+        let face = |triangle: &[u32; 3]| {
+            let [a, b, c] = triangle.map(|corner| corners[corner as usize]);
+            let paint = Paint::Corners([a.1, b.1, c.1]);
+            Face { corners: [a.0, b.0, c.0], id, priority: 0, sides: Sides::Front, paint }
+        };
+        let screen = self.screen;
+        let clipped = |triangles: &[[u32; 3]]| {
+            let mut faces = Faces::default();
+            triangles.iter().try_for_each(|triangle| faces.add(&face(triangle), &camera, screen))?;
+            Ok(faces)
+        };
+        let parts: Result<Vec<Faces>, FaceError> = mesh.triangles().par_chunks(CHUNK).map(clipped).collect();
+        parts?.into_iter().for_each(|part| self.faces.append(part));
+        Ok(())
+    }
+
+    /// Rocks, man-made things and what moves.
+    fn bodies(&mut self, time: f64) -> Result<(), FaceError> {
+        let scenery = &self.stage.scenery;
+        for body in scenery.bodies(time) {
+            self.body(body, time)?;
+        }
+        for body in scenery.guests(time) {
+            self.body(&body, time)?;
+        }
+        Ok(())
+    }
+
+    fn body(&mut self, body: &Body, time: f64) -> Result<(), FaceError> {
+        if !self.may_show(body) {
+            return Ok(());
+        }
+        let scenery = &self.stage.scenery;
+        let sun = scenery.sun_of_group(body.group, time).unwrap_or_else(|| scenery.sun(time));
+        let sun = DVec3::from_array(sun.direction());
+        let drop = DVec3::Z * self.camera.drop_at(body.foot);
+        let is_open = body.solid.is_open();
+        let id = self.faces.number(match body.kind {
+            Kind::Rock => Label::Rock,
+            Kind::Culture => Label::Culture,
+        });
+        for triangle in body_triangles(body) {
+            // An open surface is lit on the side that is seen.
+            let is_behind = triangle.normals[0].dot(self.camera.eye - triangle.corners[0]) < 0.0;
+            let turned = if is_open && is_behind { -1.0 } else { 1.0 };
+            let colour = |normal: DVec3| {
+                let lambert = (turned * normal.dot(sun)).max(0.0);
+                triangle.albedo.map(|albedo| albedo * lambert)
+            };
+            let face = Face {
+                corners: triangle
+                    .corners
+                    .map(|corner| self.camera.direction(corner - drop - self.camera.eye)),
+                id,
+                priority: i32::from(body.priority),
+                sides: if is_open { Sides::Both } else { Sides::Front },
+                paint: Paint::Corners(triangle.normals.map(colour)),
+            };
+            self.faces.add(&face, &self.camera, self.screen)?;
+        }
+        Ok(())
+    }
+
+    /// Whether a body's sphere reaches into the view.
+    fn may_show(&self, body: &Body) -> bool {
+        let centre = self.camera.place(body.centre);
+        let [x, y] = [0, 1].map(|axis| self.camera.projection.centre[axis] / self.camera.projection.focal);
+        let beside = |offset: f64, tangent: f64| {
+            (offset.abs() - centre.z * tangent) / (1.0 + tangent * tangent).sqrt() > 2.0 * body.radius
+        };
+        centre.z > -body.radius && !beside(centre.x, x) && !beside(centre.y, y)
+    }
+
+    /// Translucent polygons of the scene.
+    fn sheets(&mut self, sheets: &[Sheet]) -> Result<(), FaceError> {
+        for sheet in sheets {
+            let id = self.faces.number(Label::Sheet);
+            let priority = i32::from(sheet.priority);
+            let paint = match sheet.medium {
+                Medium::Share(share) => Paint::Flat(Feature::surface(id, priority, sheet.colour, share)?),
+                Medium::Dust { .. } => {
+                    self.dust.push((sheet.clone(), id));
+                    Paint::Dust(self.dust.len() as u32 - 1)
+                }
+            };
+            let corners: Vec<DVec3> = sheet.corners.iter().map(|corner| self.camera.place(*corner)).collect();
+            self.polygon(&corners, id, priority, paint)?;
+        }
+        Ok(())
+    }
+
+    /// Polygons that are fixed to the eye: before everything else.
+    fn overlays(&mut self, overlays: &[Overlay]) -> Result<(), FaceError> {
+        let [x, y] = [0, 1].map(|axis| self.camera.projection.centre[axis] / self.camera.projection.focal);
+        for overlay in overlays {
+            let id = self.faces.number(Label::EyeFixed);
+            let priority = i32::from(overlay.priority);
+            let feature = Feature::surface(id, priority, overlay.colour, overlay.share)?;
+            let corner = |at: &[f64; 2]| DVec3::new(at[0] * x, at[1] * y, 1.0) * OVERLAY_DEPTH;
+            let corners: Vec<DVec3> = overlay.corners.iter().map(corner).collect();
+            let first = self.faces.looks.len();
+            self.polygon(&corners, id, priority, Paint::Flat(feature))?;
+            for (plane, _) in &mut self.faces.looks[first..] {
+                (plane.slope, plane.origin) = ([0.0; 2], f64::INFINITY);
+            }
+        }
+        Ok(())
+    }
+
+    /// A convex polygon as a fan, seen from both sides.
+    fn polygon(&mut self, corners: &[DVec3], id: u32, priority: i32, paint: Paint) -> Result<(), FaceError> {
+        for pair in corners[1..].windows(2) {
+            let face =
+                Face { corners: [corners[0], pair[0], pair[1]], id, priority, sides: Sides::Both, paint };
+            self.faces.add(&face, &self.camera, self.screen)?;
+        }
+        Ok(())
+    }
+}
