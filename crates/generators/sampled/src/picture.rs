@@ -78,14 +78,17 @@ fn join(tiles: &[Tile], screen: &Screen, reach: usize) -> Picture {
             let y = (rows.start as usize + k / across).wrapping_sub(reach);
             if x < width && y < height {
                 let (sum, weights) = &mut sums[y * width + x];
-                *sum = std::array::from_fn(|channel| sum[channel] + colour[channel]);
+                *sum = [sum[0] + colour[0], sum[1] + colour[1], sum[2] + colour[2]];
                 *weights += weight;
             }
         }
         losses = losses.and(tile.losses);
     }
     // Beyond the border of the screen there are no sampling points: the others weigh more.
-    let colours = sums.into_iter().map(|(sum, weight)| sum.map(|channel| channel / weight)).collect();
+    let colours = sums
+        .into_iter()
+        .map(|([red, green, blue], weight)| [red / weight, green / weight, blue / weight])
+        .collect();
     Picture { colours, surfaces, losses, beam: Vec::new(), dropped: Vec::new(), entries: 0 }
 }
 

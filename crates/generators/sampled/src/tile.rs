@@ -191,8 +191,8 @@ impl Sampler {
                     let weights = self.weights.of([-column, -row]);
                     let reached = [x as i32 + column + reach, y as i32 + row + reach];
                     let (colour, weight) = &mut colours[reached[1] as usize * width + reached[0] as usize];
-                    let own = self.stack.colour(pixel, weights);
-                    *colour = std::array::from_fn(|channel| colour[channel] + own[channel]);
+                    let [red, green, blue] = self.stack.colour(pixel, weights);
+                    *colour = [colour[0] + red, colour[1] + green, colour[2] + blue];
                     *weight += weights.iter().sum::<f64>();
                 }
             }
@@ -204,11 +204,12 @@ impl Sampler {
     fn surfaces(&self, scene: &Scene, area: &SubArea) -> Vec<(f64, Label)> {
         let label = |feature: &Feature| scene.faces.labels[feature.id() as usize];
         let of_pixel = |pixel: usize| {
-            let heaviest = self
-                .stack
-                .layers(pixel * self.stack.samples())
-                .find(|layer| layer.weight() > 0.5 && !layer.feature.is_opaque());
-            match (self.stack.surface(pixel), heaviest) {
+            let first = self.stack.is_layered(pixel).then(|| pixel * self.stack.samples());
+            let heavy = first.and_then(|sample| {
+                let mut layers = self.stack.layers(sample);
+                layers.find(|layer| layer.weight() > 0.5 && !layer.feature.is_opaque())
+            });
+            match (self.stack.surface(pixel), heavy) {
                 (surface, Some(layer)) => (surface.map_or(0.0, |(_, q)| q), label(layer.feature)),
                 (Some((feature, q)), None) => (q, label(feature)),
                 (None, None) => (0.0, Label::Sky),

@@ -148,7 +148,8 @@ impl Feature {
             None => self.light,
             Some(Shading { channels, plane }) => {
                 let q = plane.at(place);
-                channels.map(|channel| channel.at(place, q).max(0.0))
+                let light = |channel: usize| channels[channel].at(place, q).max(0.0);
+                [light(0), light(1), light(2)]
             }
         }
     }

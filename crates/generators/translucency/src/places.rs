@@ -50,8 +50,14 @@ impl Places {
     }
 
     /// Column and row on the screen of a pixel of the sub-area.
-    pub fn pixel(&self, pixel: usize) -> [u32; 2] {
+    fn pixel(&self, pixel: usize) -> [u32; 2] {
         [self.origin[0] + (pixel % SIDE) as u32, self.origin[1] + (pixel / SIDE) as u32]
+    }
+
+    /// Middle of a pixel of the sub-area (pixels on the screen).
+    pub fn middle(&self, pixel: usize) -> [f64; 2] {
+        let [column, row] = self.pixel(pixel);
+        [f64::from(column) + 0.5, f64::from(row) + 0.5]
     }
 
     fn fill(&mut self, pixel: usize, on_screen: [i32; 2]) {

@@ -184,7 +184,8 @@ impl Stack {
         }
     }
 
-    fn is_layered(&self, pixel: usize) -> bool {
+    /// Whether a translucent feature was put before the opaque one of a pixel (0 to 63).
+    pub fn is_layered(&self, pixel: usize) -> bool {
         self.layered >> pixel & 1 == 1
     }
 
@@ -235,16 +236,37 @@ impl Stack {
     /// # Panics If the number of the pixel is above 63, or the weights are not as many as the sampling points.
     pub fn colour(&self, pixel: usize, weights: &[f64]) -> [f64; 3] {
         let samples = pixel * self.samples()..(pixel + 1) * self.samples();
-        let opaque = &self.opaque[samples.clone()];
-        assert_eq!(weights.len(), opaque.len(), "a weight for each sampling point");
-        if !self.is_layered(pixel) && opaque.iter().all(|&number| number == opaque[0]) {
-            let whole: f64 = weights.iter().sum();
-            return self.colour_at(samples.start).map(|channel| whole * channel);
+        assert_eq!(weights.len(), samples.len(), "a weight for each sampling point");
+        if !self.is_layered(pixel) {
+            return self.colour_of_opaque(pixel, weights);
         }
         samples.zip(weights).fold([0.0; 3], |sum, (sample, weight)| {
             let colour = self.colour_at(sample);
             std::array::from_fn(|channel| sum[channel] + weight * colour[channel])
         })
+    }
+
+    /// The same of a pixel without translucent features.
+    fn colour_of_opaque(&self, pixel: usize, weights: &[f64]) -> [f64; 3] {
+        let opaque = &self.opaque[pixel * self.samples()..(pixel + 1) * self.samples()];
+        let middle = self.places.middle(pixel);
+        let light = |number: u32| match self.features.get(number as usize) {
+            Some(feature) => feature.light_at(middle),
+            None => self.background,
+        };
+        let times = |weight: f64, [red, green, blue]: [f64; 3]| [weight * red, weight * green, weight * blue];
+        if opaque.iter().all(|&number| number == opaque[0]) {
+            return times(weights.iter().sum(), light(opaque[0]));
+        }
+        let (mut sum, mut last) = ([0.0; 3], (opaque[0], light(opaque[0])));
+        for (&number, &weight) in opaque.iter().zip(weights) {
+            if number != last.0 {
+                last = (number, light(number));
+            }
+            let [red, green, blue] = times(weight, last.1);
+            sum = [sum[0] + red, sum[1] + green, sum[2] + blue];
+        }
+        sum
     }
 
     /// Nearest opaque feature of a sampling point with its q (1/m); `None` over the background.
@@ -299,7 +321,7 @@ impl Stack {
 
     /// Middle of the pixel of a sampling point (pixels on the screen).
     fn middle(&self, sample: usize) -> [f64; 2] {
-        self.places.pixel(sample / self.samples()).map(|at| f64::from(at) + 0.5)
+        self.places.middle(sample / self.samples())
     }
 
     fn found(&self, entry: Entry) -> Option<(&Feature, f64)> {
