@@ -1,6 +1,7 @@
 //! Light points on the screen, and which sub-areas their discs meet.
 
-use light_points::{BeamPoint, Disc, LeastDiameter, Light, count_under, projected_diameter};
+use glam::DVec3;
+use light_points::{BeamPoint, Disc, LeastDiameter, Light, LightError, count_under, projected_diameter};
 use raster::{DistancePlane, Sampling, Screen, SubArea};
 use scenario::{LightPoint, LightSource};
 use translucency::{Feature, FeatureError};
@@ -18,8 +19,6 @@ const WIDEST_COUNTED: f64 = 32.0;
 pub struct Point {
     /// Number of its feature.
     pub id: u32,
-    /// Its number among the light points of the mission.
-    pub light: u32,
     /// Whether a beam draws it.
     pub is_calligraphic: bool,
     /// Middle on the screen (pixels).
@@ -28,52 +27,61 @@ pub struct Point {
     pub q: f64,
     /// Its disc with nothing in front.
     pub disc: Disc,
-    priority: i32,
+    /// What it does to sampling points under its disc.
+    pub feature: Feature,
     colour: [f64; 3],
 }
 
-impl Point {
-    /// A light point where it is seen; `None` where it sends nothing to the eye or lies behind it.
-    pub fn new(light: &LightPoint, id: u32, camera: &Camera, run: &Parameters) -> Option<Self> {
-        let least = LeastDiameter::new(run.least_diameter, &run.sampling()).ok()?;
-        let intensity = light.towards(camera.eye);
-        let (place, q, disc) = match light.source {
-            LightSource::Lamp { at, diameter } => {
-                let place = camera.place(at);
-                let distance = (at - camera.eye).length();
-                let projected = projected_diameter(diameter, distance, camera.focal()).ok()?;
-                (place, 1.0 / place.z, Disc::of_lamp(projected, intensity, least))
-            }
-            LightSource::Star { direction, magnitude } => {
-                let disc = Disc::of_star(magnitude, run.white_magnitude, least).ok()?;
-                (camera.direction(direction), 0.0, disc.dimmed(intensity))
-            }
-        };
-        let is_before = if q == 0.0 { place.z > 0.0 } else { place.z > NEAR };
-        (is_before && intensity > 0.0).then(|| Self {
-            id,
-            light: light.id,
-            is_calligraphic: light.calligraphic,
-            middle: camera.projection.project(place),
-            q,
-            disc,
-            priority: i32::from(light.priority),
-            colour: light.colour,
-        })
+/// What all light points of a run share.
+#[derive(Debug, Clone)]
+pub struct Optics {
+    run: Parameters,
+    sampling: Sampling,
+    least: LeastDiameter,
+}
+
+impl Optics {
+    /// The optics of run parameters.
+    ///
+    /// # Errors If the pattern can miss the least disc.
+    pub fn new(run: &Parameters) -> Result<Self, LightError> {
+        let sampling = run.sampling();
+        let least = LeastDiameter::new(run.least_diameter, &sampling)?;
+        Ok(Self { run: *run, sampling, least })
     }
 
-    /// Its feature at the sampling points of the raster.
+    /// What a disc does to the sampling points under it: it adds light, and lets through.
+    fn light(&self, disc: &Disc, middle: [f64; 2], is_calligraphic: bool) -> Light {
+        let is_counted = self.run.normalise && disc.diameter <= WIDEST_COUNTED && !is_calligraphic;
+        let covered = if is_counted { count_under(middle, disc.diameter, &self.sampling) } else { 0 };
+        let intensity = match covered {
+            0 => disc.intensity,
+            covered => disc.normalised(covered, self.sampling.count()),
+        };
+        Light::new(intensity, self.run.blending)
+    }
+}
+
+impl Point {
+    /// A light point where it is seen; `None` where it sends nothing to the eye, or lies behind it or beside the screen.
     ///
     /// # Errors If its light is no number.
-    pub fn feature(&self, run: &Parameters, sampling: &Sampling) -> Result<Feature, FeatureError> {
-        let is_counted = run.normalise && self.disc.diameter <= WIDEST_COUNTED && !self.is_calligraphic;
-        let covered = if is_counted { count_under(self.middle, self.disc.diameter, sampling) } else { 0 };
-        let intensity = match covered {
-            0 => self.disc.intensity,
-            covered => self.disc.normalised(covered, sampling.count()),
-        };
-        let Light { added, translucency } = Light::new(intensity, run.blending);
-        Feature::light(self.id, self.priority, self.colour, added, translucency)
+    pub fn new(
+        light: &LightPoint,
+        id: u32,
+        camera: &Camera,
+        screen: &Screen,
+        optics: &Optics,
+    ) -> Result<Option<Self>, FeatureError> {
+        let Some((place, q, disc)) = disc(light, camera, optics) else { return Ok(None) };
+        let middle = camera.projection.project(place);
+        if !is_near(middle, disc.diameter, screen) {
+            return Ok(None);
+        }
+        let Light { added, translucency } = optics.light(&disc, middle, light.calligraphic);
+        let feature = Feature::light(id, i32::from(light.priority), light.colour, added, translucency)?;
+        let is_calligraphic = light.calligraphic;
+        Ok(Some(Self { id, is_calligraphic, middle, q, disc, feature, colour: light.colour }))
     }
 
     /// Its distance, the same all over the disc.
@@ -103,6 +111,34 @@ impl Point {
     }
 }
 
+/// Camera axes (m) of a light point, how near it is (1/m) and its disc; `None` where it sends nothing to the eye or lies behind it.
+fn disc(light: &LightPoint, camera: &Camera, optics: &Optics) -> Option<(DVec3, f64, Disc)> {
+    let intensity = light.towards(camera.eye);
+    let seen = match light.source {
+        LightSource::Lamp { at, diameter } => {
+            let (place, distance) = (camera.place(at), (at - camera.eye).length());
+            let projected = projected_diameter(diameter, distance, camera.focal()).ok()?;
+            let is_before = place.z > NEAR;
+            is_before.then(|| (place, 1.0 / place.z, Disc::of_lamp(projected, intensity, optics.least)))
+        }
+        LightSource::Star { direction, magnitude } => {
+            let disc = Disc::of_star(magnitude, optics.run.white_magnitude, optics.least).ok()?;
+            let place = camera.direction(direction);
+            (place.z > 0.0).then(|| (place, 0.0, disc.dimmed(intensity)))
+        }
+    };
+    seen.filter(|_| intensity > 0.0)
+}
+
+/// Whether a disc may reach the screen. What lies far outside is not counted.
+fn is_near(middle: [f64; 2], diameter: f64, screen: &Screen) -> bool {
+    let reaches = |axis: usize| {
+        let size = f64::from(screen.size()[axis]);
+        (-diameter..=size + diameter).contains(&middle[axis])
+    };
+    reaches(0) && reaches(1)
+}
+
 /// Light points near to far, and the lists of the sub-areas.
 #[derive(Debug, Default)]
 pub struct Lights {
@@ -117,7 +153,9 @@ impl Lights {
     pub fn new(mut points: Vec<Point>, screen: &Screen) -> Self {
         let [columns, rows] = screen.counts();
         let mut lists = vec![Vec::new(); screen.sub_areas()];
-        points.sort_by(|a, b| b.q.total_cmp(&a.q).then(b.priority.cmp(&a.priority)).then(a.id.cmp(&b.id)));
+        points.sort_by(|a, b| {
+            b.q.total_cmp(&a.q).then(b.feature.priority().cmp(&a.feature.priority())).then(a.id.cmp(&b.id))
+        });
         points.retain(|point| !met(point, screen, [columns, rows]).is_empty());
         for (number, point) in points.iter().enumerate() {
             for area in met(point, screen, [columns, rows]) {

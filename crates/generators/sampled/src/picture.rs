@@ -1,5 +1,7 @@
 //! From a scene to a picture: all sub-areas, then the beam.
 
+use std::collections::HashMap;
+
 use generator::{FrameError, Label, PlaneKind, Planes};
 use glam::DVec3;
 use light_points::{BeamBudget, BeamPoint, Share, Spot, add_up};
@@ -47,7 +49,7 @@ pub fn draw(
         .map_init(
             || Sampler::new(run),
             |sampler, number| match sampler {
-                Ok(sampler) => sampler.draw(scene, &lists, screen, run, number),
+                Ok(sampler) => sampler.draw(scene, &lists, screen, number),
                 Err(error) => Err(*error),
             },
         )
@@ -115,12 +117,12 @@ fn draw_beam(
     let field_ns = (1e9 / view.update.hertz()) as u64;
     picture.dropped = BeamBudget::default().drop_faintest(&mut picture.beam, field_ns);
     let Ok(spot) = Spot::new(run.spot) else { return };
+    let colours: HashMap<u32, [f64; 3]> = points.iter().map(|point| (point.id, point.colour())).collect();
+    let width = screen.size()[0] as usize;
     for beam in &picture.beam {
-        let Some(point) = points.iter().find(|point| point.id == beam.id) else { continue };
-        let width = screen.size()[0] as usize;
+        let colour = colours[&beam.id];
         spot.draw(beam.place, beam.light, screen.size(), |[x, y], light| {
             let pixel = &mut picture.colours[y as usize * width + x as usize];
-            let colour = point.colour();
             *pixel = std::array::from_fn(|channel| pixel[channel] + light * colour[channel]);
         });
     }

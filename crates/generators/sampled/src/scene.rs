@@ -6,13 +6,13 @@ use ground_mesh::{GroundMesh, MeshError, Rings, Vertex, body_triangles};
 use landscape::Sun;
 use raster::Screen;
 use rayon::prelude::*;
-use scenario::{Medium, Overlay, Pose, Sheet, SkyDisc};
+use scenario::{LightPoint, Medium, Overlay, Pose, Sheet, SkyDisc};
 use solids::{Body, Kind};
-use translucency::Feature;
+use translucency::{Feature, FeatureError};
 
 use crate::camera::Camera;
 use crate::faces::{Face, FaceError, Faces, Paint, Sides};
-use crate::lights::{Lights, Point};
+use crate::lights::{Lights, Optics, Point};
 use crate::parameters::Parameters;
 use crate::wedge::Wedge;
 
@@ -65,11 +65,11 @@ impl Scene {
         gathering.overlays(&effects.overlays).map_err(|error| refused(error.to_string()))?;
         let Gathering { camera, mut faces, dust, .. } = gathering;
         let discs = effects.discs.iter().map(|disc| (*disc, faces.number(Label::Silhouette))).collect();
-        let points: Vec<Point> = effects
-            .lights
-            .iter()
-            .filter_map(|light| Point::new(light, faces.number(Label::Light), &camera, run))
-            .collect();
+        let optics = Optics::new(run).map_err(|error| refused(error.to_string()))?;
+        let point =
+            |light: &LightPoint| Point::new(light, faces.number(Label::Light), &camera, screen, &optics);
+        let points: Result<Vec<Option<Point>>, FeatureError> = effects.lights.iter().map(point).collect();
+        let points = points.map_err(|error| refused(error.to_string()))?.into_iter().flatten().collect();
         Ok(Self { camera, faces, dust, lights: Lights::new(points, screen), discs })
     }
 }

@@ -158,9 +158,7 @@ impl GeneratorSession for Session {
         lists.fill(&self.screen, &scene.faces.triangles);
         let number = (pixel[1] / SIDE) * self.screen.counts()[0] as usize + pixel[0] / SIDE;
         let mut sampler = Sampler::new(&self.parameters).map_err(refused)?;
-        sampler
-            .fill(&scene, &lists, &self.screen.sub_area(number), &self.parameters, number)
-            .map_err(refused)?;
+        sampler.fill(&scene, &lists, &self.screen.sub_area(number), number).map_err(refused)?;
         let entries = lists.of(number).len() + scene.lights.of(number).len();
         let mut facts = vec![Fact::new("sub-area", format!("{number}: {entries} entries"))];
         let stack = sampler.stack();

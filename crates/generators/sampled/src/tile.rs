@@ -68,12 +68,11 @@ impl Sampler {
         scene: &Scene,
         lists: &Lists,
         screen: &Screen,
-        run: &Parameters,
         number: usize,
     ) -> Result<Tile, FeatureError> {
         let area = screen.sub_area(number);
-        self.fill(scene, lists, &area, run, number)?;
-        let shares = self.read_out(scene, &area, run, number)?;
+        self.fill(scene, lists, &area, number)?;
+        let shares = self.read_out(scene, &area, number);
         Ok(Tile {
             colours: self.colours(&area),
             surfaces: self.surfaces(scene, &area),
@@ -90,7 +89,6 @@ impl Sampler {
         scene: &Scene,
         lists: &Lists,
         area: &SubArea,
-        run: &Parameters,
         number: usize,
     ) -> Result<(), FeatureError> {
         self.stack.start(area);
@@ -111,8 +109,7 @@ impl Sampler {
         for &point in scene.lights.of(number) {
             let point = &scene.lights.points[point as usize];
             if !point.is_calligraphic {
-                let feature = point.feature(run, &self.sampling)?;
-                self.stack.add(feature, &point.plane(), under(point, area, &self.sampling));
+                self.stack.add(point.feature, &point.plane(), under(point, area, &self.sampling));
             }
         }
         Ok(())
@@ -151,13 +148,7 @@ impl Sampler {
     }
 
     /// Reads out the calligraphic points of a sub-area near to far, after all other features (claims 7, 13).
-    fn read_out(
-        &mut self,
-        scene: &Scene,
-        area: &SubArea,
-        run: &Parameters,
-        number: usize,
-    ) -> Result<Vec<(u32, Share)>, FeatureError> {
+    fn read_out(&mut self, scene: &Scene, area: &SubArea, number: usize) -> Vec<(u32, Share)> {
         self.veil.lift();
         let mut shares = Vec::new();
         for &at in scene.lights.of(number) {
@@ -165,17 +156,16 @@ impl Sampler {
             if !point.is_calligraphic {
                 continue;
             }
-            let feature = point.feature(run, &self.sampling)?;
             let samples = self.sampling.count();
             let covered = under(point, area, &self.sampling).flat_map(|(pixel, mask)| {
                 (0..samples).filter(move |i| mask >> i & 1 == 1).map(move |i| pixel * samples + i)
             });
             let stack = &self.stack;
-            let through = |sample: usize| stack.through(sample, point.q, &feature);
-            let share = self.veil.read_out(covered, through, feature.translucency());
+            let through = |sample: usize| stack.through(sample, point.q, &point.feature);
+            let share = self.veil.read_out(covered, through, point.feature.translucency());
             shares.push((at, share));
         }
-        Ok(shares)
+        shares
     }
 
     /// Colours of a sub-area's pixels and of those that the filter reaches.

@@ -126,6 +126,11 @@ impl Feature {
         self.id
     }
 
+    /// Which of two features that are equally near is seen: the higher.
+    pub fn priority(&self) -> i32 {
+        self.priority
+    }
+
     /// Which slots hold it where it is translucent.
     pub fn kind(&self) -> Kind {
         self.kind
