@@ -27,7 +27,7 @@
 //! # See also
 //!
 //! `tests/raster`: a second evaluator that shares no code, partition of meshes, conservative lists, convergence to the
-//! exact area. `examples/cost.rs` measures what a sub-area costs.
+//! exact area. `examples/coverage_cost.rs` measures what a sub-area costs.
 
 mod area;
 mod attribute;

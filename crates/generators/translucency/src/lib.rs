@@ -30,7 +30,7 @@
 //! # See also
 //!
 //! `tests/translucency`: check values in all orders of arrival, a second evaluator that sorts everything and knows no limit, the
-//! bound on random sets. `examples/cost.rs` measures what a sub-area costs.
+//! bound on random sets. `examples/stack_cost.rs` measures what a sub-area costs.
 
 mod brightest;
 mod capacity;

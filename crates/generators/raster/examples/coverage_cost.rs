@@ -1,6 +1,6 @@
 //! What a sub-area costs: lists and coverage of about 20 000 triangles on 799 x 459 pixels, pattern by pattern.
 //!
-//! `cargo run --release -p raster --example cost` prints the times. With the name of a pattern it covers one frame and prints no
+//! `cargo run --release -p raster --example coverage_cost` prints the times. With the name of a pattern it covers one frame and prints no
 //! time: `valgrind --tool=callgrind` then counts the instructions of that pattern, and of none (`lists`) those of the lists.
 
 use std::hint::black_box;

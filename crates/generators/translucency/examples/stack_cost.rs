@@ -1,6 +1,6 @@
 //! What stacks cost: opaque features that cover whole sub-areas, with and without translucent sheets before them.
 //!
-//! `cargo run --release -p translucency --example cost` prints nanoseconds a sampling point, pattern by pattern.
+//! `cargo run --release -p translucency --example stack_cost` prints nanoseconds a sampling point, pattern by pattern.
 
 use std::hint::black_box;
 use std::time::Instant;
