@@ -331,16 +331,21 @@ impl<'a> Reader<'a> {
 
     /// Any number of pairs of finite numbers: `[[1, 2], [3, 4]]`.
     pub fn f64_pairs(&self, key: &str) -> Field<'a, Vec<[f64; 2]>> {
-        self.field(
-            key,
-            ("an array of pairs of numbers", array(array(ShapeKind::Number, Some(2)), None)),
-            |node| {
-                elements(node, |element| {
-                    let pair = elements(element, finite_number)?;
-                    <[f64; 2]>::try_from(pair).map_err(|_| Fault::of(element))
-                })
-            },
-        )
+        self.tuples(key, "an array of pairs of numbers")
+    }
+
+    /// Any number of triples of finite numbers: `[[1, 2, 3], [4, 5, 6]]`.
+    pub fn f64_triples(&self, key: &str) -> Field<'a, Vec<[f64; 3]>> {
+        self.tuples(key, "an array of triples of numbers")
+    }
+
+    fn tuples<const N: usize>(&self, key: &str, expected: &str) -> Field<'a, Vec<[f64; N]>> {
+        self.field(key, (expected, array(array(ShapeKind::Number, Some(N)), None)), |node| {
+            elements(node, |element| {
+                let numbers = elements(element, finite_number)?;
+                <[f64; N]>::try_from(numbers).map_err(|_| Fault::of(element))
+            })
+        })
     }
 
     /// Any number of whole numbers of 0 or more.

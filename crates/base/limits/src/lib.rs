@@ -52,6 +52,12 @@ pub enum Limit {
     Events,
     /// Convex bodies of all objects of a scenario.
     Bodies,
+    /// Lamps of a scenario, each of a string for itself.
+    Lights,
+    /// Sheets of a scenario, and overlays as many.
+    Sheets,
+    /// Stars of a sky, of a file or of a seed.
+    Stars,
     /// Massifs and rilles of generated ground.
     Landforms,
     /// Rows of a table.
@@ -80,7 +86,7 @@ pub struct Row {
 }
 
 /// All limits, in the order of [`Limit`].
-pub const ROWS: [Row; 23] = [
+pub const ROWS: [Row; 26] = [
     row(Limit::Corners, "corners", "corners of a generated level", 4_000_000, 1 << 30),
     row(Limit::GroundCraters, "ground-craters", "craters in generated ground", 1_000_000, 1 << 28),
     row(Limit::Craters, "craters", "craters of a population", 4_000_000, 1 << 28),
@@ -105,6 +111,9 @@ pub const ROWS: [Row; 23] = [
     row(Limit::Objects, "objects", "objects of a scenario", 4_000, 1 << 28),
     row(Limit::Events, "events", "events of a scenario", 100_000, 1 << 28),
     row(Limit::Bodies, "bodies", "convex bodies of all objects of a scenario", 100_000, 1 << 28),
+    row(Limit::Lights, "lights", "lamps of a scenario", 100_000, 1 << 28),
+    row(Limit::Sheets, "sheets", "sheets, or overlays, of a scenario", 10_000, 1 << 28),
+    row(Limit::Stars, "stars", "stars of a sky", 20_000, 1 << 28),
     row(Limit::Landforms, "landforms", "massifs and rilles of a generated level", 1_000, 1 << 28),
     row(Limit::Rows, "rows", "rows of a table", 10_000_000, 1 << 40),
     row(Limit::Signals, "signals", "signals that are recorded at once", 20_000, 1 << 28),

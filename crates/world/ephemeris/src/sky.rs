@@ -1,6 +1,6 @@
 //! Sun and Earth as they stand over a place.
 
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use quantities::{sin_cos, wrap_heading};
 
 use crate::Instant;
@@ -107,6 +107,13 @@ impl Sky {
     }
 }
 
+/// Matrix from the ICRF to north, east, up at `place` at `instant`. It is a turn and a reflection: north, east and up are a
+/// left-handed system, and the ICRF is a right-handed one.
+pub fn icrf_to_local(place: Place, instant: Instant) -> DMat3 {
+    let [north, east, up] = place.axes();
+    DMat3::from_cols(north, east, up).transpose() * from_icrf(instant.centuries())
+}
+
 /// Sun and Earth as they are seen from the centre of the Moon, in its axes (m).
 fn bodies(centuries: f64) -> [DVec3; 2] {
     let axes = from_icrf(centuries);
@@ -129,4 +136,31 @@ fn seen(from: DVec3, [north, east, up]: [DVec3; 3], radius: f64) -> Seen {
 /// The angle between two directions (rad), 0 to pi.
 fn angle_between(one: DVec3, other: DVec3) -> f64 {
     libm::atan2(one.cross(other).length(), one.dot(other))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The Sun's direction in the ICRF, turned to the place, is where [`Sky::over`] has it.
+    #[test]
+    fn directions_of_the_icrf_are_those_of_the_sky() {
+        for (at, longitude, latitude) in [
+            ("1972-12-11T22:00:00Z", 0.53, 0.35),
+            ("2026-03-01T05:00:00Z", -2.0, -1.2),
+            ("1990-07-07T00:00:00Z", 3.0, 1.5),
+        ] {
+            let instant: Instant = at.parse().unwrap();
+            let place = Place { longitude, latitude, radius: MOON_RADIUS };
+            let centuries = instant.centuries();
+            let earlier = centuries - sun_from_earth(centuries).distance / LIGHT / CENTURY;
+            let from_moon = sun_from_earth(earlier).vector() - moon_from_earth(earlier).vector();
+            let to_local = icrf_to_local(place, instant);
+            let local = to_local * (to_icrf(earlier) * from_moon) - DVec3::new(0.0, 0.0, MOON_RADIUS);
+            let (sun, direction) = (Sky::over(place, instant).sun, local.normalize());
+            let ((sin_e, cos_e), (sin_a, cos_a)) = (sin_cos(sun.elevation), sin_cos(sun.azimuth));
+            assert!((direction - DVec3::new(cos_e * cos_a, cos_e * sin_a, sin_e)).length() < 1e-12, "{at}");
+            assert!((to_local.determinant() + 1.0).abs() < 1e-12);
+        }
+    }
 }

@@ -8,11 +8,15 @@
 //! - [`PoseTable`]: eye and attitude of each frame, with [`LimitReport`]s of what the vehicle cannot do.
 //! - [`Scenery`]: light, bodies and tracks over time: [`Object`]s and their [`Event`]s, [`Rocks`], [`Tracks`], a sun
 //!   that may [`Drift`] or have a date ([`Sunlight`]).
+//! - [`EffectWishes`]: lamps, stars, sheets, overlays and discs of the sky as a scenario asks for them; [`Effects`]: the same
+//!   at one time.
 //! - [`words`]: keys that scenarios and hardware models share.
 
 mod craters;
 mod curve;
 mod drift;
+mod effect_placing;
+mod effect_wishes;
 mod effects;
 mod guests;
 mod laws;
@@ -23,6 +27,7 @@ mod meant;
 mod objects;
 mod path;
 mod placing;
+mod polygon;
 mod pose;
 mod pose_problem;
 mod pose_table;
@@ -34,6 +39,7 @@ mod scenery;
 mod scenery_problem;
 mod sheets;
 mod sky_discs;
+mod stars;
 mod sunlight;
 mod tracks;
 mod vehicle;
@@ -45,6 +51,10 @@ mod yoke;
 
 pub use craters::{CraterList, CraterPopulation, CraterWishes};
 pub use drift::Drift;
+pub use effect_wishes::{
+    EarthSeen, EarthWish, EffectWishes, LightPlace, LightWish, OverlayWish, Presence, SheetPlace, SheetWish,
+    Spot,
+};
 pub use effects::{Carried, Effects};
 pub use guests::{Frame, Group, GroupSun, Guest, MoveStation, Moves};
 pub use laws::{
@@ -57,6 +67,7 @@ pub use looks::{AlbedoMapWish, MapCurve, RollDisplay, ShadowFineness, TextureWis
 pub use meant::{GroundSource, Length, Scenario};
 pub use objects::{Action, Event, Object, Stance};
 pub use path::{HeightOver, Path, PathError, Station, Waypoint};
+pub use polygon::PolygonFault;
 pub use pose::Pose;
 pub use pose_problem::{PathProblem, PathProblems, PoseFault};
 pub use pose_table::{PoseRow, PoseTable, poses_csv};
@@ -67,6 +78,7 @@ pub use scenery::{Scenery, Standing, TrackPatch};
 pub use scenery_problem::{SceneryProblem, SceneryProblems};
 pub use sheets::{Medium, Overlay, Sheet};
 pub use sky_discs::{DiscFace, SkyDisc};
+pub use stars::{SeededSky, Star, StarSource, StarWish};
 pub use sunlight::{DatedSky, SunDate, Sunlight};
 pub use tracks::Tracks;
 pub use vehicle::{Stand, Vehicle};

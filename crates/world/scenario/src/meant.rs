@@ -7,9 +7,9 @@ use landscape::{Photometry, Silhouette};
 use quantities::Rate;
 
 use crate::{
-    AlbedoMapWish, CraterWishes, Display, Event, FieldWish, Group, LawWishes, LevelSwitch, Object, Path,
-    RangeProgramme, RasterWishes, Rocks, RollDisplay, Scalar, ShadowFineness, Sunlight, TextureWish, Tracks,
-    Vehicle, VehicleShape,
+    AlbedoMapWish, CraterWishes, Display, EffectWishes, Event, FieldWish, Group, LawWishes, LevelSwitch,
+    Object, Path, RangeProgramme, RasterWishes, Rocks, RollDisplay, Scalar, ShadowFineness, StarSource,
+    Sunlight, TextureWish, Tracks, Vehicle, VehicleShape,
 };
 
 /// What happens: ground, light, vehicle, path, and how it is to be seen.
@@ -51,6 +51,8 @@ pub struct Scenario {
     pub groups: Vec<Group>,
     /// What happens to them, ascending in time; the events of each object fit together.
     pub events: Vec<Event>,
+    /// What is seen beside ground and bodies: lamps, stars, sheets, overlays, discs of the sky.
+    pub effects: EffectWishes,
     /// What the wheels leave behind.
     pub tracks: Option<Tracks>,
     /// Size and limits of the vehicle.
@@ -140,7 +142,11 @@ impl Scenario {
         let shapes = self.objects.iter().flat_map(|object| &object.files).map(PathBuf::as_path);
         let vehicle = self.vehicle_files.iter().map(PathBuf::as_path);
         let map = self.albedo_map.as_ref().map(|map| map.file.as_path());
+        let stars = self.effects.stars.as_ref().and_then(|stars| match &stars.source {
+            StarSource::Catalogue { file, .. } => Some(file.as_path()),
+            StarSource::Seeded(_) => None,
+        });
         let ground = bank.into_iter().chain(self.path_file.as_deref()).chain(list);
-        ground.chain(shapes).chain(vehicle).chain(map).collect()
+        ground.chain(shapes).chain(vehicle).chain(map).chain(stars).collect()
     }
 }

@@ -7,6 +7,7 @@ use landscape::Landscape;
 use quantities::Rate;
 use solids::{Body, Kind, Solid};
 
+use crate::effect_placing;
 use crate::objects::{Event, Object, Stay, stays};
 use crate::rocks::Clear;
 use crate::{Frame, Guest, MoveStation, Scenario, Scenery, SceneryProblem, SceneryProblems, Standing};
@@ -24,6 +25,7 @@ impl Scenery {
         let light = scenario.sun.suns(landscape.bank(), length).map_err(&mut keep).ok();
         let culture = culture(scenario, landscape, &mut keep);
         let guests = guests(scenario, landscape, &mut keep);
+        let mut effects = effect_placing::in_scene(scenario, landscape, &mut keep);
         let clear =
             Clear { path: &scenario.path, vehicle: &scenario.vehicle, culture: &culture, guests: &guests };
         let first = scenario.objects.len() as u32;
@@ -34,6 +36,7 @@ impl Scenery {
         let (Some((suns, sky)), true) = (light, problems.is_empty()) else {
             return Err(SceneryProblems(problems));
         };
+        effects.extend(effect_placing::in_sky(&scenario.effects, &suns, sky.as_ref()));
         // Tens of thousands of rocks stay where they are in memory.
         let mut standing = rocks;
         standing.splice(0..0, culture);
@@ -42,6 +45,7 @@ impl Scenery {
             .with_sky(sky)
             .with_bodies(standing)
             .with_guests(guests)
+            .with_effects(effects)
             .with_groups(scenario.groups.clone())
             .with_patches(patches)
             .with_vehicle(scenario.vehicle_shape.clone()))
@@ -49,7 +53,7 @@ impl Scenery {
 }
 
 /// The events of each object, ascending in time.
-fn events_of(scenario: &Scenario) -> Vec<Vec<Event>> {
+pub(crate) fn events_of(scenario: &Scenario) -> Vec<Vec<Event>> {
     let mut own = vec![Vec::new(); scenario.objects.len()];
     scenario.events.iter().for_each(|event| own[event.object].push(*event));
     own
@@ -106,7 +110,7 @@ fn is_guest(object: &Object, part: &Solid) -> bool {
 }
 
 /// The frames of an object for one stay; every one that has no ground under it is a problem.
-fn frames(
+pub(crate) fn frames(
     object: &Object,
     stay: &Stay,
     landscape: &Landscape,
@@ -115,24 +119,40 @@ fn frames(
     let rest = [MoveStation { time: stay.from, stance: stay.stance, above: 0.0 }];
     let stations = object.moves.as_ref().map_or(&[][..], |moves| &moves.stations);
     let stations = if stations.is_empty() { &rest[..] } else { stations };
+    frames_of(stations, landscape, |MoveStation { time, stance, .. }| {
+        keep(outside(object, &Stay { from: *time, until: *time, stance: *stance }, landscape));
+    })
+}
+
+/// The frames of stations, if all have ground under them; `report` is told of every one that has none.
+pub(crate) fn frames_of(
+    stations: &[MoveStation],
+    landscape: &Landscape,
+    mut report: impl FnMut(&MoveStation),
+) -> Option<Vec<Frame>> {
     let mut frame = |station: &MoveStation| {
         let MoveStation { time, stance, above } = *station;
-        let [x, y] = stance.at;
-        let ground = landscape.level().locate(x, y).and_then(|_| landscape.height(x, y));
+        let ground = ground_under(landscape, stance.at);
         if ground.is_none() {
-            keep(outside(object, &Stay { from: time, until: time, stance }, landscape));
+            report(station);
         }
+        let [x, y] = stance.at;
         Some(Frame { time, foot: DVec3::new(x, y, ground? + above), attitude: stance.attitude })
     };
     let frames: Vec<_> = stations.iter().map(&mut frame).collect();
     frames.into_iter().collect()
 }
 
+/// Height of the ground under a place (north, east; m) inside the finest level.
+pub(crate) fn ground_under(landscape: &Landscape, [x, y]: [f64; 2]) -> Option<f64> {
+    landscape.level().locate(x, y)?;
+    landscape.height(x, y)
+}
+
 /// The parts of an object for one stay; nothing where there is no ground under its foot.
 fn bodies(number: u32, object: &Object, stay: &Stay, landscape: &Landscape) -> Option<Vec<Standing>> {
     let [x, y] = stay.stance.at;
-    landscape.level().locate(x, y)?;
-    let foot = DVec3::new(x, y, landscape.height(x, y)?);
+    let foot = DVec3::new(x, y, ground_under(landscape, stay.stance.at)?);
     let to_ground = stay.stance.to_ground();
     let standing = |part: &Arc<Solid>| {
         let mut body = Body::place(number, Kind::Culture, part, foot, &to_ground, object.scale);

@@ -6,6 +6,8 @@ use ephemeris::{FIRST, Instant, LAST};
 use limits::Limit;
 use solids::{RockFieldError, SolidError};
 
+use crate::PolygonFault;
+
 /// One thing that does not fit.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SceneryProblem {
@@ -26,6 +28,36 @@ pub enum SceneryProblem {
         y: f64,
         /// South, west, north, east edge of the area (m).
         extent: [f64; 4],
+    },
+    /// A light or a sheet has no ground under it.
+    #[error(
+        "{what} \"{id}\" at t = {time} s: x = {x:.2} m, y = {y:.2} m is outside the problem area, expected \
+         x {}..{} m, y {}..{} m; move it or enlarge the landscape",
+        extent[0], extent[2], extent[1], extent[3]
+    )]
+    EffectOutside {
+        /// What it is, in a word.
+        what: &'static str,
+        /// Name (`id`) of it.
+        id: String,
+        /// Time at which it is there (s).
+        time: f64,
+        /// Its place, north (m).
+        x: f64,
+        /// Its place, east (m).
+        y: f64,
+        /// South, west, north, east edge of the area (m).
+        extent: [f64; 4],
+    },
+    /// A sheet whose corners follow the ground and are then no flat convex polygon.
+    #[error(
+        "sheet \"{id}\" on its ground: {fault}; expected a flat convex polygon; take three corners, or height = \"foot\""
+    )]
+    SheetShape {
+        /// Name (`id`) of the sheet.
+        id: String,
+        /// What is wrong with its corners.
+        fault: PolygonFault,
     },
     /// More rocks than can be drawn.
     #[error(

@@ -1,10 +1,12 @@
 //! Where the light of a mission comes from: angles, or the true sun of a date.
 
-use ephemeris::{Instant, Place, Sky};
+use ephemeris::{Instant, Place, Sky, icrf_to_local};
+use glam::DMat3;
 use landscape::{Bank, Georeference, LUNOID_RADIUS, Sun};
 use limits::Limit;
 use quantities::{degrees, wrap_heading};
 
+use crate::stars::about_z;
 use crate::{Drift, SceneryProblem};
 
 /// Where the light of a mission comes from.
@@ -64,6 +66,11 @@ impl DatedSky {
     /// The sun in the axes of the ground.
     pub fn sun(&self) -> Sun {
         Sun { azimuth: self.on_ground(self.sky.sun.azimuth), elevation: self.sky.sun.elevation }
+    }
+
+    /// Matrix from the ICRF to north, east, up of the ground.
+    pub fn icrf_to_ground(&self) -> DMat3 {
+        about_z(self.true_north) * icrf_to_local(self.place, self.at)
     }
 
     /// An azimuth from true north (rad) as an azimuth from the north of the ground, 0 to 2 pi.

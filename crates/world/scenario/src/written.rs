@@ -4,12 +4,17 @@ mod albedo;
 mod coordinates;
 mod course;
 mod doubts;
+mod earth;
+mod effects;
 mod events;
 mod features;
 mod gpx_names;
 mod ground;
 mod guests;
 mod light;
+mod lights;
+mod object_ids;
+mod overlays;
 mod path_gpx;
 mod path_table;
 mod points;
@@ -17,6 +22,9 @@ mod quaternion;
 mod raster;
 mod reference;
 mod scenery;
+mod sheets;
+mod star_list;
+mod stars;
 mod sun;
 
 use std::path::Path as FilePath;
@@ -171,7 +179,8 @@ fn scenario(root: &Reader, surroundings: &Surroundings, problems: &Problems) -> 
         GroundSource::Generated(_) => Some(Ground::Generated),
     });
     let is_generated = matches!(lies_on, Some(Ground::Generated));
-    let sun = root.table("sun").map(|table| sun::sun(&table, is_generated));
+    let sun_table = root.table("sun");
+    let sun = sun_table.as_ref().map(|table| sun::sun(table, is_generated));
     let shadows = part(root, "shadows", light::shadows);
     let photometry = part(root, "photometry", light::photometry);
     let texture = part(root, "texture", light::texture);
@@ -188,6 +197,7 @@ fn scenario(root: &Reader, surroundings: &Surroundings, problems: &Problems) -> 
             None
         }
     };
+    let effects = effects::effects(root, sun_table.as_ref(), objects.as_deref(), folder, problems);
     let tracks = part(root, "tracks", scenery::tracks);
     let vehicle_table = root.table_or_empty("vehicle");
     let vehicle_shape = scenery::optional_shape(&vehicle_table, folder, problems);
@@ -230,6 +240,7 @@ fn scenario(root: &Reader, surroundings: &Surroundings, problems: &Problems) -> 
         objects: objects?,
         groups: groups?,
         events: events?,
+        effects: effects?,
         tracks: tracks?,
         levels: levels?,
         roll: roll?,

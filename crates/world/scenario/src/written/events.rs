@@ -1,11 +1,10 @@
 //! `[[event]]`: what happens to objects, and whether it can.
 
-use std::collections::HashMap;
-
 use diagnostics::{Placed, Problem, Reader};
 use limits::Limit;
 use quantities::radians;
 
+use super::object_ids::Ids;
 use super::scenery::{expect_count, place};
 use crate::{Action, Event, Object};
 
@@ -31,7 +30,7 @@ pub(super) fn events(tables: &[Reader], objects: &[Object]) -> Option<Vec<Event>
 
 fn event(table: &Reader, ids: &Ids<'_>) -> Option<Placed<Event>> {
     let time = table.f64("t_s").at_least(0.0).at_most(1e6).unit("s").placed().required();
-    let object = ids.object(table);
+    let object = ids.object(table, "object", "an event without an object that it could happen to");
     #[derive(Clone, Copy, PartialEq)]
     enum Word {
         Move,
@@ -57,43 +56,6 @@ fn motion(table: &Reader) -> Option<Action> {
     let heading = table.f64("heading_deg").between(-360.0, 360.0).unit("degrees").map(radians);
     let heading = heading.optional();
     Some(Action::Move { at: at?, heading })
-}
-
-/// Ids that a message lists; where there are more, it counts on its reader to know them.
-const LISTED: usize = 40;
-
-/// The objects by their ids.
-struct Ids<'o> {
-    listed: Vec<(&'o str, usize)>,
-    numbers: HashMap<&'o str, usize>,
-}
-
-impl<'o> Ids<'o> {
-    fn of(objects: &'o [Object]) -> Self {
-        let ids = || objects.iter().enumerate().map(|(number, object)| (object.id.as_str(), number));
-        Self { listed: ids().take(LISTED + 1).collect(), numbers: ids().collect() }
-    }
-
-    /// The object that an event is about.
-    fn object(&self, table: &Reader) -> Option<usize> {
-        let (title, expected) = match self.listed.len() {
-            1..=LISTED => return table.one_of("object", &self.listed).required(),
-            0 => (
-                "an event without an object that it could happen to".to_owned(),
-                "an [[object]] with this id",
-            ),
-            _ => {
-                let id = table.string("object").required()?;
-                if let Some(number) = self.numbers.get(id.as_str()) {
-                    return Some(*number);
-                }
-                (format!("no object is called \"{id}\""), "the id of an [[object]]")
-            }
-        };
-        table.report(table.problem("object", title).expected(expected));
-        table.string("object").optional();
-        None
-    }
 }
 
 /// What is wrong with the events of one object, ascending in time.

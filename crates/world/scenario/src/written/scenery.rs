@@ -82,7 +82,7 @@ pub(super) fn objects(
             return None;
         }
     }
-    let twins = report_twins(tables, &found);
+    let twins = report_twins(tables.iter().zip(found.iter().map(|(id, _)| id)), "objects");
     let found: Option<Vec<_>> = found.into_iter().map(|(_, object)| object).collect();
     found.filter(|_| !twins)
 }
@@ -103,21 +103,31 @@ pub(super) fn report_limit(table: &Reader, limit: Limit, title: String) {
     table.report(problem.expected(format!("at most {}", limit.value())).help(limit.to_string()));
 }
 
-type Id = Option<Placed<String>>;
+/// An id and its place; `None` where it is wrong.
+pub(super) type Id = Option<Placed<String>>;
 
-/// Two objects of one id could not be told apart by events.
-fn report_twins(tables: &[Reader], objects: &[(Id, Option<Object>)]) -> bool {
+/// Reports every id that something of an earlier table has: they could not be told apart. `what` names them.
+pub(super) fn report_twins<'t, 'r: 't>(
+    named: impl Iterator<Item = (&'t Reader<'r>, &'t Id)>,
+    what: &str,
+) -> bool {
     let mut earlier = HashSet::new();
     let mut twins = false;
-    for (index, (id, _)) in objects.iter().enumerate() {
+    for (table, id) in named {
         let Some(id) = id else { continue };
         if !earlier.insert(&id.value) {
-            let title = format!("two objects are called \"{}\"", id.value);
-            tables[index].report(Problem::of(id, title).expected("an id of its own"));
+            let title = format!("two {what} are called \"{}\"", id.value);
+            table.report(Problem::of(id, title).expected("an id of its own"));
             twins = true;
         }
     }
     twins
+}
+
+/// Reads the key `id`.
+pub(super) fn id(table: &Reader) -> Id {
+    let is_id = |id: &String| id.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_');
+    table.string("id").must("letters, digits and dashes", is_id).placed().required()
 }
 
 fn object(
@@ -126,8 +136,7 @@ fn object(
     folder: &Path,
     problems: &Problems,
 ) -> (Id, Option<Object>) {
-    let is_id = |id: &String| id.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_');
-    let id = table.string("id").must("letters, digits and dashes", is_id).placed().required();
+    let id = id(table);
     let open = table.bool("open").default(false);
     let shape = shape(table, open.unwrap_or_default(), folder, problems);
     let shape = guests::coloured(table, shape);
