@@ -5,6 +5,10 @@
 /// Every edge of the rectangle and the middle span a triangle: the sum of what the circle has in common with them, with the
 /// sign of their turn, is the area.
 pub fn area_within(radius: f64, low: [f64; 2], high: [f64; 2]) -> f64 {
+    let nearest = [0, 1].map(|axis| 0.0_f64.clamp(low[axis], high[axis]));
+    if dot(nearest, nearest) >= radius * radius {
+        return 0.0;
+    }
     let corners = [low, [high[0], low[1]], high, [low[0], high[1]]];
     let sum: f64 = (0..4).map(|k| triangle(radius, corners[k], corners[(k + 1) % 4])).sum();
     sum.clamp(0.0, (high[0] - low[0]) * (high[1] - low[1]))
