@@ -229,17 +229,14 @@ fn a_star_is_hidden_by_ground_and_by_the_earth() {
 /// Lit area by pixels within 3 %, and the light of a ball of Lambert's law within 0.5 %.
 #[test]
 fn the_earth_has_its_phase() {
-    let settings = narrow(2.6);
-    let (there, straight_up) = (DVec3::X, pose(EYE, 0.0, 0.0));
-    let pose =
-        Pose { attitude: landscape::Attitude { pitch: radians(0.0), ..straight_up.attitude }, ..straight_up };
+    let settings = narrow(3.0);
     // Only sky: the eye looks over the edge of the ground from far above.
-    let pose = Pose { eye: [50.0, 100.0, 1e5], ..pose };
+    let pose = pose([50.0, 100.0, 1e5], 0.0, 0.0);
     let radius = focal(&settings) * libm::tan(radians(1.899 / 2.0));
     for degrees in [0.0, 40.0, 90.0, 135.0] {
         let phase = radians(degrees);
         let found =
-            seen_from(Effects { discs: vec![ball(there, phase)], ..Effects::default() }, &pose, &settings);
+            seen_from(Effects { discs: vec![ball(DVec3::X, phase)], ..Effects::default() }, &pose, &settings);
         let values: Vec<f64> = (0..2400).map(|index| value(&found, PlaneKind::Intensity, index)).collect();
         let area = PI * radius * radius;
         let light = values.iter().sum::<f64>() / area;
@@ -300,8 +297,12 @@ fn fair() -> Effects {
         let [a, b] = [f64::from(k * 7 % 40), f64::from(k * 11 % 40)].map(|at| at / 40.0 - 0.5);
         LightPoint { id: 10 + k, ..star(DVec3::new(1.0, a, 0.25 + b / 3.0), 0.1 * f64::from(k)) }
     });
-    let lamps =
-        [warm(lamp([75.0, 97.0, 1.6])), beam(lamp([80.0, 104.0, 2.4])), beam(warm(lamp([66.0, 96.0, 0.5])))];
+    let lamps = [
+        lamp([58.0, 102.0, 2.2]),
+        warm(lamp([75.0, 97.0, 1.6])),
+        beam(lamp([80.0, 104.0, 2.4])),
+        beam(warm(lamp([66.0, 96.0, 0.5]))),
+    ];
     Effects {
         lights: lamps.into_iter().chain(stars).collect(),
         sheets: vec![curtain(0.4), Sheet { colour: [0.6, 0.4, 0.2], id: 1, ..leaning() }],
