@@ -122,6 +122,7 @@ mod buckets;
 mod ceilings;
 mod column;
 mod craters;
+mod effects;
 mod ground;
 mod light;
 mod line;
@@ -141,6 +142,7 @@ mod walk;
 
 pub use ceilings::Ceilings;
 pub use column::{Fineness, LINE_MEAN_TOLERANCE, RIDGE_SHARE};
+pub use effects::{SUB_RAYS, WHITE_MAGNITUDE};
 pub use outlook::{Outlook, Ray, Sight, Spot};
 pub use session::{Columns, Exact, ExactWithin, ProfilePoint, ROW};
 pub use view::View;

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use generator::Label;
 use glam::DVec3;
 use landscape::{Landscape, Sun};
 use scenario::{Laws, Pose, Scenery};
@@ -14,6 +15,14 @@ use crate::seen::Seen;
 use crate::shadow::Shadows;
 use crate::standing::{Lit, Stand, Standing};
 use crate::view::View;
+
+/// What a ray meets: the ground or the sky, and a body before it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Meeting {
+    ray: Ray,
+    sight: Sight,
+    body: Option<Seen>,
+}
 
 /// Ground, light, shadow and bodies from one eye at one time.
 #[derive(Debug, Clone)]
@@ -93,27 +102,73 @@ impl<'a> Scene<'a> {
         clear: f64,
         scratch: &mut Scratch,
     ) -> (Seen, f64) {
-        let ray = self.view.ray(x, y);
-        let sight = self.outlook.look_from(&ray, clear, scratch);
-        let (met, clear) = match sight {
-            Sight::Ground(spot) => (spot.range, spot.range),
-            Sight::Sky => (f64::INFINITY, f64::INFINITY),
-            Sight::TooNear => (f64::INFINITY, self.near()),
-            Sight::Cut(range) => (range, self.near()),
+        let meeting = self.meet([x, y], column, clear, scratch);
+        let clear = match meeting.sight {
+            Sight::Ground(spot) => spot.range,
+            Sight::Sky => f64::INFINITY,
+            Sight::TooNear | Sight::Cut(_) => self.near(),
         };
         // Under pitch or yoke a column's rays have different azimuths: one says nothing about the next.
         let clear = if self.view.columns_are_vertical() { clear } else { self.near() };
+        (self.seen(&meeting, scratch), clear)
+    }
+
+    /// What the ray through (x, y) of the screen meets; arguments are those of [`look`](Self::look).
+    pub fn meet(
+        &self,
+        [x, y]: [f64; 2],
+        column: &[&Stand<'a>],
+        clear: f64,
+        scratch: &mut Scratch,
+    ) -> Meeting {
+        let ray = self.view.ray(x, y);
+        let sight = self.outlook.look_from(&ray, clear, scratch);
+        let met = match sight {
+            Sight::Ground(spot) => spot.range,
+            Sight::Cut(range) => range,
+            Sight::Sky | Sight::TooNear => f64::INFINITY,
+        };
         let body = if column.is_empty() {
             None
         } else {
             self.standing.look(column, self.view.perspective(x, y), met)
         };
-        let seen = body.unwrap_or_else(|| match sight {
-            Sight::Ground(spot) => self.ground(&spot, &ray, scratch),
-            Sight::Sky => self.beyond(&ray),
+        Meeting { ray, sight, body }
+    }
+
+    /// What is seen of what a ray meets.
+    pub fn seen(&self, meeting: &Meeting, scratch: &mut Scratch) -> Seen {
+        meeting.body.unwrap_or_else(|| match meeting.sight {
+            Sight::Ground(spot) => self.ground(&spot, &meeting.ray, scratch),
+            Sight::Sky => self.beyond(&meeting.ray),
             Sight::TooNear | Sight::Cut(_) => Seen::SKY,
-        });
-        (seen, clear)
+        })
+    }
+
+    /// How far along the axis of view (m) the ray through a place of the screen ends; infinite where it meets no place.
+    pub fn depth(&self, meeting: &Meeting, [x, y]: [f64; 2]) -> f64 {
+        let (range, rise) = match (meeting.body, meeting.sight) {
+            (Some(body), _) => (body.range, self.view.perspective(x, y).z),
+            (None, Sight::Ground(Spot { range, .. }) | Sight::Cut(range)) => (range, meeting.ray.rise),
+            (None, Sight::Sky | Sight::TooNear) => return f64::INFINITY,
+        };
+        range * ((1.0 + rise * rise) / (1.0 + x * x + y * y)).sqrt()
+    }
+
+    /// Whether a ray goes on into the sky: it meets no ground, no body and no silhouette.
+    pub fn is_open(&self, meeting: &Meeting) -> bool {
+        let passes = meeting.body.is_none() && meeting.sight == Sight::Sky;
+        passes && self.beyond(&meeting.ray).label == Label::Sky
+    }
+
+    /// The view from its eye.
+    pub fn view(&self) -> &View {
+        &self.view
+    }
+
+    /// The ground around its eye.
+    pub fn outlook(&self) -> &Outlook<'a> {
+        &self.outlook
     }
 
     fn ground(&self, spot: &Spot, ray: &Ray, scratch: &mut Scratch) -> Seen {

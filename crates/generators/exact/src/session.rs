@@ -1,5 +1,6 @@
 //! `exact` as a generator: checks the pose, draws the columns.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use generator::{
@@ -12,6 +13,7 @@ use scenario::Pose;
 use signal::Probe;
 
 use crate::column::{Column, Fineness, Frame, Pixel};
+use crate::effects::Layer;
 use crate::light::Light;
 use crate::scene::Scene;
 use crate::{Ceilings, Outlook, stance};
@@ -105,15 +107,12 @@ impl GeneratorSession for Session {
     ) -> Result<FrameCounts, FrameError> {
         self.check(frame, pose)?;
         let scene = self.scene(pose);
-        let drawn: Vec<_> = {
-            let draw = |column| self.column(&scene, column, [planes.columns(), planes.lines()]);
-            (0..planes.columns()).into_par_iter().map(draw).collect()
-        };
-        let (columns, rays): (Vec<_>, Vec<u64>) = drawn.into_iter().unzip();
+        let (columns, samples) =
+            self.columns(&scene, pose, 0..planes.columns(), [planes.columns(), planes.lines()]);
         for &kind in PLANES {
             fill(planes, kind, &columns, &scene);
         }
-        let (samples, bodies) = (rays.into_iter().sum(), scene.standing().len() as u64);
+        let bodies = scene.standing().len() as u64;
         Ok(FrameCounts::of([("samples", samples), ("bodies", bodies)]))
     }
 
@@ -224,10 +223,32 @@ impl Session {
         let size = [raster.columns as usize, raster.lines as usize];
         self.check(frame, pose)?;
         let scene = self.scene(pose);
-        let (pixels, _) = self.column(&scene, column, size);
+        let (pixels, _) = self.columns(&scene, pose, column..column + 1, size);
         let mut planes = Planes::new(1, size[1], kinds);
-        kinds.iter().for_each(|&kind| fill(&mut planes, kind, std::slice::from_ref(&pixels), &scene));
+        kinds.iter().for_each(|&kind| fill(&mut planes, kind, &pixels, &scene));
         Ok(planes)
+    }
+
+    /// Some columns of a picture of `size` (columns, lines) with all effects, and the rays that they took.
+    fn columns(
+        &self,
+        scene: &Scene,
+        pose: &Pose,
+        columns: Range<usize>,
+        size: [usize; 2],
+    ) -> (Vec<Vec<Pixel>>, u64) {
+        let effects = self.stage.scenery.effects(pose.time);
+        let layer = Layer::new(scene, &effects, size, self.stage.view.field);
+        let draw = |column| {
+            let (mut pixels, rays) = self.column(scene, column, size);
+            let over = layer.as_ref().map_or(0, |layer| layer.over(column, &mut pixels));
+            (pixels, rays + over)
+        };
+        let first = columns.start;
+        let drawn: Vec<_> = columns.into_par_iter().map(draw).collect();
+        let (mut columns, rays): (Vec<_>, Vec<u64>) = drawn.into_iter().unzip();
+        let beam = layer.as_ref().map_or(0, |layer| layer.beam(first, &mut columns));
+        (columns, rays.into_iter().sum::<u64>() + beam)
     }
 
     /// Pixels of a column of a picture of `columns` x `lines`, top line first, and the rays that they took.

@@ -15,7 +15,7 @@ use crate::shadow::Shadows;
 use crate::view::View;
 
 /// What lies nearer ahead than this has no place on the screen (m); such a body is looked for in every column.
-const NEAR: f64 = 1e-3;
+pub const NEAR: f64 = 1e-3;
 
 /// By how much the ground before a foot point may stand higher than it (tangent of elevation; an angle in rad where no
 /// sweep is drawn) and not hide it.
@@ -87,7 +87,12 @@ impl<'a> Standing<'a> {
 
     /// Those that reach over `x` on the screen.
     pub fn column(&self, x: f64) -> Vec<&Stand<'a>> {
-        self.stands.iter().filter(|stand| stand.across[0] <= x && x <= stand.across[1]).collect()
+        self.between([x, x])
+    }
+
+    /// Those that reach over a place from `low` to `high` (x) on the screen.
+    pub fn between(&self, [low, high]: [f64; 2]) -> Vec<&Stand<'a>> {
+        self.stands.iter().filter(|stand| stand.across[0] <= high && low <= stand.across[1]).collect()
     }
 
     /// What is seen along `direction` (1 over the ground), if the ground is met at `ground` (m; infinite if not).
@@ -96,7 +101,7 @@ impl<'a> Standing<'a> {
         let met = column.iter().filter_map(hit);
         let (stand, hit) = match self.law {
             BodyVisibility::Depth => {
-                nearest(met.filter(|(stand, hit)| stand.is_before(hit.distance, ground)))?
+                nearest(met.filter(|(stand, hit)| is_before(stand.body.priority, hit.distance, ground)))?
             }
             // Parts of one object share a foot point: the nearer part lies on top.
             BodyVisibility::AsReported => met.min_by(|(a, near), (b, far)| {
@@ -123,16 +128,16 @@ fn room(range: f64) -> f64 {
     COINCIDENCE * (1.0 + range)
 }
 
-impl<'a> Stand<'a> {
-    /// Whether it is seen at a range before the ground at another (m).
-    fn is_before(&self, range: f64, ground: f64) -> bool {
-        match self.body.priority {
-            0 => range < ground,
-            above if above > 0 => range <= ground + room(range),
-            _ => range < ground - room(range),
-        }
+/// Whether something of a priority is seen at a range before what has priority 0 at another (m).
+pub fn is_before(priority: i8, range: f64, other: f64) -> bool {
+    match priority {
+        0 => range < other,
+        above if above > 0 => range <= other + room(range),
+        _ => range < other - room(range),
     }
+}
 
+impl<'a> Stand<'a> {
     /// `None` if it lies behind the eye, or where the lunoid has ended.
     fn new(body: Cow<'a, Body>, outlook: &Outlook, view: &View, sun: DVec3, dark: bool) -> Option<Self> {
         let [x, y, height] = outlook.eye();

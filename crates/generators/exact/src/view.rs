@@ -87,9 +87,20 @@ impl View {
     pub fn project(&self, to: DVec3, near: f64) -> Option<[f64; 2]> {
         let ((sin_p, cos_p), (sin_h, cos_h), (sin, cos)) = (self.pitch, self.heading, self.yoke);
         let (forward, right) = (to.x * cos_h + to.y * sin_h, to.y * cos_h - to.x * sin_h);
-        let ahead = forward * cos_p + to.z * sin_p;
+        let ahead = self.ahead(to);
         let [x, y] = [right / ahead, (forward * sin_p - to.z * cos_p) / ahead];
         (ahead >= near).then_some([x * cos + y * sin, y * cos - x * sin])
+    }
+
+    /// How far ahead along the axis of view (m) something is that lies `to` (north, east, up; m) from the eye.
+    pub fn ahead(&self, to: DVec3) -> f64 {
+        let ((sin_p, cos_p), (sin_h, cos_h)) = (self.pitch, self.heading);
+        (to.x * cos_h + to.y * sin_h) * cos_p + to.z * sin_p
+    }
+
+    /// The ray of the true perspective that lies 1 ahead along the axis of view: north, east, up.
+    pub fn ray_ahead(&self, [x, y]: [f64; 2]) -> DVec3 {
+        self.perspective(x, y).normalize() * (1.0 + x * x + y * y).sqrt()
     }
 
     /// Whether all rays of a column have one azimuth, and rise from its bottom to its top.

@@ -12,6 +12,7 @@
 //! - [`Row`]: what is known of a generator before it draws. The crate `registry` lists the rows.
 //! - [`Counter`], [`FrameError::Refused`]: counters and refusals are lists of each generator's own.
 
+mod colours;
 mod counts;
 mod error;
 mod fact;
@@ -56,6 +57,7 @@ impl Stage {
         self.landscape.albedo_map().is_some_and(|map| map.texels().is_colourful())
             || still.any(|solid| solid.is_colourful())
             || guests.any(|solid| solid.is_colourful())
+            || self.scenery.all_effects().iter().any(|carried| colours::has_colour(&carried.effects))
     }
 }
 

@@ -165,11 +165,11 @@ codes! {
         Track = "vehicle track",
         /// A far silhouette, beyond the end of the sweeps.
         Silhouette = "far silhouette",
-        /// A lamp or a star.
+        /// A lamp or a star, where most of the light at the pixel's centre is its own.
         Light = "light point",
-        /// A translucent surface.
-        Sheet = "sheet",
-        /// An overlay that is fixed to the eye.
+        /// A translucent sheet, the same.
+        Sheet = "translucent sheet",
+        /// An overlay that is fixed to the eye, the same.
         EyeFixed = "fixed to the eye",
     }
 }
@@ -250,18 +250,8 @@ mod tests {
     #[test]
     fn codes_of_the_format() {
         let labels: Vec<_> = Label::ALL.iter().map(|label| (label.code(), label.name())).collect();
-        let words = [
-            "sky",
-            "terrain",
-            "feature",
-            "rock",
-            "culture",
-            "vehicle track",
-            "far silhouette",
-            "light point",
-            "sheet",
-            "fixed to the eye",
-        ];
+        let words = ["sky", "terrain", "feature", "rock", "culture", "vehicle track", "far silhouette"];
+        let words = words.into_iter().chain(["light point", "translucent sheet", "fixed to the eye"]);
         assert_eq!(labels, (0..).zip(words).collect::<Vec<_>>());
         assert_eq!([Shade::Lit, Shade::Local, Shade::Remote].map(Shade::code), [0, 1, 2]);
         assert!(Label::ALL.iter().all(|label| Label::of_code(label.code()) == Some(*label)));

@@ -5,6 +5,7 @@ mod bodies;
 mod closed_forms;
 mod colour;
 mod craters;
+mod effects;
 mod from_above;
 mod from_aside;
 mod guests;
