@@ -54,7 +54,7 @@ impl Default for Parameters {
             veil: Accumulation::Points,
             white_magnitude: -1.46,
             spot: light_points::Spot::DEFAULT_SIGMA,
-            ground_half_side: 64.0,
+            ground_half_side: 32.0,
             ground_cells: 128,
         }
     }
