@@ -23,8 +23,9 @@ pub(super) fn effects(
     let (light_ids, lights) = lights::lights(&tables[0], objects);
     let (sheet_ids, sheets) = sheets::sheets(&tables[1]);
     let (overlay_ids, overlays) = overlays::overlays(&tables[2]);
-    let ids = [light_ids, sheet_ids, overlay_ids].into_iter().flatten().collect::<Vec<_>>();
-    let twins = report_twins(tables.iter().flatten().zip(&ids), "lights, sheets or overlays");
+    let ids = [&light_ids, &sheet_ids, &overlay_ids];
+    let named = tables.iter().zip(ids).flat_map(|(tables, ids)| tables.iter().zip(ids));
+    let twins = report_twins(named, "lights, sheets or overlays");
     let stars = part(root, "stars", |table| stars::stars(table, is_dated, folder, problems));
     let earth = part(root, "earth", |table| earth::earth(table, is_dated));
     let (lights, sheets, overlays) = (lights?, sheets?, overlays?);
