@@ -125,7 +125,8 @@ fn what_is_left_out_has_its_default() {
 
 #[test]
 fn sheets_overlays_stars_and_earth_are_read_as_they_are_meant() {
-    let dust = SHEET.replace("tau = 0.7", "kappa_1_m = 0.05\nthickness_m = 10\nheight = 'datum'\ncolour = [0.5, 0.4, 0.3]\npriority = 2\nfrom_s = 3");
+    let keys = "kappa_1_m = 0.05\nthickness_m = 10\nheight = 'datum'\ncolour = [0.5, 0.4, 0.3]\npriority = 2\nfrom_s = 3";
+    let dust = SHEET.replace("tau = 0.7", keys);
     let sheet = &parsed(&dust).effects.sheets[0];
     assert_eq!(
         (&sheet.place, sheet.medium),
@@ -231,7 +232,7 @@ fn bad_tables_are_refused_at_their_place() {
         (with(SHEET, &format!("height = 'foot'\n{moves}")), 4, "beside `moves`"),
         (with(SHEET, "moves = { spin_deg_s = 3 }"), 4, "without `keyframes`"),
         (OVERLAY.replace("[1, 1]", "[1, 5]"), 2, "from -4 to 4"),
-        (OVERLAY.replace("[1, 1]", "[1, 1], [0, 0.5]"), 2, "on the outer side"),
+        (OVERLAY.replace("[1, 1]", "[1, 1], [0.5, 0]"), 2, "on the outer side"),
         (OVERLAY.replace(", [1, 1]", ""), 2, "3 to 16 of them"),
         (with(OVERLAY, "tau = -0.5"), 3, "from 0 to 1"),
         ("[stars]\n".into(), 0, "missing key `stars.file` or `stars.seed`"),
@@ -252,6 +253,37 @@ fn bad_tables_are_refused_at_their_place() {
             found[0].0 == Some(MORE + line) && found[0].1.contains(expected),
             "{tables}: {expected}: {found:?}"
         );
+    }
+}
+
+const EXAMPLES: &str = include_str!("../../../../docs/scenario-format.md");
+
+/// Numbers of an example from its first light on: where each begins, and its length.
+fn numbers(text: &str) -> Vec<(usize, usize)> {
+    let is_part = |c: char| c.is_ascii_digit() || ".-".contains(c);
+    let begins = |at: &usize| {
+        let before = text[..*at].chars().next_back().unwrap_or(' ');
+        text[*at..].starts_with(is_part) && "[ ".contains(before)
+    };
+    let from = text.find("[[light]]").unwrap();
+    let starts = (from..text.len()).filter(begins);
+    starts.map(|at| (at, text[at..].find(|c: char| !is_part(c)).unwrap_or(0))).collect()
+}
+
+#[test]
+fn no_number_may_be_nan_or_infinite() {
+    let start = EXAMPLES.find("format = 1\ntitle = \"Lights\"").unwrap();
+    let example = &EXAMPLES[start..start + EXAMPLES[start..].find("```").unwrap()];
+    assert!(Scenario::parse("t.toml", example).is_ok());
+    let numbers = numbers(example);
+    assert!(numbers.len() > 120, "{}", numbers.len());
+    for (at, length) in numbers {
+        for word in ["nan", "inf", "-inf"] {
+            let text = [&example[..at], word, &example[at + length..]].concat();
+            let line = text[..at].lines().count();
+            let list = Scenario::parse("t.toml", &text).expect_err(word);
+            assert!(list.iter().any(|problem| problem.record().line == Some(line)), "line {line}: {list}");
+        }
     }
 }
 
@@ -343,7 +375,8 @@ fn a_lamp_comes_jumps_and_goes_with_its_object() {
 
 #[test]
 fn a_lamp_of_its_own_moves_turns_and_flashes() {
-    let moves = "above_m = 2\nmoves = { keyframes = [{ t_s = 0, x_m = 100, y_m = 50 }, { t_s = 2, x_m = 200, y_m = 50, above_m = 5 }] }\n";
+    let moves = "above_m = 2\nmoves = { keyframes = [{ t_s = 0, x_m = 100, y_m = 50 }, \
+        { t_s = 2, x_m = 200, y_m = 50, above_m = 5 }] }\n";
     let scenery = made(&format!("{LAMP}{moves}flash = {{ period_s = 0.4, duty = 0.75 }}\n"));
     assert_eq!(lamps(&scenery.effects(0.0)), [(0, [100.0, 50.0, 12.0])]);
     assert_eq!(lamps(&scenery.effects(1.0)), [(0, [150.0, 50.0, 19.5])]);
@@ -374,7 +407,8 @@ fn sheets_stand_on_what_their_height_says() {
     // Beside the ground there is a datum, and no ground.
     let far = SHEET.replace("100", "-100");
     assert_eq!(corners(&format!("{far}height = 'datum'\n"), 0.0)[0], DVec3::new(-100.0, 0.0, 0.0));
-    let moves = "moves = { keyframes = [{ t_s = 0, x_m = 100, y_m = 50, heading_deg = 90 }, { t_s = 2, x_m = 200, y_m = 50 }] }\n";
+    let moves = "moves = { keyframes = [{ t_s = 0, x_m = 100, y_m = 50, heading_deg = 90 }, \
+        { t_s = 2, x_m = 200, y_m = 50 }] }\n";
     let moving = SHEET.replace(
         "[[100, 0, 0], [100, 50, 0], [100, 50, 9], [100, 0, 9]]",
         "[[3, 0, 0], [3, 1, 0], [3, 1, 2]]",
@@ -761,7 +795,8 @@ proptest! {
         let sheet = format!(
             "[[sheet]]\nid = 's'\ncorners_m = [[{x:?}, {y:?}, 0], [{x:?}, {:?}, 0], [{x:?}, {y:?}, {corner:?}]]\n\
              kappa_1_m = {kappa:?}\nthickness_m = {corner:?}\n", y + corner);
-        let sky = format!("[stars]\nseed = {seed}\ncount = {count}\n[earth]\nazimuth_deg = {x:?}\nelevation_deg = {elevation:?}\n");
+        let earth = format!("[earth]\nazimuth_deg = {x:?}\nelevation_deg = {elevation:?}\n");
+        let sky = format!("[stars]\nseed = {seed}\ncount = {count}\n{earth}");
         prop_assert!(is_seen(&[light, string, sheet, sky].concat()));
     }
 }
