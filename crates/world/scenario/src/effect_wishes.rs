@@ -68,7 +68,7 @@ impl LightWish {
 pub enum LightPlace {
     /// A lamp over the ground.
     Ground {
-        /// Where it stands.
+        /// Where it stands, or its foot at rest.
         spot: Spot,
         /// Diameter of its face (m), above 0.
         diameter: f64,
@@ -105,7 +105,7 @@ pub enum LightPlace {
 /// A place over the ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spot {
-    /// North, east (m).
+    /// Its coordinates: north, east (m).
     pub at: [f64; 2],
     /// Height above the ground under it (m).
     pub above: f64,

@@ -42,6 +42,7 @@ mod sky_discs;
 mod stars;
 mod sunlight;
 mod tracks;
+mod turns;
 mod vehicle;
 mod vehicle_shape;
 mod view;

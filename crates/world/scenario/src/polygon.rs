@@ -11,9 +11,9 @@ pub enum PolygonFault {
     /// Two corners in one place.
     #[error("corners {0} and {1} are in one place")]
     Coincide(usize, usize),
-    /// Corners on one line.
-    #[error("the corners lie on one line")]
-    Line,
+    /// Corners on one line, or edges that cross so that nothing is left.
+    #[error("it has no area: its corners lie on one line, or its edges cross")]
+    NoArea,
     /// A corner beside the plane of the others.
     #[error("corner {corner} is {distance:.3e} m beside the plane of the polygon")]
     NotFlat {
@@ -46,7 +46,7 @@ pub fn check(corners: &[DVec3]) -> Result<(), PolygonFault> {
     let edges = || corners.iter().zip(corners.iter().cycle().skip(1));
     let twice_area: DVec3 = edges().map(|(a, b)| (*a - corners[0]).cross(*b - corners[0])).sum();
     if twice_area.length() <= tolerance * diameter {
-        return Err(PolygonFault::Line);
+        return Err(PolygonFault::NoArea);
     }
     let normal = twice_area.normalize();
     let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
@@ -93,11 +93,11 @@ mod tests {
 
     #[test]
     fn each_fault_is_named() {
-        use PolygonFault::{Coincide, Line, NotConvex, NotFlat};
-        assert_eq!(checked(&[[0.0; 3], [1.0, 0.0, 0.0]]), Err(Line));
+        use PolygonFault::{Coincide, NoArea, NotConvex, NotFlat};
+        assert_eq!(checked(&[[0.0; 3], [1.0, 0.0, 0.0]]), Err(NoArea));
         assert_eq!(checked(&[[0.0; 3], [1.0, 0.0, 0.0], [0.0; 3]]), Err(Coincide(0, 2)));
         assert_eq!(checked(&[[7.0; 3]; 4]), Err(Coincide(0, 1)));
-        assert_eq!(checked(&[[0.0; 3], [1.0, 1.0, 0.0], [3.0, 3.0, 0.0]]), Err(Line));
+        assert_eq!(checked(&[[0.0; 3], [1.0, 1.0, 0.0], [3.0, 3.0, 0.0]]), Err(NoArea));
         let bent = [[0.0; 3], [4.0, 0.0, 0.0], [4.0, 4.0, 1.0], [0.0, 4.0, 0.0]];
         assert!(matches!(checked(&bent), Err(NotFlat { corner: 0, .. })));
         let dented = [[0.0; 3], [4.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 4.0, 0.0]];

@@ -8,6 +8,7 @@ use glam::{DMat3, DVec3};
 use quantities::{sin_cos, unit_interval};
 
 use crate::DatedSky;
+use crate::turns::{about_x, about_z};
 
 /// The stars that a scenario asks for.
 #[derive(Debug, Clone, PartialEq)]
@@ -123,18 +124,6 @@ impl StarWish {
 fn on_circle(longitude: f64, radius: f64, height: f64) -> DVec3 {
     let (sin, cos) = sin_cos(longitude);
     DVec3::new(radius * cos, radius * sin, height)
-}
-
-/// Turns a vector by `angle` (rad) from the first axis towards the second.
-pub(crate) fn about_z(angle: f64) -> DMat3 {
-    let (sin, cos) = sin_cos(angle);
-    DMat3::from_cols(DVec3::new(cos, sin, 0.0), DVec3::new(-sin, cos, 0.0), DVec3::Z)
-}
-
-/// Turns a vector by `angle` (rad) from the second axis towards the third.
-fn about_x(angle: f64) -> DMat3 {
-    let (sin, cos) = sin_cos(angle);
-    DMat3::from_cols(DVec3::X, DVec3::new(0.0, cos, sin), DVec3::new(0.0, -sin, cos))
 }
 
 /// Linear red, green and blue (0..=1, the largest 1) of a colour index B - V, -0.5 or more.

@@ -6,7 +6,7 @@ use landscape::{Bank, Georeference, LUNOID_RADIUS, Sun};
 use limits::Limit;
 use quantities::{degrees, wrap_heading};
 
-use crate::stars::about_z;
+use crate::turns::about_z;
 use crate::{Drift, SceneryProblem};
 
 /// Where the light of a mission comes from.

@@ -5,6 +5,7 @@ mod coordinates;
 mod course;
 mod doubts;
 mod earth;
+mod effect_keys;
 mod effects;
 mod events;
 mod features;

@@ -6,7 +6,10 @@ use std::fs;
 use landscape::projection::{Method, Projection};
 use landscape::{Bank, FileCoordinates, Level, MapFrame, Photometry, bank_file};
 use quantities::radians;
-use scenario::{GroundSource, LevelSwitch, RockArea, RollDisplay, Scenario, ShadowFineness, Sunlight};
+use scenario::{
+    GroundSource, LevelSwitch, RockArea, RollDisplay, Scenario, ShadowFineness, StarSource, StarWish,
+    Sunlight,
+};
 
 const DOC: &str = include_str!("../../../../docs/scenario-format.md");
 
@@ -58,9 +61,10 @@ fn kepler() -> Bank {
 /// Parses in a folder that holds the documented path files.
 fn parse(text: &str) -> Scenario {
     let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join("drive.csv"), blocks("csv")[1]).unwrap();
+    fs::write(folder.path().join("drive.csv"), blocks("csv")[2]).unwrap();
     fs::write(folder.path().join("drive.tum"), blocks("tum")[0]).unwrap();
     fs::write(folder.path().join("craters.csv"), blocks("csv")[0]).unwrap();
+    fs::write(folder.path().join("stars.csv"), blocks("csv")[1]).unwrap();
     fs::write(folder.path().join("walk.gpx"), blocks("gpx")[0]).unwrap();
     bank_file::write(folder.path().join("kepler.bank"), &kepler()).unwrap();
     fs::write(folder.path().join("mast.obj"), blocks("obj")[0]).unwrap();
@@ -82,13 +86,16 @@ fn parse(text: &str) -> Scenario {
     for file in list.chain(scenario.objects.iter_mut().flat_map(|object| &mut object.files)) {
         *file = file.file_name().unwrap().into();
     }
+    if let Some(StarWish { source: StarSource::Catalogue { file, .. }, .. }) = &mut scenario.effects.stars {
+        *file = file.file_name().unwrap().into();
+    }
     scenario
 }
 
 #[test]
 fn all_examples_are_read() {
     let (examples, pieces) = examples();
-    assert_eq!((examples.len(), pieces.len()), (7, 5));
+    assert_eq!((examples.len(), pieces.len()), (8, 6));
     let drive = parse(examples[1]);
     assert_eq!(drive.path.waypoints().len(), 3);
     let tum = parse(&examples[1].replace("drive.csv", "drive.tum"));
@@ -169,11 +176,11 @@ const CHANGES: &[(&str, usize, &str, &str)] = &[
     ("path.keyframes.heading_deg", 0, "heading_deg = 40", "heading_deg = 41"),
     ("path.file", 1, "drive.csv", "drive.tum"),
     ("path.coordinates", 1, "file = \"drive.csv\"", "file = \"drive.csv\"\ncoordinates = \"file\""),
-    ("path.keyframes.lat_deg", 5, "8.1207", "8.1208"),
-    ("path.keyframes.lon_deg", 5, "-38.0093", "-38.0094"),
-    ("path.track", 6, "track = 1", "track = 2"),
-    ("path.segment", 6, "segment = 1", "segment = 2"),
-    ("path.heights", 6, "\"unused\"", "\"above-ground\""),
+    ("path.keyframes.lat_deg", 6, "8.1207", "8.1208"),
+    ("path.keyframes.lon_deg", 6, "-38.0093", "-38.0094"),
+    ("path.track", 7, "track = 1", "track = 2"),
+    ("path.segment", 7, "segment = 1", "segment = 2"),
+    ("path.heights", 7, "\"unused\"", "\"above-ground\""),
     ("raster.sweeps", 0, "sweeps = 525", "sweeps = 526"),
     ("raster.samples_per_sweep", 0, "samples_per_sweep = 1000", "samples_per_sweep = 999"),
     ("raster.columns", 0, "columns = 525", "columns = 526"),
@@ -326,6 +333,69 @@ const CHANGES: &[(&str, usize, &str, &str)] = &[
     ("tracks.patch_length_m", 2, "patch_length_m = 0.2", "patch_length_m = 0.3"),
     ("tracks.patch_width_m", 2, "patch_width_m = 0.25", "patch_width_m = 0.26"),
     ("tracks.spacing_m", 2, "spacing_m = 0.35", "spacing_m = 0.36"),
+    ("light.id", 5, "\"beacon\"", "\"lighthouse\""),
+    ("light.x_m", 5, "x_m = 180", "x_m = 181"),
+    ("light.y_m", 5, "y_m = 210", "y_m = 211"),
+    ("light.above_m", 5, "above_m = 3.5", "above_m = 3"),
+    (
+        "light.on",
+        5,
+        "id = \"cart\"",
+        "id = \"truck\"\nmodel = \"rover\"\nx_m = 1\ny_m = 1\n[[object]]\nid = \"cart\"",
+    ),
+    ("light.at_m", 5, "[1.2, 0, 0.8]", "[1.2, 0, 0.9]"),
+    ("light.azimuth_deg", 5, "azimuth_deg = 75", "azimuth_deg = 76"),
+    ("light.elevation_deg", 5, "elevation_deg = 22", "elevation_deg = 23"),
+    ("light.magnitude", 5, "magnitude = -4.1", "magnitude = -4"),
+    ("light.diameter_m", 5, "diameter_m = 0.4", "diameter_m = 0.5"),
+    ("light.intensity", 5, "intensity = 2", "intensity = 3"),
+    ("light.colour", 5, "[1, 0.3, 0.2]", "[1, 0.3, 0.3]"),
+    ("light.priority", 5, "priority = 5", "priority = -5"),
+    ("light.calligraphic", 5, "calligraphic = true", "calligraphic = false"),
+    ("light.beam.heading_deg", 5, "heading_deg = 7", "heading_deg = 8"),
+    ("light.beam.pitch_deg", 5, "pitch_deg = -8", "pitch_deg = 8"),
+    ("light.beam.half_angle_deg", 5, "half_angle_deg = 25", "half_angle_deg = 26"),
+    ("light.beam.power", 5, "power = 6", "power = 7"),
+    ("light.flash.period_s", 5, "period_s = 1.5", "period_s = 1.6"),
+    ("light.flash.duty", 5, "duty = 0.2", "duty = 0.3"),
+    ("light.flash.phase", 5, "phase = 0.25", "phase = 0.5"),
+    ("light.from_s", 5, "from_s = 0.5", "from_s = 0.6"),
+    ("light.until_s", 5, "until_s = 1.75", "until_s = 1.8"),
+    ("light.moves", 5, "spin_deg_s = 90", "spin_deg_s = -90"),
+    ("light.count", 5, "count = 12", "count = 13"),
+    ("light.to.x_m", 5, "x_m = 240", "x_m = 241"),
+    ("light.to.y_m", 5, "y_m = 221", "y_m = 222"),
+    ("light.to.above_m", 5, "above_m = 0.6", "above_m = 0.7"),
+    ("sheet.id", 5, "\"dust\"", "\"fog\""),
+    ("sheet.corners_m", 5, "[210, 230, 9], [210, 190, 9]", "[210, 230, 8], [210, 190, 8]"),
+    ("sheet.height", 5, "height = \"foot\"", "height = \"datum\""),
+    ("sheet.colour", 5, "[0.5, 0.45, 0.4]", "[0.5, 0.45, 0.5]"),
+    ("sheet.tau", 5, "tau = 0.7", "tau = 0.8"),
+    ("sheet.kappa_1_m", 5, "kappa_1_m = 0.05", "kappa_1_m = 0.06"),
+    ("sheet.thickness_m", 5, "thickness_m = 11", "thickness_m = 12"),
+    ("sheet.priority", 5, "priority = 4", "priority = -4"),
+    ("sheet.from_s", 5, "from_s = 0.125", "from_s = 0.25"),
+    ("sheet.until_s", 5, "until_s = 1.625", "until_s = 1.7"),
+    ("sheet.moves", 5, "x_m = 168", "x_m = 169"),
+    ("overlay.id", 5, "\"visor\"", "\"window\""),
+    ("overlay.corners", 5, "[1, -0.8], [-1, -0.8]", "[1, -0.7], [-1, -0.7]"),
+    ("overlay.colour", 5, "[0.2, 0.15, 0.1]", "[0.2, 0.15, 0.2]"),
+    ("overlay.tau", 5, "tau = 0.35", "tau = 0.3"),
+    ("overlay.priority", 5, "priority = 3", "priority = -3"),
+    ("overlay.from_s", 5, "from_s = 0.375", "from_s = 0.25"),
+    ("overlay.until_s", 5, "until_s = 1.875", "until_s = 2"),
+    ("stars.seed", 5, "seed = 5", "seed = 6"),
+    ("stars.count", 5, "count = 300", "count = 301"),
+    ("stars.brightest", 5, "brightest = -1", "brightest = -2"),
+    ("stars.faintest", 5, "faintest = 5.5", "faintest = 5"),
+    ("stars.file", 5, "seed = 5\ncount = 300\nbrightest = -1\nfaintest = 5.5", "file = \"stars.csv\""),
+    ("stars.calligraphic", 5, "calligraphic = false", "calligraphic = true"),
+    ("stars.turn_deg", 5, "[20, 70, 10]", "[20, 70, 11]"),
+    ("earth.azimuth_deg", 5, "azimuth_deg = 200", "azimuth_deg = 201"),
+    ("earth.elevation_deg", 5, "elevation_deg = 40", "elevation_deg = 41"),
+    ("earth.diameter_deg", 5, "diameter_deg = 2", "diameter_deg = 3"),
+    ("earth.albedo", 5, "[0.3, 0.35, 0.5]", "[0.3, 0.35, 0.6]"),
+    ("sun.disc", 5, "disc = true", "disc = false"),
 ];
 
 #[test]
@@ -358,6 +428,8 @@ fn the_tables_name_every_key_and_no_other() {
         "sun",
         "shadows",
         "rocks",
+        "stars",
+        "earth",
         "tracks",
         "vehicle",
         "path",
@@ -393,6 +465,7 @@ fn what_is_left_out_has_the_documented_default() {
     assert_eq!(scenario.laws, scenario::LawWishes::default());
     assert_eq!(scenario.range, None);
     assert_eq!((scenario.photometry, scenario.roll), (Photometry::Lambert, RollDisplay::None));
+    assert_eq!(scenario.effects, scenario::EffectWishes::default());
     assert_eq!((&scenario.features, scenario.shadows), (&scenario::CraterWishes::default(), None));
     assert!(scenario.objects.is_empty() && scenario.rocks.is_none() && scenario.tracks.is_none());
     assert_eq!(scenario.files().len(), 2);

@@ -5,14 +5,14 @@ use glam::DVec3;
 use landscape::Sun;
 use quantities::radians;
 
-use super::effects::has_none;
+use super::effect_keys::has_none;
 use crate::{EarthSeen, EarthWish};
 
 /// Share of red, green and blue light that the Earth returns. Chosen: a blue tint about its geometric albedo of 0.43
 /// (unsourced).
 const ALBEDO: [f64; 3] = [0.38, 0.43, 0.54];
 
-/// How wide the Earth is seen (degrees): 1.899 at its mean distance, as the specification derives it, in two digits.
+/// How wide the Earth is seen (degrees). Derived: 1.899 at its mean distance of 384 400 km, in two digits.
 const DIAMETER: f64 = 1.9;
 
 /// The Earth; of a mission that `is_dated` the date says where it is and how large.

@@ -6,7 +6,7 @@ use landscape::{Attitude, Sun};
 use limits::Limit;
 use quantities::radians;
 
-use super::effects::{Named, apart, colour, has_none, presence};
+use super::effect_keys::{Named, apart, colour, has_none, presence};
 use super::guests::{moves, priority};
 use super::object_ids::Ids;
 use super::scenery::{Id, expect_count, id, place, report_limit};
@@ -72,18 +72,17 @@ fn light_place(table: &Reader, objects: Option<&Ids>) -> Option<LightPlace> {
             };
             let expected = "one of `x_m` and `y_m`, `on` and `at_m`, `azimuth_deg` and `elevation_deg`";
             table.report(table.problem("id", title).expected(expected));
-            ["diameter_m", "count"].into_iter().for_each(|key| table.know(key));
-            ["moves", "to"].into_iter().for_each(|key| pass_over(table, key));
+            pass_over_ground(table);
             None
         }
     }
 }
 
-/// Leaves a table unjudged that has no meaning here.
-fn pass_over(table: &Reader, key: &str) {
-    if let Some(below) = table.optional_table(key) {
-        below.ignore_rest();
-    }
+/// Leaves keys unjudged that only a lamp over the ground has.
+fn pass_over_ground(table: &Reader) {
+    ["diameter_m", "count"].into_iter().for_each(|key| table.know(key));
+    let tables = ["moves", "to"].into_iter().filter_map(|key| table.optional_table(key));
+    tables.for_each(|below| below.ignore_rest());
 }
 
 fn diameter(table: &Reader) -> Option<f64> {
@@ -134,18 +133,13 @@ fn spot(table: &Reader) -> Option<Spot> {
 }
 
 fn on_object(table: &Reader, objects: Option<&Ids>) -> Option<LightPlace> {
-    let object = match objects {
-        Some(objects) => {
-            let none = format!("`{}` without an object that it could name", table.path("on"));
-            objects.object(table, "on", &none)
-        }
-        // Without the ids of all objects nothing can be said about `on`.
-        None => None,
-    };
+    let none = format!("`{}` without an object that it could name", table.path("on"));
+    // Without the ids of all objects nothing can be said about `on`.
+    let object = objects.and_then(|objects| objects.object(table, "on", &none));
     let at = table.f64_array::<3>("at_m").between(-1e6, 1e6).unit("m").map(DVec3::from_array).required();
     let diameter = diameter(table);
     let reason = "of a lamp on an object, which says where it is";
-    let is_alone = stays_where_it_is(table, &["moves", "to", "count"], reason);
+    let is_alone = has_nothing_else(table, &["moves", "to", "count"], reason);
     let place = LightPlace::Object { object: object?, at: at?, diameter: diameter? };
     is_alone.then_some(place)
 }
@@ -155,16 +149,15 @@ fn in_sky(table: &Reader) -> Option<LightPlace> {
     let elevation = table.f64("elevation_deg").between(-90.0, 90.0).unit("degrees").map(radians).required();
     let magnitude = table.f64("magnitude").between(-50.0, 50.0).required();
     let refused = ["diameter_m", "beam", "moves", "to", "count"];
-    let is_alone = stays_where_it_is(table, &refused, "of a star, which is infinitely far");
+    let is_alone = has_nothing_else(table, &refused, "of a star, which is infinitely far");
     let direction = DVec3::from_array(Sun { azimuth: azimuth?, elevation: elevation? }.direction());
     let place = LightPlace::Sky { direction, magnitude: magnitude? };
     is_alone.then_some(place)
 }
 
-/// Whether none of the keys stands there that have no meaning for this place; reports those that do.
-fn stays_where_it_is(table: &Reader, keys: &[&str], reason: &str) -> bool {
-    ["diameter_m", "count"].into_iter().for_each(|key| table.know(key));
-    ["moves", "to"].into_iter().for_each(|key| pass_over(table, key));
+/// Whether none of the keys stands there that have no meaning beside this place; reports those that do.
+fn has_nothing_else(table: &Reader, keys: &[&str], reason: &str) -> bool {
+    pass_over_ground(table);
     has_none(table, keys, reason, "nothing, or a place `x_m` and `y_m`")
 }
 

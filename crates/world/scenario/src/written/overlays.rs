@@ -4,7 +4,7 @@ use diagnostics::Reader;
 use glam::DVec3;
 use limits::Limit;
 
-use super::effects::{Named, apart, can_be_counted, colour, lies_within, polygon, presence};
+use super::effect_keys::{CORNERS, Named, apart, colour, lies_within, polygon, presence};
 use super::guests::priority;
 use super::scenery::{Id, expect_count, id};
 use crate::OverlayWish;
@@ -34,7 +34,8 @@ fn overlay(table: &Reader) -> (Id, Option<OverlayWish>) {
 }
 
 fn corners(table: &Reader) -> Option<Vec<[f64; 2]>> {
-    let field = table.f64_pairs("corners").must("3 to 16 of them", can_be_counted);
+    let field =
+        table.f64_pairs("corners").must("3 to 16 of them", |corners| CORNERS.contains(&corners.len()));
     let field = field.must("each of x and y from -4 to 4", lies_within(FARTHEST));
     polygon(table, field.placed().required()?, |&[x, y]| DVec3::new(x, y, 0.0))
 }

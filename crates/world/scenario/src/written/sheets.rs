@@ -4,7 +4,7 @@ use diagnostics::Reader;
 use glam::DVec3;
 use limits::Limit;
 
-use super::effects::{Named, apart, can_be_counted, colour, has_none, lies_within, polygon, presence};
+use super::effect_keys::{CORNERS, Named, apart, colour, has_none, lies_within, polygon, presence};
 use super::guests::{moves, priority};
 use super::scenery::{Id, MAX_COORDINATE, expect_count, id};
 use crate::{Medium, SheetPlace, SheetWish};
@@ -33,7 +33,8 @@ fn sheet(table: &Reader) -> (Id, Option<SheetWish>) {
 
 /// Corners as they are written; those that follow the ground are judged on it.
 fn corners(table: &Reader, place: Option<&SheetPlace>) -> Option<Vec<DVec3>> {
-    let field = table.f64_triples("corners_m").must("3 to 16 of them", can_be_counted);
+    let field =
+        table.f64_triples("corners_m").must("3 to 16 of them", |corners| CORNERS.contains(&corners.len()));
     let field = field.must("each of three lengths from -1e7 to 1e7 m", lies_within(MAX_COORDINATE));
     let corners = field.placed().required()?;
     let corners = match place? {

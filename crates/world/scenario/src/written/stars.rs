@@ -6,7 +6,7 @@ use diagnostics::{Problems, Reader};
 use limits::Limit;
 use quantities::radians;
 
-use super::effects::has_none;
+use super::effect_keys::has_none;
 use super::reference::reference;
 use super::star_list;
 use crate::{SeededSky, StarSource, StarWish};
