@@ -137,7 +137,7 @@ impl Features {
                 return None;
             }
             let share = feature.outline.share(&self.screen, low);
-            (share > 0.0).then_some(Part { feature, index, share, weight: 1.0, is_sliver: false })
+            (share > 0.0).then(|| Part::new(feature, index, share))
         };
         let parts: Parts = self.columns[pixel[0]].iter().filter_map(part).collect();
         let stack = Stack { screen: &self.screen, view: &self.view, low, parts };

@@ -4,7 +4,7 @@ use generator::Label;
 use glam::DVec3;
 use smallvec::SmallVec;
 
-use super::matter::{Back, Effect, Feature};
+use super::matter::{Back, Effect, Feature, Tier};
 use super::outline::Outline;
 use super::screen::Screen;
 use crate::view::View;
@@ -31,16 +31,44 @@ pub trait Surface {
 /// A thing that covers a part of a pixel.
 #[derive(Debug, Clone, Copy)]
 pub struct Part<'a> {
-    /// The thing.
-    pub feature: &'a Feature,
+    feature: &'a Feature,
     /// Its number in the frame.
-    pub index: usize,
+    index: usize,
     /// Share of the pixel that it covers, 0 to 1.
-    pub share: f64,
-    /// Share of the pixel that each sub-ray through it stands for, where sub-rays are looked at; 1 elsewhere.
-    pub weight: f64,
-    /// Whether no sub-ray meets it, where they are looked at.
-    pub is_sliver: bool,
+    share: f64,
+    /// What it does along the ray of the pixel's centre.
+    effect: Effect,
+    /// The sub-rays that meet it, bit by bit, where they are looked at.
+    met: u64,
+    /// Share of the pixel that each of them stands for; 1 where they are not looked at.
+    weight: f64,
+}
+
+impl<'a> Part<'a> {
+    /// A thing with its number in the frame and the share (above 0 to 1) of a pixel that it covers.
+    pub fn new(feature: &'a Feature, index: usize, share: f64) -> Self {
+        let effect = Effect { added: [0.0; 3], translucency: 1.0 };
+        Self { feature, index, share, effect, met: u64::MAX, weight: 1.0 }
+    }
+
+    /// What it does along a sub-ray. Only a disc of the sky is another from one to the next.
+    fn effect(&self, ray: DVec3) -> Effect {
+        if self.is_cone() { self.feature.effect(ray) } else { self.effect }
+    }
+
+    fn is_cone(&self) -> bool {
+        matches!(self.feature.outline, Outline::Cone(..))
+    }
+
+    /// Weighs the sub-rays that meet it; of a disc of the sky they tell the share too.
+    fn weigh(&mut self, met: u64) {
+        self.met = met;
+        if self.is_cone() {
+            self.share = f64::from(met.count_ones()) / f64::from(SUB_RAYS);
+        }
+        let count = if met == 0 { SUB_RAYS } else { met.count_ones() };
+        self.weight = self.share / f64::from(count);
+    }
 }
 
 /// Things that cover a part of a pixel.
@@ -89,9 +117,11 @@ impl<'a> Stack<'a> {
         let centre = self.at([0.5; 2]);
         let ray = self.ray(centre);
         self.sort(ray);
-        let back = surface.back(centre);
+        self.parts.iter_mut().for_each(|part| part.effect = part.feature.effect(ray));
+        let in_scene = self.is_in_scene();
+        let back = if in_scene { surface.back(centre) } else { Back::SKY };
         let label = self.label(centre, ray, back);
-        let is_even = self.is_even(ray, back, surface);
+        let is_even = !in_scene || self.is_even(ray, back, surface);
         let mix = if is_even && self.is_simple(ray, back) {
             self.whole(ray, back)
         } else {
@@ -114,6 +144,11 @@ impl<'a> Stack<'a> {
         self.parts.sort_by(|a, b| a.feature.order(b.feature, ray));
     }
 
+    /// Whether the opaque picture can hide anything of it.
+    fn is_in_scene(&self) -> bool {
+        self.parts.iter().any(|part| part.feature.tier != Tier::Eye)
+    }
+
     /// Whether order and visibility at all four corners are those of the centre.
     fn is_even(&self, ray: DVec3, back: Back, surface: &mut impl Surface) -> bool {
         let is_seen = |part: &Part| part.feature.is_before(ray, back);
@@ -129,15 +164,14 @@ impl<'a> Stack<'a> {
     /// Whether shares say all: no more than one thing that is seen covers the pixel in part.
     fn is_simple(&self, ray: DVec3, back: Back) -> bool {
         let seen = || self.parts.iter().filter(|part| part.feature.is_before(ray, back));
-        let is_cone = |part: &Part| matches!(part.feature.outline, Outline::Cone(..));
-        !seen().any(is_cone) && seen().filter(|part| part.share < 1.0).count() <= 1
+        !seen().any(Part::is_cone) && seen().filter(|part| part.share < 1.0).count() <= 1
     }
 
     /// Shares of the pixel, which depend on each other in no way.
     fn whole(&self, ray: DVec3, back: Back) -> Mix {
         let mut run = Run::new();
         for part in self.parts.iter().filter(|part| part.feature.is_before(ray, back)) {
-            run.pass(part, part.feature.effect(ray), part.share);
+            run.pass(part, part.effect, part.share);
         }
         let through = [run.through; 3];
         self.mixed(run.added, through, &run.visible)
@@ -149,14 +183,14 @@ impl<'a> Stack<'a> {
         self.weigh();
         let (mut added, mut visible) = ([0.0; 3], SmallVec::<[(usize, f64); 2]>::new());
         let (mut through, mut whole, mut mean) = ([0.0; 3], [0.0; 3], 0.0);
-        for within in sub_rays() {
+        for (number, within) in sub_rays().enumerate() {
             let at = self.at(within);
             let ray = self.ray(at);
             let (back, light) = even.map_or_else(|| surface.lit(at), |back| (back, [1.0; 3]));
             if even.is_none() {
                 self.sort(ray);
             }
-            let run = self.run(at, ray, back);
+            let run = self.run(number, ray, back);
             mean += run.through / f64::from(SUB_RAYS);
             for channel in 0..3 {
                 added[channel] += run.added[channel];
@@ -171,31 +205,30 @@ impl<'a> Stack<'a> {
         self.mixed(added, [0, 1, 2].map(share), &visible)
     }
 
-    /// Along one sub-ray.
-    fn run(&self, at: [f64; 2], ray: DVec3, back: Back) -> Run {
+    /// Along one sub-ray. A thing that none of them meets, a sliver, adds its light all over the pixel and hides nothing.
+    fn run(&self, number: usize, ray: DVec3, back: Back) -> Run {
         let mut run = Run::new();
         for part in self.parts.iter().filter(|part| part.feature.is_before(ray, back)) {
-            let effect = part.feature.effect(ray);
-            if part.is_sliver {
+            let effect = part.effect(ray);
+            if part.met == 0 {
                 run.pass(part, Effect { translucency: 1.0, ..effect }, 1.0);
-            } else if part.feature.outline.covers(self.screen, at, ray) {
+            } else if part.met >> number & 1 == 1 {
                 run.pass(part, effect, 1.0);
             }
         }
         run
     }
 
-    /// Weighs sub-rays. A thing that none of them meets, a sliver, adds its light all over the pixel and hides nothing.
+    /// Finds which sub-rays meet each thing.
     fn weigh(&mut self) {
         let places: Vec<_> = sub_rays().map(|within| self.at(within)).map(|at| (at, self.ray(at))).collect();
+        let screen = self.screen;
         for part in &mut self.parts {
-            let outline = &part.feature.outline;
-            let covered = places.iter().filter(|(at, ray)| outline.covers(self.screen, *at, *ray)).count();
-            if matches!(outline, Outline::Cone(..)) {
-                part.share = covered as f64 / f64::from(SUB_RAYS);
-            }
-            part.is_sliver = covered == 0;
-            part.weight = part.share / if part.is_sliver { f64::from(SUB_RAYS) } else { covered as f64 };
+            let is_met = |(at, ray): &([f64; 2], DVec3)| part.feature.outline.covers(screen, *at, *ray);
+            let bit = |(number, place)| u64::from(is_met(place)) << number;
+            let is_full = part.share >= 1.0 && !part.is_cone();
+            let met = if is_full { u64::MAX } else { places.iter().enumerate().map(bit).sum() };
+            part.weigh(met);
         }
     }
 
@@ -203,13 +236,11 @@ impl<'a> Stack<'a> {
     fn label(&self, centre: [f64; 2], ray: DVec3, back: Back) -> Option<Label> {
         let (mut through, mut shares) = (1.0, [0.0; Label::ALL.len()]);
         for part in &self.parts {
-            let Some(label) = part.feature.label().filter(|_| part.feature.beam().is_none()) else {
-                continue;
-            };
-            if part.feature.is_before(ray, back) && part.feature.outline.covers(self.screen, centre, ray) {
-                let translucency = part.feature.effect(ray).translucency;
-                shares[usize::from(label.code())] += through * (1.0 - translucency);
-                through *= translucency;
+            let covers = || part.feature.outline.covers(self.screen, centre, ray);
+            if part.feature.beam().is_none() && part.feature.is_before(ray, back) && covers() {
+                let share = through * (1.0 - part.effect.translucency);
+                through *= part.effect.translucency;
+                part.feature.label().into_iter().for_each(|label| shares[usize::from(label.code())] += share);
             }
         }
         Label::ALL.iter().copied().find(|label| shares[usize::from(label.code())] > LABEL_SHARE)
