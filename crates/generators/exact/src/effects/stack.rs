@@ -4,17 +4,12 @@ use generator::Label;
 use glam::DVec3;
 use smallvec::SmallVec;
 
-use super::matter::{Back, Effect, Feature, Tier};
-use super::outline::Outline;
+use super::lattice::{SUB_RAYS, sub_rays};
+use super::matter::{Back, Effect, Tier};
+use super::part::{Part, Parts};
+use super::run::Run;
 use super::screen::Screen;
 use crate::view::View;
-
-/// Sub-rays of a pixel that an edge crosses. Chosen: as many as a word has bits.
-pub const SUB_RAYS: u32 = 64;
-
-/// Step between the lines of two sub-rays in neighbouring columns (1/64 pixel). Chosen: every column and every line of 1/64
-/// pixel has one sub-ray, and of all steps this one tells the area beside a straight edge best.
-const LATTICE: u32 = 37;
 
 /// Share of the light at a pixel's centre above which a label is that of an effect.
 const LABEL_SHARE: f64 = 0.5;
@@ -27,52 +22,6 @@ pub trait Surface {
     /// The same with its light (linear red, green, blue).
     fn lit(&mut self, at: [f64; 2]) -> (Back, [f64; 3]);
 }
-
-/// A thing that covers a part of a pixel.
-#[derive(Debug, Clone, Copy)]
-pub struct Part<'a> {
-    feature: &'a Feature,
-    /// Its number in the frame.
-    index: usize,
-    /// Share of the pixel that it covers, 0 to 1.
-    share: f64,
-    /// What it does along the ray of the pixel's centre.
-    effect: Effect,
-    /// The sub-rays that meet it, bit by bit, where they are looked at.
-    met: u64,
-    /// Share of the pixel that each of them stands for; 1 where they are not looked at.
-    weight: f64,
-}
-
-impl<'a> Part<'a> {
-    /// A thing with its number in the frame and the share (above 0 to 1) of a pixel that it covers.
-    pub fn new(feature: &'a Feature, index: usize, share: f64) -> Self {
-        let effect = Effect { added: [0.0; 3], translucency: 1.0 };
-        Self { feature, index, share, effect, met: u64::MAX, weight: 1.0 }
-    }
-
-    /// What it does along a sub-ray. Only a disc of the sky is another from one to the next.
-    fn effect(&self, ray: DVec3) -> Effect {
-        if self.is_cone() { self.feature.effect(ray) } else { self.effect }
-    }
-
-    fn is_cone(&self) -> bool {
-        matches!(self.feature.outline, Outline::Cone(..))
-    }
-
-    /// Weighs the sub-rays that meet it; of a disc of the sky they tell the share too.
-    fn weigh(&mut self, met: u64) {
-        self.met = met;
-        if self.is_cone() {
-            self.share = f64::from(met.count_ones()) / f64::from(SUB_RAYS);
-        }
-        let count = if met == 0 { SUB_RAYS } else { met.count_ones() };
-        self.weight = self.share / f64::from(count);
-    }
-}
-
-/// Things that cover a part of a pixel.
-pub type Parts<'a> = SmallVec<[Part<'a>; 8]>;
 
 /// How much of a calligraphic point a pixel has.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -209,7 +158,7 @@ impl<'a> Stack<'a> {
     fn run(&self, number: usize, ray: DVec3, back: Back) -> Run {
         let mut run = Run::new();
         for part in self.parts.iter().filter(|part| part.feature.is_before(ray, back)) {
-            let effect = part.effect(ray);
+            let effect = part.effect_along(ray);
             if part.met == 0 {
                 run.pass(part, Effect { translucency: 1.0, ..effect }, 1.0);
             } else if part.met >> number & 1 == 1 {
@@ -254,67 +203,5 @@ impl<'a> Stack<'a> {
         };
         let beams = self.parts.iter().filter(|part| part.feature.beam().is_some()).map(reached).collect();
         Mix { added, through, label: None, beams }
-    }
-}
-
-/// From near to far through a stack.
-struct Run {
-    added: [f64; 3],
-    /// Share of light that what is nearer lets through.
-    through: f64,
-    /// The same of nearer calligraphic points, which hide calligraphic points alone.
-    veil: f64,
-    /// Number of calligraphic points and what is seen of their area.
-    visible: SmallVec<[(usize, f64); 2]>,
-}
-
-impl Run {
-    fn new() -> Self {
-        Self { added: [0.0; 3], through: 1.0, veil: 1.0, visible: SmallVec::new() }
-    }
-
-    /// Passes a thing that covers `share` of the way.
-    fn pass(&mut self, part: &Part, effect: Effect, share: f64) {
-        let let_through = 1.0 - share * (1.0 - effect.translucency);
-        if part.feature.beam().is_some() {
-            self.visible.push((part.index, part.weight * share * self.through * self.veil));
-            self.veil *= let_through;
-            return;
-        }
-        for channel in 0..3 {
-            self.added[channel] += part.weight * share * self.through * effect.added[channel];
-        }
-        self.through *= let_through;
-    }
-}
-
-/// Places of the sub-rays in a pixel, each 0 to 1.
-fn sub_rays() -> impl Iterator<Item = [f64; 2]> {
-    let place = |unit: u32| (f64::from(unit) + 0.5) / f64::from(SUB_RAYS);
-    (0..SUB_RAYS).map(move |k| [place(k), place(k * LATTICE % SUB_RAYS)])
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Half-planes at all angles and distances from the middle of the pixel.
-    #[test]
-    fn sub_rays_tell_the_area_beside_an_edge() {
-        let mut worst: f64 = 0.0;
-        for step in 0..360 {
-            let (sin, cos) = quantities::sin_cos(quantities::radians(f64::from(step)));
-            for shift in -35..=35 {
-                let shift = f64::from(shift) / 50.0;
-                let beside = |[x, y]: [f64; 2]| (x - 0.5) * cos + (y - 0.5) * sin > shift;
-                let far =
-                    |along: f64, out: f64| [0.5 + out * cos - along * sin, 0.5 + out * sin + along * cos];
-                let half = [far(-9.0, shift), far(9.0, shift), far(9.0, 9.0), far(-9.0, 9.0)];
-                let area = raster::area_within(&half, [0.0; 2], [1.0; 2]);
-                let found = sub_rays().filter(|at| beside(*at)).count() as f64 / f64::from(SUB_RAYS);
-                worst = worst.max((found - area).abs());
-            }
-        }
-        assert!(worst < 1.0 / 14.0, "{worst}");
     }
 }
