@@ -87,9 +87,11 @@
 //! eye's nadir; infinite in the sky and on silhouettes), `height` (m above the tangent plane), `normal_*` (unit, outwards,
 //! of terrain and craters together or of the face, whatever light a law gives them), `reflectivity` (before remote
 //! shadow and texture), `shadow` (local before remote; 0 in the sky and on silhouettes), `label` (track before crater
-//! before terrain). Effects are in `intensity` and colour, which may exceed 1; and a light point, a sheet or an overlay is the `label`
-//! where more than half of the light at the centre is its own. All other planes are of the opaque picture. In the sky, and for height and normal of silhouettes, the value is 0. Values are rounded to f32;
+//! before terrain). In the sky, and for height and normal of silhouettes, the value is 0. Values are rounded to f32;
 //! the places they tell of are good to rounding.
+//!
+//! Effects are in `intensity` and colour, which may exceed 1. A light point, a sheet or an overlay is the `label` where more
+//! than half of the weight at the centre is its own. All other planes are of the opaque picture.
 //!
 //! # Method
 //!
@@ -113,12 +115,13 @@
 //! Texture is followed the same way: grain finer than a quarter of a line may be averaged with an error of its
 //! amplitude.
 //!
-//! Of a pixel with effects the opaque picture is looked at in its centre and corners. If order and visibility are the same in all
-//! five, and no more than one thing that is seen covers the pixel in part, areas say all, and nothing is sampled. Otherwise there are
-//! [`SUB_RAYS`] sub-rays, of which every column and line of 1/64 pixel has one: an edge along an axis is met to 1/128 of a pixel,
-//! any straight edge to 1/14 of its area, by 0.011 in the mean. What a thing adds stays in proportion to its area. What dims the
-//! opaque picture is weighed with the light of each sub-ray. Discs of the sky are always met by sub-rays. What passes between the
-//! five places of a pixel can be missed, and a disc of the sky narrower than 1/8 pixel.
+//! Of a pixel with effects the opaque picture is looked at in its centre and corners. If order and visibility are the same
+//! in all five, and no more than one thing that is seen covers the pixel in part, areas say all, and nothing is sampled.
+//! Otherwise there are [`SUB_RAYS`] sub-rays, of which every column and line of 1/64 pixel has one: an edge along an axis is
+//! met to 1/128 of a pixel, any straight edge to 1/14 of its area, 0.013 root mean square. What a thing adds stays in
+//! proportion to its area. What dims the opaque picture is weighed with the light of each sub-ray. Discs of the sky are always
+//! met by sub-rays. What passes between the five places of a pixel can be missed, and a disc of the sky narrower than 1/8
+//! pixel.
 //!
 //! # Timing
 //!
@@ -151,8 +154,8 @@
 //!
 //! # See also
 //!
-//! `tests/pictures`: planes, the lunoid's horizon, a hidden valley, rims, shadows, boxes, fading levels and effects in closed form;
-//! random ground with craters, its shadows and whole pictures against marching along each ray.
+//! `tests/pictures`: planes, the lunoid's horizon, a hidden valley, rims, shadows, boxes, fading levels and effects in closed
+//! form; random ground with craters, its shadows and whole pictures against marching along each ray.
 
 mod bend;
 mod bernstein;

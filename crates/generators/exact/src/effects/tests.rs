@@ -49,12 +49,17 @@ impl Surface for Ridge {
     }
 }
 
-/// Effects before an eye 50 m over the origin that looks north.
+/// Effects before an eye 50 m over the origin of flat ground that looks north.
 fn features(effects: &Effects) -> Features {
+    features_over(effects, Curvature::None)
+}
+
+/// The same over a lunoid of a shape.
+fn features_over(effects: &Effects, curvature: Curvature) -> Features {
     let level = Level::new(20.0, [0.0; 2], [2, 2], vec![[0.0; 9]; 4]).unwrap();
     let ground = Landscape::new(Bank::new("test", vec![level], None).unwrap(), 0.5);
     let ceilings = Ceilings::new(&ground);
-    let outlook = Outlook::new(&ground, &ceilings, EYE.to_array(), Curvature::None, [0.0, 99.0], None);
+    let outlook = Outlook::new(&ground, &ceilings, EYE.to_array(), curvature, [0.0, 99.0], None);
     let tan_half_width = SIZE[0] as f64 / (2.0 * FOCAL);
     let field = FieldOfView { tan_half_width, tan_half_height: tan_half_width * 0.6 };
     let (screen, view) = (Screen::new(SIZE, field), View::new(Projection::Exact, &Attitude::default()));
@@ -224,7 +229,7 @@ fn a_ridge_hides_the_share_below_it() {
         let mut last = 1.0 + tolerance;
         for step in 0..=100 {
             let height = 2.5 - f64::from(step) / 20.0;
-            let across = f64::hypot(1.0, slope);
+            let across = libm::hypot(1.0, slope);
             let mut ridge = Ridge { height: 300.0 + height - slope * 500.0, slope };
             let beam = LightPoint { calligraphic: true, ..lamp([100.0, 0.0, 0.0]) };
             let found = shares(&Effects { lights: vec![beam], ..Effects::default() }, &mut ridge)[0];
@@ -269,6 +274,26 @@ fn sheets_that_share_an_edge_let_through_what_one_does() {
             assert!((mix.through[0] - 0.5).abs() < 1e-9 && (mix.added[0] - 0.25).abs() < 0.001, "{mix:?}");
         }
     }
+}
+
+#[test]
+fn things_stand_lower_by_the_drop_of_the_lunoid() {
+    let effects = Effects {
+        lights: vec![lamp([9e3, 0.0, 0.0])],
+        sheets: vec![sheet(9e3, 0.5, [0.0; 3])],
+        ..Effects::default()
+    };
+    let drop = FOCAL * landscape::parabolic_drop(9e3) / 9e3;
+    let [flat, bent] = [Curvature::None, Curvature::Parabolic].map(|curvature| {
+        let features = features_over(&effects, curvature);
+        [0, 1].map(|index| features.all[index].outline.bounds(&features.screen)[0][1])
+    });
+    assert!(
+        drop > 2.0 && (0..2).all(|index| (bent[index] - flat[index] - drop).abs() < 1e-9),
+        "{flat:?} {bent:?}"
+    );
+    let beyond = Effects { lights: vec![lamp([2e6, 0.0, 0.0])], ..Effects::default() };
+    assert!(features_over(&beyond, Curvature::Exact).all.is_empty());
 }
 
 #[test]
