@@ -3,9 +3,12 @@
 mod beams;
 mod circle;
 mod column;
+mod lattice;
 mod matter;
 mod outline;
+mod part;
 mod placing;
+mod run;
 mod screen;
 mod stack;
 
@@ -15,16 +18,17 @@ use scenario::{Effects, FieldOfView};
 use beams::Beams;
 use column::Opaque;
 use matter::Feature;
+use part::{Part, Parts};
 use placing::Placing;
 use screen::Screen;
-use stack::{Mix, Part, Parts, Stack, Surface};
+use stack::{Mix, Stack, Surface};
 
 use crate::column::Pixel;
 use crate::scene::Scene;
 use crate::view::View;
 
+pub use lattice::SUB_RAYS;
 pub use placing::WHITE_MAGNITUDE;
-pub use stack::SUB_RAYS;
 
 /// The effects of a frame on the screen.
 #[derive(Debug)]
@@ -137,7 +141,7 @@ impl Features {
                 return None;
             }
             let share = feature.outline.share(&self.screen, low);
-            (share > 0.0).then_some(Part { feature, index, share, weight: 1.0, is_sliver: false })
+            (share > 0.0).then(|| Part::new(feature, index, share))
         };
         let parts: Parts = self.columns[pixel[0]].iter().filter_map(part).collect();
         let stack = Stack { screen: &self.screen, view: &self.view, low, parts };

@@ -10,6 +10,8 @@
 //!                            |                                  |                               |
 //!                            v                                  v                               v
 //!  bodies --> perspective --> first face -----> depth ------> shadow ----------------------> Seen --> planes
+//!                                                 |                                                      ^
+//!  effects --> perspective --> outlines, areas -> stack of a pixel, near to far -----------> Mix --------+
 //! ```
 //!
 //! # Law
@@ -55,6 +57,30 @@
 //! - **Pixel rule.** `Centre`: one ray. `LineMean`: the mean over the line's height at the column's centre, by
 //!   adaptive quadrature to [`LINE_MEAN_TOLERANCE`].
 //!
+//! # Effects
+//!
+//! Light points, sheets, overlays and discs of the sky lie over the opaque picture, which is drawn as if they were not there. A
+//! scene without them costs nothing, and its picture is the same to the bit.
+//!
+//! - **Stack.** From near to far, with translucency tau and colour c: `sum (1 - tau_i) T_i c_i + T_end opaque`, T the product
+//!   of all nearer tau. No capacity limits it. Order is by depth along the axis of view, then the higher priority, then the
+//!   lower number. Before everything lie overlays, by priority; behind everything discs of the sky, then stars. Against the
+//!   opaque picture, whose priority is 0, depth decides as it does for bodies, `COINCIDENCE` included.
+//! - **Place.** True perspective under every projection law, as bodies have it. A lamp stands lower by the drop of the lunoid at
+//!   its own place, a sheet as a whole by that at the mean of its corners. What is less than 1 mm ahead of the eye is cut off;
+//!   so is what is no number.
+//! - **Area.** A thing takes part in a pixel by the area that it covers of it, in closed form: polygons by clipping, discs of
+//!   lamps and stars by sectors and triangles. The pixel rule decides the opaque part alone.
+//! - **Lamps.** A disc of `p = D F / d`, d the distance, F the focal length in pixels (geometric mean of both directions where
+//!   pixels are not square, so that areas are right). Below 1.5 pixels the disc stays and its intensity falls, so that light is
+//!   `I0 pi p^2 / 4` at every distance. `tau = 1 - min(I, 1)`, and it adds `I c`, above 1 too.
+//! - **Stars.** The same disc by magnitude: intensity 1 on the least disc at [`WHITE_MAGNITUDE`], and brighter ones grow. Only
+//!   sky shows them.
+//! - **Calligraphic points.** A Gaussian spot of 0.6 pixel over the finished picture: intensity times area times the share of the
+//!   disc's area on the screen that is not hidden, dimmed by what is nearer. They hide each other and nothing else.
+//! - **Sheets.** Their share along the ray of the pixel's centre: constant, or `exp(-kappa s)` of dust.
+//! - **Discs of the sky** are opaque and seen where a ray meets no ground, body or silhouette.
+//!
 //! # Planes
 //!
 //! `intensity` follows the pixel rule. All others are of the pixel's centre: `range` (m, along the ground from the
@@ -63,6 +89,9 @@
 //! shadow and texture), `shadow` (local before remote; 0 in the sky and on silhouettes), `label` (track before crater
 //! before terrain). In the sky, and for height and normal of silhouettes, the value is 0. Values are rounded to f32;
 //! the places they tell of are good to rounding.
+//!
+//! Effects are in `intensity` and colour, which may exceed 1. A light point, a sheet or an overlay is the `label` where more
+//! than half of the weight at the centre is its own. All other planes are of the opaque picture.
 //!
 //! # Method
 //!
@@ -86,10 +115,19 @@
 //! Texture is followed the same way: grain finer than a quarter of a line may be averaged with an error of its
 //! amplitude.
 //!
+//! Of a pixel with effects the opaque picture is looked at in its centre and corners. If order and visibility are the same
+//! in all five, and no more than one thing that is seen covers the pixel in part, areas say all, and nothing is sampled.
+//! Otherwise there are [`SUB_RAYS`] sub-rays, of which every column and line of 1/64 pixel has one: an edge along an axis is
+//! met to 1/128 of a pixel, any straight edge to 1/14 of its area, 0.013 root mean square. What a thing adds stays in
+//! proportion to its area. What dims the opaque picture is weighed with the light of each sub-ray. Discs of the sky are always
+//! met by sub-rays. What passes between the five places of a pixel can be missed, and a disc of the sky narrower than 1/8
+//! pixel.
+//!
 //! # Timing
 //!
 //! No clocks, no state between frames. Columns are drawn by the threads of the current rayon pool, each column
-//! by itself: the bits do not depend on the number of threads. `samples` of the frame's counts are rays from the eye,
+//! by itself, then calligraphic points in order: the bits do not depend on the number of threads. `samples` of the frame's counts
+//! are rays from the eye, those behind effects included,
 //! `bodies` those that the laws let be seen.
 //!
 //! # Not modelled
@@ -110,11 +148,14 @@
 //! - An eye inside a body does not see it. An open surface has no inside.
 //! - A face that turns from the sun may be lit where normals at its corners do not turn from it.
 //! - A raster is what the planes hold.
+//! - In a pixel that a ridge crosses the rule `Centre` gives the opaque picture the whole pixel, and the sky beside it its area:
+//!   weights may sum to more than 1 there. Under `LineMean` they sum to 1.
+//! - A disc of a lamp is a circle on the view-plane, wherever it stands.
 //!
 //! # See also
 //!
-//! `tests/pictures`: planes, the lunoid's horizon, a hidden valley, rims, shadows, boxes and fading levels in closed form;
-//! random ground with craters, its shadows and whole pictures against marching along each ray.
+//! `tests/pictures`: planes, the lunoid's horizon, a hidden valley, rims, shadows, boxes, fading levels and effects in closed
+//! form; random ground with craters, its shadows and whole pictures against marching along each ray.
 
 mod bend;
 mod bernstein;

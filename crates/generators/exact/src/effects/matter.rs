@@ -106,6 +106,11 @@ pub struct Back {
     pub is_open: bool,
 }
 
+impl Back {
+    /// Nothing but sky.
+    pub const SKY: Self = Self { depth: f64::INFINITY, is_open: true };
+}
+
 impl Feature {
     /// Inverse of its depth along the axis of view (1/m) where `ray`, of depth 1, meets it.
     fn nearness(&self, ray: DVec3) -> f64 {

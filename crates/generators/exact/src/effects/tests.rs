@@ -18,7 +18,6 @@ const SIZE: [usize; 2] = [1000, 600];
 /// Focal length of 1000 pixels over 50 degrees, as in the check values.
 const FOCAL: f64 = 1_072.253_460_254_779;
 const EYE: DVec3 = DVec3::new(0.0, 0.0, 50.0);
-const SKY: Back = Back { depth: f64::INFINITY, is_open: true };
 
 /// The same at every place.
 struct Even(Back);
@@ -41,7 +40,7 @@ struct Ridge {
 
 impl Surface for Ridge {
     fn back(&mut self, [x, y]: [f64; 2]) -> Back {
-        if y < self.height + self.slope * x { SKY } else { Back { depth: 10.0, is_open: false } }
+        if y < self.height + self.slope * x { Back::SKY } else { Back { depth: 10.0, is_open: false } }
     }
 
     fn lit(&mut self, at: [f64; 2]) -> (Back, [f64; 3]) {
@@ -50,12 +49,17 @@ impl Surface for Ridge {
     }
 }
 
-/// Effects before an eye 50 m over the origin that looks north.
+/// Effects before an eye 50 m over the origin of flat ground that looks north.
 fn features(effects: &Effects) -> Features {
+    features_over(effects, Curvature::None)
+}
+
+/// The same over a lunoid of a shape.
+fn features_over(effects: &Effects, curvature: Curvature) -> Features {
     let level = Level::new(20.0, [0.0; 2], [2, 2], vec![[0.0; 9]; 4]).unwrap();
     let ground = Landscape::new(Bank::new("test", vec![level], None).unwrap(), 0.5);
     let ceilings = Ceilings::new(&ground);
-    let outlook = Outlook::new(&ground, &ceilings, EYE.to_array(), Curvature::None, [0.0, 99.0], None);
+    let outlook = Outlook::new(&ground, &ceilings, EYE.to_array(), curvature, [0.0, 99.0], None);
     let tan_half_width = SIZE[0] as f64 / (2.0 * FOCAL);
     let field = FieldOfView { tan_half_width, tan_half_height: tan_half_width * 0.6 };
     let (screen, view) = (Screen::new(SIZE, field), View::new(Projection::Exact, &Attitude::default()));
@@ -120,15 +124,15 @@ fn disc(distance: f64) -> f64 {
 fn a_lamp_follows_the_inverse_square_and_has_no_step() {
     for step in 0..=400 {
         let distance = 50.0 * libm::exp10(f64::from(step) / 200.0);
-        let found = light(vec![lamp([distance, 0.0, 0.0])], &mut Even(SKY));
+        let found = light(vec![lamp([distance, 0.0, 0.0])], &mut Even(Back::SKY));
         assert!((found / disc(distance) - 1.0).abs() < 1e-9, "{distance}: {found}");
     }
     for (distance, expected) in [(50.0, 32.507778728809), (400.0, 0.507934042638), (5000.0, 0.003250777873)] {
-        let found = light(vec![lamp([distance, 0.0, 0.0])], &mut Even(SKY));
+        let found = light(vec![lamp([distance, 0.0, 0.0])], &mut Even(Back::SKY));
         assert!((found - expected).abs() < 1e-11, "{distance}: {found}");
     }
     let [before, behind] = [214.450692050955, 214.450692050957]
-        .map(|distance| light(vec![lamp([distance, 0.0, 0.0])], &mut Even(SKY)));
+        .map(|distance| light(vec![lamp([distance, 0.0, 0.0])], &mut Even(Back::SKY)));
     assert!((before - behind).abs() < 1e-12 && (before - 1.767145867644).abs() < 1e-11);
 }
 
@@ -139,7 +143,7 @@ fn a_lamp_keeps_its_light_wherever_it_lies_in_a_pixel() {
             let along = |k: i32| distance * f64::from(step * k % 100) / 100.0 / FOCAL;
             let at = [distance, along(1), along(37)];
             let away = DVec3::from_array(at).length();
-            let found = light(vec![lamp(at)], &mut Even(SKY));
+            let found = light(vec![lamp(at)], &mut Even(Back::SKY));
             assert!((found / disc(away) - 1.0).abs() < 1e-9, "{at:?}: {found}");
         }
     }
@@ -154,16 +158,17 @@ fn sheets_dim_lamps_in_the_raster_and_of_a_beam_alike() {
             sheets: sheets.clone(),
             ..Effects::default()
         };
-        let bare = light(effects.lights.clone(), &mut Even(SKY));
-        let found: f64 = mixes(&features(&effects), 2, &mut Even(SKY)).iter().map(|mix| mix.added[0]).sum();
+        let bare = light(effects.lights.clone(), &mut Even(Back::SKY));
+        let found: f64 =
+            mixes(&features(&effects), 2, &mut Even(Back::SKY)).iter().map(|mix| mix.added[0]).sum();
         assert!((found / bare - 0.35).abs() < 1e-12, "{}", found / bare);
         effects.lights[0].calligraphic = true;
-        assert!((shares(&effects, &mut Even(SKY))[0] - 0.35).abs() < 1e-12);
+        assert!((shares(&effects, &mut Even(Back::SKY))[0] - 0.35).abs() < 1e-12);
         // Before the farther sheet; before both.
         effects.lights[0] = LightPoint { calligraphic: true, ..lamp([25.0, 0.0, 0.0]) };
-        assert!((shares(&effects, &mut Even(SKY))[0] - 0.7).abs() < 1e-12);
+        assert!((shares(&effects, &mut Even(Back::SKY))[0] - 0.7).abs() < 1e-12);
         effects.lights[0] = LightPoint { calligraphic: true, ..lamp([15.0, 0.0, 0.0]) };
-        assert!((shares(&effects, &mut Even(SKY))[0] - 1.0).abs() < 1e-12);
+        assert!((shares(&effects, &mut Even(Back::SKY))[0] - 1.0).abs() < 1e-12);
     }
 }
 
@@ -203,7 +208,7 @@ fn dust_is_darker_on_a_longer_path() {
     let dust = Sheet { medium: Medium::Dust { kappa: 0.05, thickness: 10.0 }, ..sheet(20.0, 0.0, [0.0; 3]) };
     let features = features(&Effects { sheets: vec![dust], ..Effects::default() });
     for pixel in [[500, 300], [0, 300], [990, 20]] {
-        let mix = features.mix(pixel, false, &mut Even(SKY)).unwrap();
+        let mix = features.mix(pixel, false, &mut Even(Back::SKY)).unwrap();
         let [x, y] = [0, 1].map(|axis| (pixel[axis] as f64 + 0.5 - SIZE[axis] as f64 / 2.0) / FOCAL);
         let path = 10.0 * (1.0 + x * x + y * y).sqrt();
         assert!((mix.through[0] - libm::exp(-0.05 * path)).abs() < 1e-12, "{pixel:?}");
@@ -224,7 +229,7 @@ fn a_ridge_hides_the_share_below_it() {
         let mut last = 1.0 + tolerance;
         for step in 0..=100 {
             let height = 2.5 - f64::from(step) / 20.0;
-            let across = f64::hypot(1.0, slope);
+            let across = libm::hypot(1.0, slope);
             let mut ridge = Ridge { height: 300.0 + height - slope * 500.0, slope };
             let beam = LightPoint { calligraphic: true, ..lamp([100.0, 0.0, 0.0]) };
             let found = shares(&Effects { lights: vec![beam], ..Effects::default() }, &mut ridge)[0];
@@ -246,7 +251,7 @@ fn the_nearer_of_two_calligraphic_points_veils_the_farther() {
     for (north, tolerance) in [(50.0, 1e-12), (100.0, 2e-3)] {
         for lights in [vec![near(north), far], vec![far, near(north)]] {
             let is_near = lights[0].id == 0;
-            let found = shares(&Effects { lights, ..Effects::default() }, &mut Even(SKY));
+            let found = shares(&Effects { lights, ..Effects::default() }, &mut Even(Back::SKY));
             let [first, second] = if is_near { [found[0], found[1]] } else { [found[1], found[0]] };
             assert!((first - 1.0).abs() < 1e-12 && (second - 0.2).abs() < tolerance, "{found:?}");
         }
@@ -265,10 +270,30 @@ fn sheets_that_share_an_edge_let_through_what_one_does() {
     let features = features(&Effects { sheets, ..Effects::default() });
     for line in 0..600 {
         for column in 496..504 {
-            let mix = features.mix([column, line], false, &mut Even(SKY)).unwrap();
+            let mix = features.mix([column, line], false, &mut Even(Back::SKY)).unwrap();
             assert!((mix.through[0] - 0.5).abs() < 1e-9 && (mix.added[0] - 0.25).abs() < 0.001, "{mix:?}");
         }
     }
+}
+
+#[test]
+fn things_stand_lower_by_the_drop_of_the_lunoid() {
+    let effects = Effects {
+        lights: vec![lamp([9e3, 0.0, 0.0])],
+        sheets: vec![sheet(9e3, 0.5, [0.0; 3])],
+        ..Effects::default()
+    };
+    let drop = FOCAL * landscape::parabolic_drop(9e3) / 9e3;
+    let [flat, bent] = [Curvature::None, Curvature::Parabolic].map(|curvature| {
+        let features = features_over(&effects, curvature);
+        [0, 1].map(|index| features.all[index].outline.bounds(&features.screen)[0][1])
+    });
+    assert!(
+        drop > 2.0 && (0..2).all(|index| (bent[index] - flat[index] - drop).abs() < 1e-9),
+        "{flat:?} {bent:?}"
+    );
+    let beyond = Effects { lights: vec![lamp([2e6, 0.0, 0.0])], ..Effects::default() };
+    assert!(features_over(&beyond, Curvature::Exact).all.is_empty());
 }
 
 #[test]
