@@ -6,12 +6,13 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
 
 use control_plane::MachineStage;
 use hardware_model::{HardwareModel, Settings};
 use machine::HybridMachine;
 use picture::Depth;
-use replay::{Control, HeldRun, Job, Outcome, Pictures, Progress, ReplayError, RunFolder, run};
+use replay::{Control, HeldRun, Job, Outcome, Phases, Pictures, Progress, ReplayError, RunFolder, run};
 use run_record::{Inputs, Program};
 use scenario::Scenario;
 use serde_json::Value;
@@ -119,7 +120,8 @@ impl Wish {
                 cancel.store(true, Ordering::Relaxed);
             }
         };
-        run(&job, folder, &Control { pool: &pool, cancel: &cancel, progress: &progress, phases: vec![] })
+        let control = Control { pool: &pool, cancel: &cancel, progress: &progress };
+        run(&job, folder, &control, &mut Phases::since(Instant::now()))
     }
 }
 
