@@ -103,6 +103,11 @@ impl Wish {
     }
 
     pub fn run_in(&self, folder: &RunFolder) -> Result<Outcome, ReplayError> {
+        self.run_after(folder, &mut Phases::since(Instant::now()))
+    }
+
+    /// The run as a part of a command that has done `phases` before.
+    pub fn run_after(&self, folder: &RunFolder, phases: &mut Phases) -> Result<Outcome, ReplayError> {
         let scenario = Scenario::parse("test.toml", &self.scenario).expect("the scenario is right");
         let mut settings = settings(&scenario);
         settings.analog.memory.grey = self.grey;
@@ -121,7 +126,7 @@ impl Wish {
             }
         };
         let control = Control { pool: &pool, cancel: &cancel, progress: &progress };
-        run(&job, folder, &control, &mut Phases::since(Instant::now()))
+        run(&job, folder, &control, phases)
     }
 }
 
