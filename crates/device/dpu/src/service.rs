@@ -9,7 +9,7 @@ use quantities::{SweepClock, SweepTime, Tick};
 use smallvec::SmallVec;
 use sweep_program::{
     Event, Fold, Load, Miss, MissCause, NO_CORNER, RampAxis, RegisterCorners, Step, Stop, SweepProgram,
-    SweepStart, WordMask,
+    SweepStart, WordMask, last_tick,
 };
 
 use self::deliveries::Delivery;
@@ -33,6 +33,8 @@ pub(crate) struct Service<'a, 's, 'w, W> {
     ready: [[Option<Tick>; 2]; 4],
     /// When the diagonal register of a colour was filled; `None` while it waits.
     diagonals: [Option<Tick>; 4],
+    /// The last tick that is not after the fold that is served.
+    due: Tick,
     /// Stop that each ramp meets next; `None` for one that stands.
     next_stop: [Option<Stop>; 2],
     crossing: u32,
@@ -63,6 +65,7 @@ impl<'a, 's, 'w, W: Watch> Service<'a, 's, 'w, W> {
             pending: SmallVec::new(),
             ready: Default::default(),
             diagonals: [Some(Tick(0)); 4],
+            due: Tick(0),
             next_stop: start.ramps.map(|ramp| (ramp.rate != 0.0).then(|| ramp.first_stop().1)),
             crossing: 0,
             requests: 0,
@@ -97,6 +100,7 @@ impl<'a, 's, 'w, W: Watch> Service<'a, 's, 'w, W> {
         let kind = if enabled { Event::Fold(fold.kind) } else { Event::BareFold(fold.kind) };
         program.steps.push(Step::new(fold.time, fold.range, kind));
         let seen = self.seen(fold.time);
+        self.due = last_tick(&self.clock, fold.time, seen);
         self.watch.tell(seen, ServiceEvent::Stop { crossing: self.crossing, fold: fold.kind });
         self.pass_stop(fold.kind);
         if enabled {

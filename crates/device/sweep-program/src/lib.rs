@@ -12,7 +12,7 @@ mod register_corners;
 
 pub use colour::{Colour, PreloadRegister};
 pub use fan::Fan;
-pub use load_line::{LoadLine, LoadTiming, NoTiming, TimedLoad, slack};
+pub use load_line::{LoadLine, LoadTiming, NoTiming, TimedLoad, last_tick, slack};
 pub use program::{
     Event, Fold, Load, Miss, MissCause, NO_CORNER, Ramp, RampAxis, RegisterSet, Served, Step, StepKind, Stop,
     SweepProgram, SweepStart, Target, WordMask,

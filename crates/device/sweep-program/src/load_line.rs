@@ -131,9 +131,14 @@ impl LoadLine {
 /// 0, nothing is due.
 #[inline]
 pub fn slack(clock: &SweepClock, due: SweepTime, ready: Tick) -> i64 {
-    let seen = clock.tick_at_or_after(due);
-    let after = i64::from(clock.instant_of(seen) > due);
-    (seen.0 as i64 - after).max(0) - ready.0 as i64
+    last_tick(clock, due, clock.tick_at_or_after(due)).0 as i64 - ready.0 as i64
+}
+
+/// The last tick that is not after `due`, where `seen` is the first that is not before it; at least tick 0.
+#[inline]
+pub fn last_tick(clock: &SweepClock, due: SweepTime, seen: Tick) -> Tick {
+    let after = u64::from(clock.instant_of(seen) > due);
+    Tick(seen.0.saturating_sub(after))
 }
 
 #[cfg(test)]

@@ -66,7 +66,8 @@ pub struct FrameTiming {
     pub misses: Vec<Missed>,
     /// Digital events of the frame.
     pub events: u64,
-    /// [`crate::EventHash`] of their ordered list: 64 hexadecimal digits.
+    /// [`crate::EventHash`] of their ordered list: 64 hexadecimal digits. Empty where totals alone are asked for; no record holds
+    /// such a frame.
     pub events_blake3: String,
 }
 

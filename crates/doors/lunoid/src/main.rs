@@ -17,6 +17,7 @@ mod values;
 mod written;
 
 use std::process::ExitCode;
+use std::time::Instant;
 
 use cli::Cli;
 use failure::Failure;
@@ -33,8 +34,9 @@ enum Verdict {
 }
 
 fn main() -> ExitCode {
+    let start = Instant::now();
     let cli = Cli::read();
-    let code = match interrupt::catch().and_then(|()| commands::run(&cli)) {
+    let code = match interrupt::catch().and_then(|()| commands::run(&cli, start)) {
         Ok(Verdict::Yes) | Err(Failure::ClosedPipe) => 0,
         Ok(Verdict::No) => 1,
         Ok(Verdict::Interrupted) => interrupt::EXIT_CODE,

@@ -20,9 +20,11 @@ use crate::ticks::{frame_ticks, sweep_ticks};
 #[derive(Debug, Default)]
 pub(crate) struct SweepRecorder {
     /// Hash of what the sweep did, if anybody asks for it.
-    pub events: Option<EventHash>,
+    pub hash: Option<EventHash>,
     pub sets: Sets,
     pub folds: u64,
+    /// Loads of registers, of all words or some.
+    loads: u64,
     pub late_words: u64,
     pub transfers: Slack,
     pub corners: Slack,
@@ -50,15 +52,15 @@ struct BehindDrums {
 }
 
 impl SweepRecorder {
-    /// Runs the service of one sweep, both levels, and hashes its events into `events`, if there is one.
-    pub fn of(crossings: &Crossings<'_>, sweeps: [u32; 2], events: Option<EventHash>) -> Self {
+    /// Runs the service of one sweep, both levels, and hashes its events into `hash`, if there is one.
+    pub fn of(crossings: &Crossings<'_>, sweeps: [u32; 2], hash: Option<EventHash>) -> Self {
         let (settings, frame) = (&crossings.stage.settings, crossings.plan.frame);
         let drums = settings.data_banks.drum.map(|_| BehindDrums {
             frame_start: frame_ticks(crossings.stage, frame)[0],
             clock: settings.timebase.sweep_clock(frame, sweeps[1]),
         });
         let period = sweep_ticks(settings);
-        let mut recorder = Self { events, sweep: sweeps[1], period, drums, ..Self::default() };
+        let mut recorder = Self { hash, sweep: sweeps[1], period, drums, ..Self::default() };
         let mut program = SweepProgram::idle();
         let levels = crossings.stage.landscape.bank().levels();
         recorder.columns = levels[0].corners()[1];
@@ -70,6 +72,11 @@ impl SweepRecorder {
             recorder.end_range = recorder.end_range.max(program.end_range);
         }
         recorder
+    }
+
+    /// Events of the sweep: what is hashed if anybody asks for it.
+    pub fn events(&self) -> u64 {
+        self.folds + self.loads
     }
 
     /// What the crossings take of a processor that serves them.
@@ -203,19 +210,20 @@ fn register_word(register: PreloadRegister) -> &'static str {
 impl SweepRecorder {
     fn stop(&mut self, tick: Tick, fold: Fold) {
         self.folds += 1;
-        let Some(events) = &mut self.events else { return };
+        let Some(hash) = &mut self.hash else { return };
         let axis = if fold.axis == RampAxis::X { "x" } else { "y" };
-        events.push(tick.0, "stop", axis, &[u64::from(fold.stop == Stop::One)]);
+        hash.push(tick.0, "stop", axis, &[u64::from(fold.stop == Stop::One)]);
     }
 
     fn load(&mut self, tick: Tick, load: &Load) {
-        let Some(events) = &mut self.events else { return };
+        self.loads += 1;
+        let Some(hash) = &mut self.hash else { return };
         let target = match load.target {
             Target::Hold => "hold",
             Target::Preload(register) => register_word(register),
         };
         let words = [u64::from(load.corner), u64::from(load.words.0)];
-        events.push(tick.0, load.colour.name(), target, &words);
+        hash.push(tick.0, load.colour.name(), target, &words);
     }
 
     fn late(&mut self, miss: &Miss, range: f64) {

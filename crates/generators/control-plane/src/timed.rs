@@ -29,6 +29,10 @@ impl Timed for ControlPlane {
     fn frame(&self, frame: u64, pose: &Pose) -> Result<FrameTiming, FrameError> {
         Self::frame(self, frame, pose)
     }
+
+    fn frame_for_totals(&self, frame: u64, pose: &Pose) -> Result<FrameTiming, FrameError> {
+        Self::frame_for_totals(self, frame, pose)
+    }
 }
 
 /// Hash of everything that decides the timing of a mission: ground, bodies, path, and the settings of the digital side.

@@ -20,6 +20,9 @@ use crate::frame_sweeps::FrameSweeps;
 use crate::sweep_recorder::SweepRecorder;
 use crate::ticks::{frame_ticks, sweep_ticks};
 
+/// Events of a sweep and their hash, to be joined.
+type Part = (u64, [u8; 32]);
+
 impl ControlPlane {
     /// Timing of frame `frame`, by all threads of the current pool; the same for any number of them.
     ///
@@ -27,19 +30,37 @@ impl ControlPlane {
     /// If the pose cannot be drawn.
     pub fn frame(&self, frame: u64, pose: &Pose) -> Result<FrameTiming, FrameError> {
         let sweeps = self.sweeps(frame, pose)?;
+        let (recorders, parts) = self.recorders(&sweeps, pose.time, true)?;
+        let (_, events_blake3) = EventHash::join(parts.into_iter().flatten());
+        Ok(FrameTiming { events_blake3, ..self.summary(frame, &sweeps, recorders) })
+    }
+
+    /// The same without the hash of the events.
+    pub(crate) fn frame_for_totals(&self, frame: u64, pose: &Pose) -> Result<FrameTiming, FrameError> {
+        let sweeps = self.sweeps(frame, pose)?;
+        let (recorders, _) = self.recorders(&sweeps, pose.time, false)?;
+        Ok(self.summary(frame, &sweeps, recorders))
+    }
+
+    /// What the service of every sweep at `time` (s) did, and the hash of its events where one is asked for.
+    fn recorders(
+        &self,
+        sweeps: &FrameSweeps<'_>,
+        time: f64,
+        is_hashed: bool,
+    ) -> Result<(Vec<SweepRecorder>, Vec<Option<Part>>), FrameError> {
         let crossings = sweeps.crossings();
-        let gates = self.gates(&sweeps, pose.time)?;
+        let gates = self.gates(sweeps, time)?;
         let record = |sweep: u32| {
             let drawn = sweeps.set_up_of(sweep);
-            let mut recorder = SweepRecorder::of(&crossings, [drawn, sweep], Some(EventHash::new()));
+            let hash = is_hashed.then(EventHash::new);
+            let mut recorder = SweepRecorder::of(&crossings, [drawn, sweep], hash);
             recorder.note_features(&crossings, drawn);
             recorder.note_gate(&crossings, gates.get(drawn as usize));
-            let events = recorder.events.take().unwrap_or_default().part();
-            (recorder, events)
+            let part = recorder.hash.take().map(|hash| hash.part());
+            (recorder, part)
         };
-        let count = self.stage().settings.raster.sweeps;
-        let (recorded, events): (Vec<SweepRecorder>, Vec<_>) = (0..count).into_par_iter().map(record).unzip();
-        Ok(self.summary(frame, &sweeps, recorded, EventHash::join(events.into_iter())))
+        Ok((0..self.stage().settings.raster.sweeps).into_par_iter().map(record).unzip())
     }
 
     /// Shadow gates of all sweeps, if a boundary can come late in them or find no line generator: only then has the shadow
@@ -56,18 +77,13 @@ impl ControlPlane {
         self.shadow_gates(sweeps, time)
     }
 
-    fn summary(
-        &self,
-        frame: u64,
-        sweeps: &FrameSweeps<'_>,
-        recorders: Vec<SweepRecorder>,
-        (events, events_blake3): (u64, String),
-    ) -> FrameTiming {
+    /// The timing of a frame without the hash of its events.
+    fn summary(&self, frame: u64, sweeps: &FrameSweeps<'_>, recorders: Vec<SweepRecorder>) -> FrameTiming {
         let digital = sweeps.digital();
         let [start, end] = frame_ticks(self.stage(), frame);
         let mut deadlines = BTreeMap::from([(Deadline::TRANSFER, Slack::default())]);
         let mut sets = Sets::default();
-        let (mut folds, mut late_words, mut misses) = (0, 0, Vec::new());
+        let (mut folds, mut events, mut late_words, mut misses) = (0, 0, 0, Vec::new());
         let mut lines = [LineUse::default(); 4];
         let mut load_ticks = [0; 2];
         for sweep in recorders {
@@ -85,6 +101,7 @@ impl ControlPlane {
             }
             add_sets(&mut sets, &sweep.sets);
             folds += sweep.folds;
+            events += sweep.events();
             late_words += sweep.late_words;
             for (line, used) in lines.iter_mut().zip(&sweep.lines) {
                 line.busy += used.busy;
@@ -115,7 +132,7 @@ impl ControlPlane {
             tasks: Vec::new(),
             misses,
             events,
-            events_blake3,
+            events_blake3: String::new(),
         }
     }
 

@@ -7,7 +7,7 @@ use front_door::Opened;
 use generator::{Scan, Timed};
 use machine::MachineStage;
 use rayon::ThreadPool;
-use replay::{HeldRun, Job, RunFolder};
+use replay::{HeldRun, Job, Phases, RunFolder};
 use report::{Beside, ReportError, TimingSummary, write_page};
 use scenario::{PoseRow, PoseTable};
 use timing::{FORMAT, FrameTiming, TimingRecord};
@@ -34,11 +34,12 @@ pub struct Making<'a> {
 }
 
 impl Making<'_> {
-    /// Writes page.json, plots and page into `folder`. What is there and right is not worked out again.
+    /// Writes page.json, plots and page into `folder`. What is there and right is not worked out again. The phases of the page are
+    /// added to `phases`.
     ///
     /// # Errors
     /// If the record of the run cannot be read, a frame cannot be drawn, or a file cannot be written.
-    pub fn write(&self, folder: &RunFolder) -> Result<(), PageError> {
+    pub fn write(&self, folder: &RunFolder, phases: &mut Phases) -> Result<(), PageError> {
         let held = HeldRun::read(folder.path())?;
         let mut beside = match Beside::read(folder.path(), &held.fingerprint) {
             Err(ReportError::Content { .. }) => Beside::new(&held.fingerprint),
@@ -51,11 +52,15 @@ impl Making<'_> {
                 let stage = MachineStage::new(self.job.stage.clone(), self.opened.settings.clone());
                 beside.sight = sight(&stage?, &poses);
             }
+            phases.mark("sight");
             self.sum_up_timing(&poses, &mut beside)?;
+            phases.mark("timing");
             record(self, &poses, folder, &mut beside)?;
+            phases.mark("probe");
         }
         beside.write(folder.path())?;
         write_page(folder.path())?;
+        phases.mark("page");
         Ok(())
     }
 
@@ -100,7 +105,7 @@ impl Making<'_> {
     }
 
     fn timed(&self, rows: &[&PoseRow], by: &dyn Timed) -> Result<Vec<FrameTiming>, PageError> {
-        let frame = |row: &&PoseRow| self.pool.install(|| by.frame(row.frame, &row.pose));
+        let frame = |row: &&PoseRow| self.pool.install(|| by.frame_for_totals(row.frame, &row.pose));
         Ok(rows.iter().map(frame).collect::<Result<_, _>>()?)
     }
 }

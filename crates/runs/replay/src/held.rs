@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use run_record::{FileRecord, FrameRecord, RecordError, RunRecord, TruthFrame, TruthRecord, hash};
+use serde::Serialize;
 
 use crate::ReplayError;
 use crate::folder::is_of_run;
@@ -103,6 +104,11 @@ pub(crate) fn whole<T: Send>(
 ) -> Vec<T> {
     let is_whole = |item: &T| files(item).iter().all(|file| file.is_whole(folder));
     listed.into_par_iter().filter(is_whole).collect()
+}
+
+/// A value as a file of a run holds it.
+pub(crate) fn pretty(value: &impl Serialize) -> String {
+    serde_json::to_string_pretty(value).expect("records are plain values") + "\n"
 }
 
 /// Writes the file `name` of `folder`, unless it is there with these bytes.

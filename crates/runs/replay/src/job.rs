@@ -10,8 +10,6 @@ use rayon::ThreadPool;
 use run_record::{Inputs, Program};
 use scenario::Scenario;
 
-use crate::Phase;
-
 /// How frames become files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Pictures {
@@ -81,6 +79,4 @@ pub struct Control<'a> {
     pub cancel: &'a AtomicBool,
     /// Hears of every frame.
     pub progress: &'a (dyn Fn(Progress) + Sync),
-    /// What was done before, for the wall times.
-    pub phases: Vec<Phase>,
 }

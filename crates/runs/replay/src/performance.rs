@@ -5,26 +5,91 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use generator::Counter;
+use limits::Limit;
 use quantities::Rate;
-use serde::Serialize;
 use serde_json::{Value, json};
 
+use crate::ReplayError;
+use crate::folder::RunFolder;
+use crate::held::{pretty, write_changed};
+use crate::names::PERFORMANCE;
+use crate::phases::Phases;
 use run_record::{FrameRecord, total_work};
 
-/// A part of a run and how long it took.
-#[derive(Debug, Clone, PartialEq, Serialize)]
-pub struct Phase {
-    /// Name of what was done.
-    pub phase: String,
-    /// Wall time of the phase (s).
-    pub seconds: f64,
+/// Key of the phases in the document.
+const PHASES: &str = "phases";
+/// The check, as a phase.
+pub(crate) const CHECK: &str = "check";
+
+/// Wall times of this session, as in `performance.json`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Performance {
+    document: Value,
+    /// Whether it is in the folder. A session that drew nothing leaves the file of the one that did.
+    is_in_folder: bool,
 }
 
-impl Phase {
-    /// The phase that began at `start` and ends now.
-    pub fn since(phase: &str, start: Instant) -> Self {
-        Self { phase: phase.into(), seconds: start.elapsed().as_secs_f64() }
+impl Performance {
+    /// The times of a session that drew, which stand in `folder` from now on.
+    pub(crate) fn of_drawing(document: Value, folder: &RunFolder) -> Result<Self, ReplayError> {
+        let performance = Self { document, is_in_folder: true };
+        performance.write(folder)?;
+        Ok(performance)
     }
+
+    /// The times of a session that drew nothing. The file of the one that drew stays, if there is one, with the time of the check
+    /// where one was made now.
+    pub(crate) fn of_rest(
+        document: Value,
+        folder: &RunFolder,
+        has_checked: bool,
+    ) -> Result<Self, ReplayError> {
+        let path = folder.join(PERFORMANCE);
+        if !path.is_file() {
+            return Self::of_drawing(document, folder);
+        }
+        if has_checked {
+            let earlier = files::read_all(&path, Limit::RecordBytes)?;
+            match with_check(&earlier, &document) {
+                Some(checked) => write_document(folder, &checked)?,
+                None => return Self::of_drawing(document, folder),
+            }
+        }
+        Ok(Self { document, is_in_folder: false })
+    }
+
+    /// The document of this session.
+    pub fn document(&self) -> &Value {
+        &self.document
+    }
+
+    /// Takes the phases over that followed the run, in the file of `folder` as well.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub fn follow(&mut self, phases: &Phases, folder: &RunFolder) -> Result<(), ReplayError> {
+        self.document[PHASES] = json!(phases.list());
+        if self.is_in_folder { self.write(folder) } else { Ok(()) }
+    }
+
+    fn write(&self, folder: &RunFolder) -> Result<(), ReplayError> {
+        write_document(folder, &self.document)
+    }
+}
+
+fn write_document(folder: &RunFolder, document: &Value) -> Result<(), ReplayError> {
+    write_changed(folder.path(), PERFORMANCE, pretty(document).as_bytes()).map(drop)
+}
+
+/// The times of an earlier session with the time of the check of `now`.
+fn with_check(earlier: &[u8], now: &Value) -> Option<Value> {
+    let mut times: Value = serde_json::from_slice(earlier).ok()?;
+    let is_check = |phase: &Value| phase["phase"] == CHECK;
+    let check = now[PHASES].as_array()?.iter().find(|phase| is_check(phase))?;
+    let held = times.get_mut(PHASES)?.as_array_mut()?;
+    held.retain(|phase| !is_check(phase));
+    held.push(check.clone());
+    Some(times)
 }
 
 /// Time spent in the steps of all frames; steps of different frames overlap.
@@ -55,7 +120,7 @@ impl Stopwatch {
 
 /// The document of one session: frames that were there before do not count.
 pub(crate) fn performance(
-    phases: &[Phase],
+    phases: &Phases,
     steps: &StepTimes,
     threads: usize,
     drawn: &[&FrameRecord],
@@ -67,7 +132,7 @@ pub(crate) fn performance(
     json!({
         "schema": "lunoid.performance/1",
         "threads": threads,
-        "phases": phases,
+        PHASES: phases.list(),
         "frames_drawn": drawn.len(),
         "drawing_s": drawing,
         "frames_per_s": frames_per_s,

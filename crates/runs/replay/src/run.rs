@@ -3,15 +3,11 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 use std::path::PathBuf;
-use std::time::Instant;
 
 use generator::{PlaneKind, Session};
-use limits::Limit;
 use picture::{Encoder, Transfer};
 use quantities::Rate;
 use scenario::{LimitReport, PoseRow, PoseTable, poses_csv};
-use serde::Serialize;
-use serde_json::Value;
 
 use crate::ReplayError;
 use crate::camera::camera;
@@ -20,17 +16,15 @@ use crate::draw::{Drawing, draw_all};
 use crate::film::{sheet, write_film};
 use crate::fingerprint::{Fingerprint, differences};
 use crate::folder::RunFolder;
-use crate::held::{HeldRun, RUN_RECORD, frame_range, whole, write_changed};
+use crate::held::{HeldRun, RUN_RECORD, frame_range, pretty, whole, write_changed};
 use crate::job::{Control, Job, Progress};
 use crate::journal::{self, Found, JOURNAL, Journal};
 use crate::names::{ANIMATION, CAMERA, CONTACT_SHEET, FRAMES, PERFORMANCE, POSES, picture_name};
-use crate::performance::{Phase, StepTimes, performance};
+use crate::performance::{CHECK, Performance, StepTimes, performance};
+use crate::phases::Phases;
 use crate::record::{Finished, run_record};
 use crate::world::World;
 use run_record::{CheckRecord, FileRecord, FrameRecord, file_hash};
-
-/// The check, as a key of the record and as a phase.
-const CHECK: &str = "check";
 
 /// How a run ended.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,8 +37,8 @@ pub enum Outcome {
         drawn: u64,
         /// Where the vehicle does more than it can.
         limits: Vec<LimitReport>,
-        /// Wall times of this session, as in `performance.json`.
-        performance: Value,
+        /// Wall times of this session, with the phases up to the end of the run.
+        performance: Performance,
     },
     /// Told to end: the frames there are whole, and the same job goes on from them.
     Interrupted {
@@ -55,16 +49,21 @@ pub enum Outcome {
     },
 }
 
-/// Draws `job` into `folder`, or what is missing of it.
+/// Draws `job` into `folder`, or what is missing of it. `phases` are those before, to which those of the run are added.
 ///
 /// # Errors
 /// If the folder holds another run, a pose cannot be drawn, or a file cannot be written. What was finished before
 /// stays, and the same job goes on from there.
-pub fn run(job: &Job, folder: &RunFolder, control: &Control) -> Result<Outcome, ReplayError> {
+pub fn run(
+    job: &Job,
+    folder: &RunFolder,
+    control: &Control,
+    phases: &mut Phases,
+) -> Result<Outcome, ReplayError> {
     if job.frames.is_empty() {
         return Err(ReplayError::NoFrames(job.frames.clone()));
     }
-    let mut run = Run::prepare(job, folder, control)?;
+    let mut run = Run::prepare(job, folder, control, phases)?;
     let journal = run.begin()?;
     let drawn = match run.draw(&journal) {
         Ok(drawn) => drawn,
@@ -100,15 +99,21 @@ struct Run<'a> {
     kept: BTreeMap<u64, FrameRecord>,
     frames: Range<u64>,
     poses: PoseTable,
-    phases: Vec<Phase>,
+    phases: &'a mut Phases,
     times: StepTimes,
     drawn: u64,
+    /// Wall time of the drawing (s).
+    drawing_s: f64,
 }
 
 impl<'a> Run<'a> {
     /// Everything that can be refused before a file is written.
-    fn prepare(job: &'a Job, folder: &'a RunFolder, control: &'a Control) -> Result<Self, ReplayError> {
-        let start = Instant::now();
+    fn prepare(
+        job: &'a Job,
+        folder: &'a RunFolder,
+        control: &'a Control,
+        phases: &'a mut Phases,
+    ) -> Result<Self, ReplayError> {
         expect_colour(job)?;
         let world = World::of(job);
         let fingerprint = Fingerprint::of_job(job, &world);
@@ -123,8 +128,7 @@ impl<'a> Run<'a> {
         let poses = job.poses(frames.clone())?;
         expect_drivable(&poses)?;
         let session = job.session(control.pool)?;
-        let mut phases = control.phases.clone();
-        phases.push(Phase::since("prepare", start));
+        phases.mark("prepare");
         let times = StepTimes::default();
         let mut run = Self {
             job,
@@ -140,6 +144,7 @@ impl<'a> Run<'a> {
             phases,
             times,
             drawn: 0,
+            drawing_s: 0.0,
         };
         run.verify(listed);
         run.expect_room()?;
@@ -162,13 +167,12 @@ impl<'a> Run<'a> {
         if listed.is_empty() {
             return;
         }
-        let start = Instant::now();
         (self.control.progress)(Progress::Verifying { frames: listed.len() as u64 });
         let listed: Vec<FrameRecord> = listed.into_values().collect();
         let folder = self.folder.path();
         let whole = self.control.pool.install(|| whole(listed, folder, |frame| &frame.files));
         self.kept = whole.into_iter().map(|frame| (frame.frame, frame)).collect();
-        self.phases.push(Phase::since("verify", start));
+        self.phases.mark("verify");
     }
 
     /// From here on the folder is this run's.
@@ -212,7 +216,7 @@ impl<'a> Run<'a> {
         let missing: Vec<_> = missing.copied().collect();
         let (all, kept) = (self.frames.end - self.frames.start, self.kept.len() as u64);
         (self.control.progress)(Progress::Begins { what: "frames", frames: all, kept });
-        let start = Instant::now();
+        self.phases.mark("begin");
         let drawing = Drawing {
             session: &*self.session,
             view: &self.job.stage.view,
@@ -225,25 +229,22 @@ impl<'a> Run<'a> {
             times: &self.times,
         };
         let drawn = draw_all(&drawing, &missing, kept, self.control)?;
-        self.phases.push(Phase::since("draw", start));
+        self.drawing_s = self.phases.mark("draw");
         self.drawn = drawn.len() as u64;
         Ok(drawn)
     }
 
     /// Everything that follows from the frames; `None` if told to end.
-    fn finish(&mut self, drawn: BTreeMap<u64, FrameRecord>) -> Result<Option<Value>, ReplayError> {
+    fn finish(&mut self, drawn: BTreeMap<u64, FrameRecord>) -> Result<Option<Performance>, ReplayError> {
         (self.control.progress)(Progress::Finishing);
         let fresh: Vec<u64> = drawn.keys().copied().collect();
-        let drawing = self.phases.last().map_or(0.0, |phase| phase.seconds);
         let mut all = std::mem::take(&mut self.kept);
         all.extend(drawn);
         let frames: Vec<FrameRecord> = all.into_values().collect();
-        let start = Instant::now();
         let Some((check, is_new)) = self.checked(&frames, fresh.is_empty())? else { return Ok(None) };
         if is_new {
-            self.phases.push(Phase::since(CHECK, start));
+            self.phases.mark(CHECK);
         }
-        let start = Instant::now();
         let omissions = self.session.omissions();
         let outputs = self.write_outputs(&frames)?;
         let finished = Finished {
@@ -258,21 +259,19 @@ impl<'a> Run<'a> {
         };
         let record = run_record(self.job, finished);
         self.write(RUN_RECORD, record.text().as_bytes())?;
-        self.phases.push(Phase::since("finish", start));
+        self.phases.mark("finish");
         let drawn: Vec<&FrameRecord> =
             frames.iter().filter(|frame| fresh.binary_search(&frame.frame).is_ok()).collect();
         let threads = self.control.pool.current_num_threads();
         let update = self.job.stage.view.update;
         let counters = self.job.generator.counters();
-        let times = performance(&self.phases, &self.times, threads, &drawn, drawing, (update, counters));
-        let path = self.folder.join(PERFORMANCE);
-        if !drawn.is_empty() || !path.is_file() {
-            self.write(PERFORMANCE, pretty(&times).as_bytes())?;
-        } else if is_new {
-            let checked = with_check(&files::read_all(&path, Limit::RecordBytes)?, &self.phases);
-            self.write(PERFORMANCE, pretty(&checked.unwrap_or_else(|| times.clone())).as_bytes())?;
-        }
-        Ok(Some(times))
+        let times =
+            performance(self.phases, &self.times, threads, &drawn, self.drawing_s, (update, counters));
+        let performance = match drawn.is_empty() {
+            false => Performance::of_drawing(times, self.folder)?,
+            true => Performance::of_rest(times, self.folder, is_new)?,
+        };
+        Ok(Some(performance))
     }
 
     /// The check that the job asks for, and whether it was made now; `None` if told to end. One that was made of the same
@@ -416,20 +415,6 @@ fn join(
         return Err(ReplayError::Gap { path: folder.path().to_owned(), held, asked: asked.clone() });
     }
     Ok(held.start.min(asked.start)..held.end.max(asked.end))
-}
-
-/// Wall times of an earlier session with the time of the check that was made now.
-fn with_check(earlier: &[u8], phases: &[Phase]) -> Option<Value> {
-    let mut times: Value = serde_json::from_slice(earlier).ok()?;
-    let phase = serde_json::json!(phases.iter().find(|phase| phase.phase == CHECK)?);
-    let held = times.get_mut("phases")?.as_array_mut()?;
-    held.retain(|held| held["phase"] != CHECK);
-    held.push(phase);
-    Some(times)
-}
-
-pub(crate) fn pretty(value: &impl Serialize) -> String {
-    serde_json::to_string_pretty(value).expect("records are plain values") + "\n"
 }
 
 /// Frames in colour need a generator that fills all three planes.

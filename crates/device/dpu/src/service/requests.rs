@@ -2,7 +2,7 @@
 
 use quantities::Tick;
 use sweep_program::{
-    Colour, Event, Load, MissCause, PreloadRegister, RampAxis, Step, SweepProgram, Target, WordMask, slack,
+    Colour, Event, Load, MissCause, PreloadRegister, RampAxis, Step, SweepProgram, Target, WordMask,
 };
 
 use super::Service;
@@ -65,7 +65,8 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         let corner = self.stored(corner, seen, asking, ServiceEvent::Diagonal);
         let load = Load { colour, target: Target::Preload(register), corner, words: WordMask::ALL };
         program.steps.push(Step::new(fold.time, fold.range, Event::Load(load)));
-        self.ready[colour as usize][register as usize] = Some(self.there_with(fold, seen));
+        // Not later than the last tick before the fold, so that another fold within the same tick finds them.
+        self.ready[colour as usize][register as usize] = Some(self.due);
         Self::tell_load(&mut self.held, self.watch, seen, load);
     }
 
@@ -105,7 +106,7 @@ impl<W: Watch> Service<'_, '_, '_, W> {
         let asking = Asking { crossing: Some(crossing), colour, register: place };
         let corner = self.stored(corner, seen, asking, ServiceEvent::Access);
         if W::LISTENS {
-            self.is_ready(colour, register, self.there_with(fold, seen));
+            self.is_ready(colour, register, self.due);
         }
         let words = self.hold_back(ComingSet { colour, register, corner, crossing, tick: seen });
         if !words.is_empty() {
@@ -113,13 +114,6 @@ impl<W: Watch> Service<'_, '_, '_, W> {
             program.steps.push(Step::new(fold.time, fold.range, Event::Load(load)));
             Self::tell_load(&mut self.held, self.watch, seen, load);
         }
-    }
-
-    /// When words that are there with a fold itself are ready: not later than the last tick before it, so that another
-    /// fold within the same tick finds them.
-    fn there_with(&self, fold: TimedFold, seen: Tick) -> Tick {
-        let slack = slack(&self.clock, fold.time, seen).min(0);
-        Tick(seen.0.saturating_add_signed(slack))
     }
 
     /// Sends the words of a set that the model holds back, later than the others; the words that are left. Few models hold any

@@ -3,7 +3,7 @@
 use hardware_model::LatePolicy;
 use quantities::Tick;
 use sweep_program::{
-    Colour, Event, Load, Miss, MissCause, NO_CORNER, PreloadRegister, SweepProgram, Target, WordMask, slack,
+    Colour, Event, Load, Miss, MissCause, NO_CORNER, PreloadRegister, SweepProgram, Target, WordMask,
 };
 
 use super::Service;
@@ -33,8 +33,9 @@ impl<W: Watch> Service<'_, '_, '_, W> {
             PreloadRegister::YFirst => PreloadRegister::XFirst,
         };
         let ready = std::mem::take(&mut self.ready[colour as usize]);
-        let left_of =
-            |register: PreloadRegister| Some(slack(&self.clock, fold.time, ready[register as usize]?));
+        let left_of = |register: PreloadRegister| {
+            ready[register as usize].map(|ready| self.due.0 as i64 - ready.0 as i64)
+        };
         let corner = |register| self.held.as_ref().map_or(NO_CORNER, |held| held.waiting(colour, register));
         let (crossing, slack, left) = (self.crossing, left_of(used), left_of(unused));
         let transfer =

@@ -31,16 +31,18 @@ pub mod trace;
 pub mod trigger;
 mod words;
 
+use std::time::Instant;
+
 use crate::cli::{Cli, Command, command};
 use crate::{Failure, Verdict};
 
-/// Does what the command line says.
-pub fn run(cli: &Cli) -> Result<Verdict, Failure> {
+/// Does what the command line says. `start` is when the program began.
+pub fn run(cli: &Cli, start: Instant) -> Result<Verdict, Failure> {
     for assignment in &cli.raise {
         limits::raise(assignment).map_err(|said| Failure::Usage(format!("--raise {said}")))?;
     }
     match &cli.command {
-        Command::Replay(replay) => replay.run(),
+        Command::Replay(replay) => replay.run(start),
         Command::Page(page) => page.run(),
         Command::Augment(augment) => augment.run(),
         Command::Compare(compare) => compare.run(),

@@ -45,6 +45,46 @@ fn a_scenario_becomes_a_folder() {
     assert!(info.contains("frames 0..4 of \"Tiny\" by hybrid (ideal), 40 sweeps of 80 samples"), "{info}");
 }
 
+/// Names of the phases of a run.
+fn phases(scene: &Scene, folder: &str) -> Vec<String> {
+    let text = fs::read_to_string(scene.join(folder).join("performance.json")).unwrap();
+    let times: serde_json::Value = serde_json::from_str(&text).unwrap();
+    let name = |phase: &serde_json::Value| phase["phase"].as_str().unwrap().to_owned();
+    times["phases"].as_array().unwrap().iter().map(name).collect()
+}
+
+#[test]
+fn every_phase_of_a_command_stands_in_its_times() {
+    let scene = Scene::new();
+    scene.expect(0, &["replay", "tiny.toml"]);
+    let run = ["start", "read", "landscape", "prepare", "begin", "draw", "finish"];
+    let page = ["sight", "timing", "probe", "page"];
+    assert_eq!(phases(&scene, "runs/tiny"), [&run[..], &page, &["summary"]].concat());
+    let (out, _) = scene.expect(
+        0,
+        &[
+            "replay",
+            "tiny.toml",
+            "--no-page",
+            "--truth",
+            "range",
+            "--y4m",
+            "film.y4m",
+            "--out",
+            "a",
+            "--json",
+        ],
+    );
+    let all = [&run[..], &["truth", "film", "summary"]].concat();
+    assert_eq!(phases(&scene, "a"), all);
+    let out: serde_json::Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(out["performance"]["phases"].as_array().unwrap().len(), all.len());
+    scene.expect(0, &["replay", "tiny.toml", "--machine", "ideal", "--machine", "exact", "--out", "b"]);
+    let [before, between] = [&["start", "read"][..], &["landscape", "prepare", "begin", "draw", "finish"]];
+    let after = [&page[..], &["summary"]].concat();
+    assert_eq!(phases(&scene, "b/ideal"), [before, &["others"], between, &after].concat());
+}
+
 #[test]
 fn threads_and_ways_of_asking_change_no_bit() {
     let scene = Scene::new();

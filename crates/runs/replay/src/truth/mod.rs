@@ -26,11 +26,10 @@ use serde_json::json;
 use signal::Probe;
 
 use crate::fingerprint::Fingerprint;
-use crate::held::{frame_range, whole, write_changed};
+use crate::held::{frame_range, pretty, whole, write_changed};
 use crate::job::{Control, Job, Progress};
 use crate::journal::{self, Journal};
 use crate::names::{TRUTH, truth_name};
-use crate::run::pretty;
 use crate::truth_files::{JOURNAL, POSES_CSV, POSES_JSON, RECORD, TRUTH_FILES};
 use crate::{HeldRun, ReplayError, RunFolder};
 use record::{FORMAT, Finished, truth_record};

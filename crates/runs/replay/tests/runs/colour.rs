@@ -5,13 +5,14 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
+use std::time::Instant;
 
 use generator::{
     Counter, FrameCounts, FrameError, Generator, Omission, PlaneKind, Planes, PrepareError, Session, Stage,
 };
 use picture::{AnyPicture, Depth, Encoder, Limits, Transfer, png_texts, read_any_png};
 use quantities::{Rate, luminance};
-use replay::{Control, HeldRun, Job, Pictures, ReplayError, RunFolder, run, write_y4m};
+use replay::{Control, HeldRun, Job, Phases, Pictures, ReplayError, RunFolder, run, write_y4m};
 use run_record::{Inputs, Program};
 use scenario::{Pose, Scenario};
 use signal::Probe;
@@ -103,8 +104,8 @@ fn drawn(
     let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().expect("threads");
     let cancel = AtomicBool::new(false);
     let folder = RunFolder::claim(out, false)?;
-    run(&job, &folder, &Control { pool: &pool, cancel: &cancel, progress: &|_| (), phases: vec![] })
-        .map(|_| ())
+    let control = Control { pool: &pool, cancel: &cancel, progress: &|_| () };
+    run(&job, &folder, &control, &mut Phases::since(Instant::now())).map(|_| ())
 }
 
 fn pictures(depth: Depth, colour: bool) -> Pictures {

@@ -1,8 +1,9 @@
 use std::fs;
+use std::time::Instant;
 
 use picture::{Depth, Limits, read_png};
 use quantities::Rate;
-use replay::{HeldRun, Outcome, Pictures, ReplayError, write_y4m};
+use replay::{HeldRun, Outcome, Phases, Pictures, ReplayError, RunFolder, write_y4m};
 use run_record::FileRecord;
 use tempfile::tempdir;
 
@@ -50,6 +51,41 @@ fn no_clock_and_no_threads_in_the_record() {
     for word in ["threads", "seconds", "per_s\"", at.path().to_str().unwrap()] {
         assert!(!record.contains(word), "{word}");
     }
+}
+
+/// Whatever the command does before and after the run: phases follow one another, so that their sum is its wall time.
+#[test]
+fn phases_before_and_after_the_run_stand_in_one_list() {
+    let at = tempdir().unwrap();
+    let folder = RunFolder::claim(at.path(), false).unwrap();
+    let start = Instant::now();
+    let in_file = || {
+        let text = fs::read(at.path().join("performance.json")).unwrap();
+        serde_json::from_slice::<serde_json::Value>(&text).unwrap()["phases"].clone()
+    };
+    let session = |wish: &Wish| {
+        let mut phases = Phases::since(start);
+        phases.mark("read");
+        let Outcome::Finished { mut performance, .. } = wish.run_after(&folder, &mut phases).unwrap() else {
+            panic!()
+        };
+        phases.mark("page");
+        performance.follow(&phases, &folder).unwrap();
+        assert_eq!(performance.document()["phases"], serde_json::json!(phases.list()));
+        let seconds: f64 = phases.list().iter().map(|phase| phase.seconds).sum();
+        assert!(seconds <= start.elapsed().as_secs_f64(), "{phases:?}");
+        performance.document()["phases"].clone()
+    };
+    let wish = Wish { check: 2, ..pictures(Depth::Eight, false, false) };
+    let first = session(&wish);
+    let names: Vec<_> = first.as_array().unwrap().iter().map(|phase| phase["phase"].clone()).collect();
+    assert_eq!(names, ["read", "prepare", "begin", "draw", "check", "finish", "page"]);
+    assert_eq!(in_file(), first);
+    // One that draws nothing tells its own times, and leaves those of the drawing in the folder.
+    let second = session(&wish);
+    let names: Vec<_> = second.as_array().unwrap().iter().map(|phase| phase["phase"].clone()).collect();
+    assert_eq!(names, ["read", "prepare", "verify", "begin", "draw", "finish", "page"]);
+    assert_eq!(in_file(), first);
 }
 
 #[test]

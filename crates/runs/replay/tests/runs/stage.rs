@@ -6,12 +6,13 @@ use std::ops::Range;
 use std::path::Path;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
 
 use control_plane::MachineStage;
 use hardware_model::{HardwareModel, Settings};
 use machine::HybridMachine;
 use picture::Depth;
-use replay::{Control, HeldRun, Job, Outcome, Pictures, Progress, ReplayError, RunFolder, run};
+use replay::{Control, HeldRun, Job, Outcome, Phases, Pictures, Progress, ReplayError, RunFolder, run};
 use run_record::{Inputs, Program};
 use scenario::Scenario;
 use serde_json::Value;
@@ -102,6 +103,11 @@ impl Wish {
     }
 
     pub fn run_in(&self, folder: &RunFolder) -> Result<Outcome, ReplayError> {
+        self.run_after(folder, &mut Phases::since(Instant::now()))
+    }
+
+    /// The run as a part of a command that has done `phases` before.
+    pub fn run_after(&self, folder: &RunFolder, phases: &mut Phases) -> Result<Outcome, ReplayError> {
         let scenario = Scenario::parse("test.toml", &self.scenario).expect("the scenario is right");
         let mut settings = settings(&scenario);
         settings.analog.memory.grey = self.grey;
@@ -119,7 +125,8 @@ impl Wish {
                 cancel.store(true, Ordering::Relaxed);
             }
         };
-        run(&job, folder, &Control { pool: &pool, cancel: &cancel, progress: &progress, phases: vec![] })
+        let control = Control { pool: &pool, cancel: &cancel, progress: &progress };
+        run(&job, folder, &control, phases)
     }
 }
 

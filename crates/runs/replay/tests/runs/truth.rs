@@ -58,7 +58,7 @@ impl Wish {
             }
             _ => {}
         };
-        let control = Control { pool: &pool, cancel: &cancel, progress: &progress, phases: vec![] };
+        let control = Control { pool: &pool, cancel: &cancel, progress: &progress };
         let folder = RunFolder::claim(out, self.fresh)?;
         run(&job, &folder, &control)?;
         write_truth(&job, &self.items.parse().expect("a list"), &folder, &control)

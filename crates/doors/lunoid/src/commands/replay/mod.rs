@@ -16,8 +16,8 @@ use picture::Depth;
 use quantities::Rate;
 use rayon::ThreadPool;
 use replay::{
-    CONTACT_SHEET, Control, HeldRun, Job, Outcome, PAGE, PAGE_DATA, Phase, Pictures, ReplayError, RunFolder,
-    TruthItems, TruthOutcome, is_run_file, run, write_truth, write_y4m,
+    CONTACT_SHEET, Control, HeldRun, Job, Outcome, PAGE, PAGE_DATA, Performance, Phases, Pictures,
+    ReplayError, RunFolder, TruthItems, TruthOutcome, is_run_file, run, write_truth, write_y4m,
 };
 use run_page::{Making, Request, check};
 use run_record::Program;
@@ -121,22 +121,23 @@ enum DepthWord {
 }
 
 impl Replay {
-    /// Draws the scenario with one machine, or with several side by side.
-    pub fn run(&self) -> Result<Verdict, Failure> {
+    /// Draws the scenario with one machine, or with several side by side. `start` is when the program began.
+    pub fn run(&self, start: Instant) -> Result<Verdict, Failure> {
+        let mut phases = Phases::since(start);
+        phases.mark("start");
         match self.machine.as_slice() {
-            [] => self.alone(None),
-            [machine] => self.alone(Some(machine.clone())),
-            machines => self.several(machines),
+            [] => self.alone(None, phases),
+            [machine] => self.alone(Some(machine.clone()), phases),
+            machines => self.several(machines, &phases),
         }
     }
 
-    fn alone(&self, machine: Option<String>) -> Result<Verdict, Failure> {
+    fn alone(&self, machine: Option<String>, mut phases: Phases) -> Result<Verdict, Failure> {
         self.expect_one_on_stdout()?;
         let mut stage = self.stage(machine);
         stage.options.preview = self.preview.is_asked();
         let out = self.out("");
         self.expect_apart(&stage, &out)?;
-        let start = Instant::now();
         let opened = stage.load()?;
         let frames = choose_frames(&opened, self.frames)?;
         let generator = &*opened.generator;
@@ -146,13 +147,12 @@ impl Replay {
         let pool = self.threads.pool()?;
         let folder = self.claim(&out)?;
         interrupt::listen();
-        let read = Phase::since("read", start);
-        let start = Instant::now();
+        phases.mark("read");
         let built = pool.install(|| opened.stage())?;
-        let phases = vec![read, Phase::since("landscape", start)];
+        phases.mark("landscape");
         let job = self.job(&opened, built, frames);
-        let (outcome, truth) = self.draw((&stage, phases), &opened, &job, &folder, &pool)?;
-        self.tell(&opened, &folder, outcome, truth)
+        let (outcome, truth) = self.draw(&stage, &opened, &job, &folder, (&pool, &mut phases))?;
+        self.tell(&opened, &folder, (outcome, truth), phases)
     }
 
     /// The run folder, with room for the run's page where one is to be written.
@@ -185,17 +185,17 @@ impl Replay {
     /// Pictures, page and truth of one machine.
     fn draw(
         &self,
-        (stage, phases): (&StageArgs, Vec<Phase>),
+        stage: &StageArgs,
         opened: &Opened,
         job: &Job,
         folder: &RunFolder,
-        pool: &ThreadPool,
+        (pool, phases): (&ThreadPool, &mut Phases),
     ) -> Result<(Outcome, Option<TruthOutcome>), Failure> {
         let cancel = interrupt::listen();
         let display = self.saying.display();
         let progress = |progress| display.hear(progress);
-        let control = Control { pool, cancel, progress: &progress, phases };
-        let made = self.make(stage, job, opened, folder, &control);
+        let control = Control { pool, cancel, progress: &progress };
+        let made = self.make(stage, (job, opened), folder, &control, phases);
         display.end();
         made
     }
@@ -204,18 +204,22 @@ impl Replay {
     fn make(
         &self,
         stage: &StageArgs,
-        job: &Job,
-        opened: &Opened,
+        (job, opened): (&Job, &Opened),
         folder: &RunFolder,
         control: &Control,
+        phases: &mut Phases,
     ) -> Result<(Outcome, Option<TruthOutcome>), Failure> {
-        let outcome = run(job, folder, control)?;
+        let outcome = run(job, folder, control, phases)?;
         if matches!(outcome, Outcome::Finished { .. }) && !self.no_page {
             let (words, requests) = (words(stage), &self.probe);
-            Making { job, words, opened, requests, pool: control.pool }.write(folder)?;
+            Making { job, words, opened, requests, pool: control.pool }.write(folder, phases)?;
         }
         let truth = match (&outcome, &self.truth) {
-            (Outcome::Finished { .. }, Some(items)) => Some(write_truth(job, items, folder, control)?),
+            (Outcome::Finished { .. }, Some(items)) => {
+                let truth = write_truth(job, items, folder, control)?;
+                phases.mark("truth");
+                Some(truth)
+            }
             _ => None,
         };
         Ok((outcome, truth))
@@ -267,17 +271,18 @@ impl Replay {
         &self,
         opened: &Opened,
         folder: &RunFolder,
-        outcome: Outcome,
-        truth: Option<TruthOutcome>,
+        made: (Outcome, Option<TruthOutcome>),
+        mut phases: Phases,
     ) -> Result<Verdict, Failure> {
-        match (outcome, truth) {
+        match made {
             (Outcome::Interrupted { done, of }, _) => Ok(interrupted("frames", done, of)),
             (_, Some(TruthOutcome { frames, done, .. })) if done < frames => {
                 Ok(interrupted("frames' ground truth", done, frames))
             }
             (Outcome::Finished { frames, drawn, limits, performance }, truth) => {
-                self.write_film(opened, folder)?;
+                self.write_film(opened, folder, &mut phases)?;
                 let held = HeldRun::read(folder.path())?;
+                let performance = ended(performance, phases, folder)?;
                 let first = if self.no_page { CONTACT_SHEET } else { PAGE };
                 let summary = Summary {
                     folder: folder.path(),
@@ -288,7 +293,7 @@ impl Replay {
                     losses: losses(&held),
                     open: Some(folder.path().join(first)),
                     limits: limits.iter().map(ToString::to_string).collect(),
-                    performance: &performance,
+                    performance: performance.document(),
                 };
                 self.print(&summary)?;
                 Ok(Verdict::Yes)
@@ -296,18 +301,21 @@ impl Replay {
         }
     }
 
-    fn write_film(&self, opened: &Opened, folder: &RunFolder) -> Result<(), Failure> {
+    fn write_film(&self, opened: &Opened, folder: &RunFolder, phases: &mut Phases) -> Result<(), Failure> {
         let Some(path) = &self.y4m else { return Ok(()) };
         let held = HeldRun::read(folder.path())?;
         let view = opened.settings.view();
         let rate: Rate = if self.refresh { view.refresh } else { view.update };
         if is_stdout(path) {
             let mut out = BufWriter::new(io::stdout().lock());
-            return write_y4m(&mut out, folder.path(), &held, rate)
+            write_y4m(&mut out, folder.path(), &held, rate)
                 .and_then(|()| out.flush())
-                .map_err(Failure::stdout);
+                .map_err(Failure::stdout)?;
+        } else {
+            files::write_atomic(path, |out| write_y4m(out, folder.path(), &held, rate))?;
         }
-        Ok(files::write_atomic(path, |out| write_y4m(out, folder.path(), &held, rate))?)
+        phases.mark("film");
+        Ok(())
     }
 
     fn print(&self, summary: &Summary) -> Result<(), Failure> {
@@ -322,6 +330,17 @@ impl Replay {
             _ => print(&summary.text()),
         }
     }
+}
+
+/// The wall times of a session that has nothing left to do but to print, as `folder` keeps them.
+fn ended(
+    mut performance: Performance,
+    mut phases: Phases,
+    folder: &RunFolder,
+) -> Result<Performance, ReplayError> {
+    phases.mark("summary");
+    performance.follow(&phases, folder)?;
+    Ok(performance)
 }
 
 /// Says that the same command goes on.

@@ -2,22 +2,24 @@
 
 use std::fs;
 use std::path::Path;
-use std::time::Instant;
 
 use files::Kind;
 use generator::Stage;
 use rayon::ThreadPool;
-use replay::{HeldRun, Job, Outcome, Phase, RUN_RECORD, ReplayError};
+use replay::{HeldRun, Job, Outcome, Phases, RUN_RECORD, ReplayError};
 use report::{SIDE_BY_SIDE, write_side_by_side};
 use serde_json::{Value, json};
 
 use super::summary::{Summary, losses};
-use super::{Replay, interrupted};
+use super::{Replay, ended, interrupted};
 use crate::interrupt;
 use crate::loading::{StageArgs, choose_frames};
 use crate::output::{print, print_json, tell};
 use crate::{Failure, Verdict};
 use front_door::{Decides, Opened, decides};
+
+/// Name of the phase in which the command works for other machines than the one whose times are told.
+const OTHERS: &str = "others";
 
 /// One machine of a side-by-side replay.
 struct Entry {
@@ -25,15 +27,15 @@ struct Entry {
     name: String,
     stage: StageArgs,
     opened: Opened,
-    /// How long it took to read, and to make the ground.
-    phases: Vec<Phase>,
+    /// Phases of the command for this machine; what is done for others is one phase.
+    phases: Phases,
 }
 
 impl Replay {
-    /// Draws `machines`, and what they are held against, one after the other.
-    pub(super) fn several(&self, machines: &[String]) -> Result<Verdict, Failure> {
+    /// Draws `machines`, and what they are held against, one after the other. `phases` are those before.
+    pub(super) fn several(&self, machines: &[String], phases: &Phases) -> Result<Verdict, Failure> {
         self.expect_no_option_of_one()?;
-        let mut entries = self.entries(machines)?;
+        let mut entries = self.entries(machines, phases)?;
         let out = self.out("-side-by-side");
         entries.iter().try_for_each(|entry| self.expect_apart(&entry.stage, &out.join(&entry.name)))?;
         expect_one_raster(&entries)?;
@@ -48,24 +50,28 @@ impl Replay {
         let mut summaries = Vec::new();
         for ((Entry { name, stage, opened, phases }, job), folder) in entries.iter().zip(&jobs).zip(&folders)
         {
+            let mut phases = phases.clone();
+            phases.mark(OTHERS);
             if !self.saying.quiet && !self.saying.no_progress {
                 tell(&format!("{name}\n"));
             }
-            match self.draw((stage, phases.clone()), opened, job, folder, &pool)?.0 {
+            match self.draw(stage, opened, job, folder, (&pool, &mut phases))?.0 {
                 Outcome::Interrupted { done, of } => {
                     return Ok(interrupted(&format!("frames of {name}"), done, of));
                 }
                 Outcome::Finished { frames, drawn, limits, performance } => {
+                    let losses = losses(&HeldRun::read(folder.path())?);
+                    let performance = ended(performance, phases, folder)?;
                     let summary = Summary {
                         folder: folder.path(),
                         frames: [frames.start, frames.end],
                         drawn,
                         truth: None,
                         check: None,
-                        losses: losses(&HeldRun::read(folder.path())?),
+                        losses,
                         open: None,
                         limits: limits.iter().map(ToString::to_string).collect(),
-                        performance: &performance,
+                        performance: performance.document(),
                     };
                     summaries.push((summary.document(), summary.text()));
                 }
@@ -121,7 +127,7 @@ impl Replay {
     }
 
     /// `machines` and the one that they are held against, read and found right.
-    fn entries(&self, machines: &[String]) -> Result<Vec<Entry>, Failure> {
+    fn entries(&self, machines: &[String], phases: &Phases) -> Result<Vec<Entry>, Failure> {
         let judge = registry::judge().name.to_owned();
         let judge = (!machines.contains(&judge)).then_some(judge);
         // Parts that are set are those of the machines among them.
@@ -139,7 +145,10 @@ impl Replay {
             if is_for_machines && stage.row().is_some() {
                 stage.options.set.retain(|(key, _)| !matches!(decides(key), Decides::Model));
             }
-            let start = Instant::now();
+            let mut phases = phases.clone();
+            if !entries.is_empty() {
+                phases.mark(OTHERS);
+            }
             let mut opened = stage.load()?;
             if asked {
                 match opened.preview_obstacle() {
@@ -150,7 +159,7 @@ impl Replay {
                     }
                 }
             }
-            let phases = vec![Phase::since("read", start)];
+            phases.mark("read");
             choose_frames(&opened, self.frames)?;
             entries.push(Entry { name, stage, opened, phases });
         }
@@ -168,12 +177,12 @@ impl Replay {
 fn stages(entries: &mut [Entry], pool: &ThreadPool) -> Result<Vec<Stage>, Failure> {
     let mut stages: Vec<Stage> = Vec::with_capacity(entries.len());
     for Entry { opened, phases, .. } in entries {
-        let start = Instant::now();
+        phases.mark(OTHERS);
         let stage = match stages.first() {
             Some(first) => opened.machine_stage_beside(first)?.stage(),
             None => pool.install(|| opened.stage())?,
         };
-        phases.push(Phase::since("landscape", start));
+        phases.mark("landscape");
         stages.push(stage);
     }
     Ok(stages)
