@@ -116,7 +116,7 @@ impl Shipped {
         }
         change(&mut scenario);
         // These have no hardware model: raster, range and laws are over those of the ideal one.
-        let has_none = [lunsim::ROW.name, exact::ROW.name].contains(&scenario.machine.as_str());
+        let has_none = registry::names().contains(&scenario.machine.as_str());
         let named = if has_none { "ideal" } else { &scenario.machine };
         let source = ModelSource::find(named, &folder()).unwrap_or_else(|e| panic!("{e}"));
         let model = HardwareModel::load(&source, &[], &[]).unwrap_or_else(|e| panic!("{e}")).model;

@@ -28,7 +28,6 @@ use crate::scene::Scene;
 use crate::view::View;
 
 pub use lattice::SUB_RAYS;
-pub use placing::WHITE_MAGNITUDE;
 
 /// The effects of a frame on the screen.
 #[derive(Debug)]

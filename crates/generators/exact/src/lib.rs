@@ -74,7 +74,7 @@
 //! - **Lamps.** A disc of `p = D F / d`, d the distance, F the focal length in pixels (geometric mean of both directions where
 //!   pixels are not square, so that areas are right). Below 1.5 pixels the disc stays and its intensity falls, so that light is
 //!   `I0 pi p^2 / 4` at every distance. `tau = 1 - min(I, 1)`, and it adds `I c`, above 1 too.
-//! - **Stars.** The same disc by magnitude: intensity 1 on the least disc at [`WHITE_MAGNITUDE`], and brighter ones grow. Only
+//! - **Stars.** The same disc by magnitude: intensity 1 on the least disc at `display.white_magnitude`, and brighter ones grow. Only
 //!   sky shows them.
 //! - **Calligraphic points.** A Gaussian spot of 0.6 pixel over the finished picture: intensity times area times the share of the
 //!   disc's area on the screen that is not hidden, dimmed by what is nearer. They hide each other and nothing else.
@@ -183,7 +183,7 @@ mod walk;
 
 pub use ceilings::Ceilings;
 pub use column::{Fineness, LINE_MEAN_TOLERANCE, RIDGE_SHARE};
-pub use effects::{SUB_RAYS, WHITE_MAGNITUDE};
+pub use effects::SUB_RAYS;
 pub use outlook::{Outlook, Ray, Sight, Spot};
 pub use session::{Columns, Exact, ExactWithin, ProfilePoint, ROW};
 pub use view::View;

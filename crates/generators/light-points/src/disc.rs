@@ -41,15 +41,14 @@ impl Disc {
         Self { diameter: projected.max(least.pixels()), intensity: intrinsic * share * share }
     }
 
-    /// A star of a `magnitude`, with the magnitude `white` of a star that shows intensity 1 on the least disc. Brighter ones
-    /// grow. Chosen: the claims do not speak of stars.
+    /// A star that is `fainter` by so many magnitudes (-100 to 100) than one that shows intensity 1 on the least disc. Brighter
+    /// ones grow. Chosen: the claims do not speak of stars.
     ///
-    /// # Errors If a magnitude is not from -50 to 50.
-    pub fn of_star(magnitude: f64, white: f64, least: LeastDiameter) -> Result<Self, LightError> {
-        let checked =
-            |what, value: f64| checked(what, value, "a number from -50 to 50", |value| value.abs() <= 50.0);
-        let fainter = checked("magnitude of a star", magnitude)? - checked("magnitude of white", white)?;
-        let flux = libm::exp10(-0.4 * fainter);
+    /// # Errors If the magnitude is out of range.
+    pub fn of_star(fainter: f64, least: LeastDiameter) -> Result<Self, LightError> {
+        let holds = |value: f64| value.abs() <= 100.0;
+        let flux =
+            libm::exp10(-0.4 * checked("magnitude of a star", fainter, "a number from -100 to 100", holds)?);
         Ok(Self { diameter: least.pixels() * flux.max(1.0).sqrt(), intensity: flux.min(1.0) })
     }
 

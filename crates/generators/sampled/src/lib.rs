@@ -34,7 +34,6 @@
 //! | `sampled.normalise` | true, false | true | a light point's light is divided by what its disc covers |
 //! | `sampled.blending` | `hiding`, `additive` | `hiding` | how a light point meets what is behind it |
 //! | `sampled.veil` | `points`, `stack-only` | `points` | whether calligraphic points dim those behind them |
-//! | `sampled.white_magnitude` | -50 to 50 | -1.46 | magnitude of a star that shows white on the least disc |
 //! | `sampled.spot_px` | 0.05 to 100 | 0.6 | deviation of the beam's spot |
 //! | `sampled.ground_half_side_m` | 0.1 to 100000 | 32 | half the side of the innermost square of ground |
 //! | `sampled.ground_cells` | 8 to 16384, a multiple of 4 | 128 | cells along half the side of every square of ground |

@@ -122,7 +122,7 @@ fn disc(light: &LightPoint, camera: &Camera, optics: &Optics) -> Option<(DVec3, 
             is_before.then(|| (place, 1.0 / place.z, Disc::of_lamp(projected, intensity, optics.least)))
         }
         LightSource::Star { direction, magnitude } => {
-            let disc = Disc::of_star(magnitude, optics.run.white_magnitude, optics.least).ok()?;
+            let disc = Disc::of_star(magnitude, optics.least).ok()?;
             let place = camera.direction(direction);
             (place.z > 0.0).then(|| (place, 0.0, disc.dimmed(intensity)))
         }

@@ -28,8 +28,6 @@ pub struct Parameters {
     pub blending: Blending,
     /// Whether calligraphic points dim those behind them.
     pub veil: Accumulation,
-    /// Magnitude of a star that shows white on the least disc.
-    pub white_magnitude: f64,
     /// Deviation of the beam's spot (pixels).
     pub spot: f64,
     /// Half the side of the innermost square of ground (m).
@@ -52,7 +50,6 @@ impl Default for Parameters {
             normalise: true,
             blending: Blending::Hiding,
             veil: Accumulation::Points,
-            white_magnitude: -1.46,
             spot: light_points::Spot::DEFAULT_SIGMA,
             ground_half_side: 32.0,
             ground_cells: 128,
@@ -83,8 +80,6 @@ impl Parameters {
         let blending = table.one_of("blending", &blendings).default(usual.blending);
         let veils = [("points", Accumulation::Points), ("stack-only", Accumulation::StackOnly)];
         let veil = table.one_of("veil", &veils).default(usual.veil);
-        let white_magnitude =
-            table.f64("white_magnitude").between(-50.0, 50.0).default(usual.white_magnitude);
         let spot = table.f64("spot_px").between(0.05, 100.0).unit("pixels").default(usual.spot);
         let ground_half_side =
             table.f64("ground_half_side_m").between(0.1, 1e5).unit("m").default(usual.ground_half_side);
@@ -105,7 +100,6 @@ impl Parameters {
             normalise: normalise?,
             blending: blending?,
             veil: veil?,
-            white_magnitude: white_magnitude?,
             spot: spot?,
             ground_half_side: ground_half_side?,
             ground_cells: ground_cells?,

@@ -68,7 +68,6 @@ impl Generator for Sampled {
             "normalise": run.normalise,
             "blending": format!("{:?}", run.blending).to_lowercase(),
             "veil": format!("{:?}", run.veil).to_lowercase(),
-            "white_magnitude": run.white_magnitude,
             "spot_px": run.spot,
             "ground_half_side_m": run.ground_half_side,
             "ground_cells": run.ground_cells,

@@ -80,7 +80,10 @@ fn stars(wishes: &EffectWishes, sky: Option<&DatedSky>) -> Option<Carried> {
     let first: u32 = wishes.lights.iter().map(LightWish::lamps).sum();
     let point = |(star, id): (Star, u32)| LightPoint {
         id,
-        source: LightSource::Star { direction: to_ground * star.direction, magnitude: star.magnitude },
+        source: LightSource::Star {
+            direction: to_ground * star.direction,
+            magnitude: star.magnitude - wishes.white_magnitude,
+        },
         colour: star.colour,
         intensity: 1.0,
         lobe: None,
@@ -142,7 +145,10 @@ impl<K: FnMut(SceneryProblem)> Placer<'_, K> {
                 Some(self.on_object(wish, *object, LightSource::Lamp { at: *at, diameter: *diameter }, first))
             }
             LightPlace::Sky { direction, magnitude } => {
-                let star = LightSource::Star { direction: *direction, magnitude: *magnitude };
+                let star = LightSource::Star {
+                    direction: *direction,
+                    magnitude: magnitude - self.scenario.effects.white_magnitude,
+                };
                 Some(vec![still(wish, first, [star])])
             }
         };

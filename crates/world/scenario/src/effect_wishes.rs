@@ -19,6 +19,8 @@ pub struct EffectWishes {
     pub earth: Option<EarthWish>,
     /// Whether the disc of the sun is drawn.
     pub sun_disc: bool,
+    /// Apparent magnitude of a star that shows white on the least disc of a light point, -50 to 50.
+    pub white_magnitude: f64,
 }
 
 /// From when until when something is there.

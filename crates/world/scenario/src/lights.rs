@@ -35,7 +35,7 @@ pub enum LightSource {
     Star {
         /// Unit vector to it: north, east, up.
         direction: DVec3,
-        /// Apparent magnitude, -50 to 50.
+        /// Magnitudes by which it is fainter than a star that shows white on the least disc, -100 to 100.
         magnitude: f64,
     },
 }

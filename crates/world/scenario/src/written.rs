@@ -198,7 +198,10 @@ fn scenario(root: &Reader, surroundings: &Surroundings, problems: &Problems) -> 
             None
         }
     };
-    let effects = effects::effects(root, sun_table.as_ref(), objects.as_deref(), folder, problems);
+    let display_table = root.table_or_empty("display");
+    let (display, white_magnitude) = (display(&display_table), white_magnitude(&display_table));
+    let effects =
+        effects::effects(root, sun_table.as_ref(), objects.as_deref(), folder, white_magnitude, problems);
     let tracks = part(root, "tracks", scenery::tracks);
     let vehicle_table = root.table_or_empty("vehicle");
     let vehicle_shape = scenery::optional_shape(&vehicle_table, folder, problems);
@@ -210,7 +213,6 @@ fn scenario(root: &Reader, surroundings: &Surroundings, problems: &Problems) -> 
     let roll = roll(&root.table_or_empty("roll"));
     let range = root.optional_table("range").map(|table| words::range(&table));
     let laws = laws(&root.table_or_empty("laws"));
-    let display = display(&root.table_or_empty("display"));
     let scalar = scalar(&root.table_or_empty("run"));
     others.iter().filter_map(|table| root.optional_table(table)).for_each(|table| table.ignore_rest());
     check_levels(root, ground.as_ref().and_then(|ground| ground.0.as_ref()), &levels);
@@ -391,6 +393,11 @@ fn display(table: &Reader) -> Option<Display> {
     let white = table.f64("white").above(0.0).at_most(1000.0).default(1.0);
     let gamma = table.f64("gamma").between(0.25, 4.0).default(1.0);
     Some(Display { white: white?, gamma: gamma? })
+}
+
+/// Magnitude of a star that shows white. Chosen: that of Sirius, the brightest star of the sky.
+fn white_magnitude(table: &Reader) -> Option<f64> {
+    table.f64("white_magnitude").between(-50.0, 50.0).default(-1.46)
 }
 
 fn scalar(table: &Reader) -> Option<Scalar> {

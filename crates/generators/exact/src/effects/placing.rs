@@ -15,9 +15,6 @@ use crate::outlook::Outlook;
 use crate::standing::NEAR;
 use crate::view::View;
 
-/// Magnitude of a star that shows intensity 1 on the least disc. Chosen: that of Sirius, so that no star is cut off.
-pub const WHITE_MAGNITUDE: f64 = -1.46;
-
 /// A disc of the sky that reaches this near to a right angle from the axis of view (deg) is looked for all over the screen.
 /// Chosen: the tangent is still small enough for a box.
 const ASIDE_DEG: f64 = 88.0;
@@ -82,7 +79,7 @@ impl Placing<'_> {
                 (Tier::Scene, to, Disc::of_lamp(projected, light.towards(at - to), least()?))
             }
             LightSource::Star { direction, magnitude } => {
-                let disc = Disc::of_star(magnitude, WHITE_MAGNITUDE, least()?).ok()?;
+                let disc = Disc::of_star(magnitude, least()?).ok()?;
                 (Tier::Star, direction, disc.dimmed(light.intensity))
             }
         };

@@ -51,7 +51,7 @@ fn light_goes_on_as_the_inverse_square_over_the_crossover() {
 
 #[test]
 fn stars_of_the_check_values() {
-    let star = |magnitude| Disc::of_star(magnitude, -1.46, least()).expect("sound figures");
+    let star = |magnitude| Disc::of_star(magnitude + 1.46, least()).expect("sound figures");
     for (magnitude, intensity) in [(0.03, 0.253512863050), (2.0, 0.041304750199), (4.0, 0.006546361741)] {
         assert_published(star(magnitude).intensity, intensity);
         assert_eq!(star(magnitude).diameter, 1.5);
@@ -83,7 +83,7 @@ fn figures_that_no_lamp_has_are_refused() {
         }
     }
     for wrong in [f64::NAN, 51.0, -51.0, f64::INFINITY] {
-        assert!(Disc::of_star(wrong, 0.0, least()).is_err() && Disc::of_star(0.0, wrong, least()).is_err());
+        assert!(Disc::of_star(wrong, least()).is_err(), "{wrong}");
     }
     let message = projected_diameter(0.0, 1.0, 1.0).unwrap_err().to_string();
     assert_eq!(message, "diameter of a lamp (m) is 0: expected a number above 0");

@@ -14,6 +14,7 @@ pub(super) fn effects(
     sun: Option<&Reader>,
     objects: Option<&[Object]>,
     folder: &Path,
+    white_magnitude: Option<f64>,
     problems: &Problems,
 ) -> Option<EffectWishes> {
     let is_dated = sun.is_some_and(|table| table.has("at"));
@@ -28,6 +29,7 @@ pub(super) fn effects(
     let stars = part(root, "stars", |table| stars::stars(table, is_dated, folder, problems));
     let earth = part(root, "earth", |table| earth::earth(table, is_dated));
     let (lights, sheets, overlays) = (lights?, sheets?, overlays?);
-    let wishes = EffectWishes { lights, sheets, overlays, stars: stars?, earth: earth?, sun_disc: sun_disc? };
+    let (stars, earth, sun_disc, white_magnitude) = (stars?, earth?, sun_disc?, white_magnitude?);
+    let wishes = EffectWishes { lights, sheets, overlays, stars, earth, sun_disc, white_magnitude };
     (!twins).then_some(wishes)
 }

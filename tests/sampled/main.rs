@@ -1,0 +1,3 @@
+//! The sampled generator on its shipped scenarios: the figures of `scenarios/README.md`, and its pictures against `exact`.
+
+mod figures;
