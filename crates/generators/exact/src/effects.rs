@@ -5,6 +5,7 @@ mod circle;
 mod column;
 mod lattice;
 mod matter;
+mod mean;
 mod outline;
 mod part;
 mod placing;

@@ -51,42 +51,30 @@ impl Placing<'_> {
     fn pane(&self, sheet: &Sheet) -> Option<Feature> {
         let middle = sheet.corners.iter().sum::<DVec3>() / sheet.corners.len() as f64;
         let eye = middle - self.to(middle)?;
-        let ahead = clipped(&sheet.corners, |corner| self.view.ahead(corner - eye));
-        let places = ahead.iter().map(|corner| self.view.project(corner - eye, 0.0));
-        let corners = places.map(|place| Some(self.screen.in_pixels(place?)));
-        let outline = Outline::polygon(corners.collect::<Option<_>>()?)?;
-        let nearness = ahead.iter().map(|corner| 1.0 / self.view.ahead(corner - eye));
-        let nearness =
-            [nearness.clone().fold(f64::INFINITY, f64::min), nearness.fold(f64::NEG_INFINITY, f64::max)];
+        let (outline, nearness) = self.polygon(&sheet.corners, eye)?;
         let normal = sheet.normal();
         let distance = normal.dot(middle - eye);
         let is_seen = distance.is_finite() && distance != 0.0 && !is_invisible(sheet.medium);
+        let (priority, id) = (sheet.priority, sheet.id);
         let matter = Matter::Pane(Pane { sheet: sheet.clone(), normal, distance, nearness });
-        is_seen.then_some(Feature {
-            tier: Tier::Scene,
-            priority: sheet.priority,
-            id: sheet.id,
-            outline,
-            matter,
-        })
+        is_seen.then_some(Feature { tier: Tier::Scene, priority, id, outline, matter })
+    }
+
+    /// What a polygon covers as it is seen from `eye`, and the least and largest inverse depth (1/m) of its corners.
+    fn polygon(&self, corners: &[DVec3], eye: DVec3) -> Option<(Outline, [f64; 2])> {
+        let ahead = clipped(corners, |corner| self.view.ahead(corner - eye));
+        let places = ahead.iter().map(|corner| self.view.project(corner - eye, 0.0));
+        let corners = places.map(|place| Some(self.screen.in_pixels(place?)));
+        let outline = Outline::polygon(corners.collect::<Option<_>>()?)?;
+        let each = ahead.iter().map(|corner| 1.0 / self.view.ahead(corner - eye));
+        Some((outline, [each.clone().fold(f64::INFINITY, f64::min), each.fold(f64::NEG_INFINITY, f64::max)]))
     }
 
     fn light(&self, light: &LightPoint) -> Option<Feature> {
-        let (tier, to, disc) = match light.source {
-            LightSource::Lamp { at, diameter } => {
-                let to = self.to(at)?;
-                let projected = projected_diameter(diameter, to.length(), self.screen.focal()).ok()?;
-                (Tier::Scene, to, Disc::of_lamp(projected, light.towards(at - to), least()?))
-            }
-            LightSource::Star { direction, magnitude } => {
-                let disc = Disc::of_star(magnitude, least()?).ok()?;
-                (Tier::Star, direction, disc.dimmed(light.intensity))
-            }
-        };
+        let (tier, to, disc) = self.source(light)?;
         let middle = self.screen.in_pixels(self.view.project(to, NEAR)?);
-        let nearness = if tier == Tier::Star { 0.0 } else { 1.0 / self.view.ahead(to) };
         let lamp = Lamp {
-            nearness,
+            nearness: if tier == Tier::Star { 0.0 } else { 1.0 / self.view.ahead(to) },
             colour: light.colour,
             middle,
             intensity: disc.intensity,
@@ -97,6 +85,21 @@ impl Placing<'_> {
         let is_lit = lamp.light.is_finite() && lamp.light > 0.0 && middle.iter().all(|at| at.is_finite());
         let matter = Matter::Lamp(lamp);
         is_lit.then_some(Feature { tier, priority: light.priority, id: light.id, outline, matter })
+    }
+
+    /// How far a light point is, the way to it from the eye (m; a unit vector to a star), and its disc.
+    fn source(&self, light: &LightPoint) -> Option<(Tier, DVec3, Disc)> {
+        match light.source {
+            LightSource::Lamp { at, diameter } => {
+                let to = self.to(at)?;
+                let projected = projected_diameter(diameter, to.length(), self.screen.focal()).ok()?;
+                Some((Tier::Scene, to, Disc::of_lamp(projected, light.towards(at - to), least()?)))
+            }
+            LightSource::Star { direction, magnitude } => {
+                let disc = Disc::of_star(magnitude, least()?).ok()?;
+                Some((Tier::Star, direction, disc.dimmed(light.intensity)))
+            }
+        }
     }
 
     fn disc(&self, id: u32, disc: &SkyDisc) -> Option<Feature> {

@@ -4,8 +4,9 @@ use generator::Label;
 use glam::DVec3;
 use smallvec::SmallVec;
 
-use super::lattice::{SUB_RAYS, sub_rays};
+use super::lattice::sub_rays;
 use super::matter::{Back, Effect, Tier};
+use super::mean::Mean;
 use super::part::{Part, Parts};
 use super::run::Run;
 use super::screen::Screen;
@@ -130,8 +131,7 @@ impl<'a> Stack<'a> {
     /// pixel is in proportion to its area, not to how many sub-rays it covers.
     fn sampled(mut self, even: Option<Back>, surface: &mut impl Surface) -> Mix {
         self.weigh();
-        let (mut added, mut visible) = ([0.0; 3], SmallVec::<[(usize, f64); 2]>::new());
-        let (mut through, mut whole, mut mean) = ([0.0; 3], [0.0; 3], 0.0);
+        let mut mean = Mean::default();
         for (number, within) in sub_rays().enumerate() {
             let at = self.at(within);
             let ray = self.ray(at);
@@ -139,19 +139,9 @@ impl<'a> Stack<'a> {
             if even.is_none() {
                 self.sort(ray);
             }
-            let run = self.run(number, ray, back);
-            mean += run.through / f64::from(SUB_RAYS);
-            for channel in 0..3 {
-                added[channel] += run.added[channel];
-                through[channel] += run.through * light[channel];
-                whole[channel] += light[channel];
-            }
-            visible.extend(run.visible);
+            mean.add(self.run(number, ray, back), light);
         }
-        let share = |channel: usize| {
-            if whole[channel] > 0.0 { through[channel] / whole[channel] } else { mean }
-        };
-        self.mixed(added, [0, 1, 2].map(share), &visible)
+        self.mixed(mean.added(), mean.through(), mean.visible())
     }
 
     /// Along one sub-ray. A thing that none of them meets, a sliver, adds its light all over the pixel and hides nothing.

@@ -258,6 +258,22 @@ fn the_nearer_of_two_calligraphic_points_veils_the_farther() {
     }
 }
 
+/// Two opaque sheets cross 20 m ahead on an upright line through a pixel: each is seen on its side of the line.
+#[test]
+fn sheets_that_cross_in_a_pixel_share_it() {
+    let red = sheet(20.0, 0.0, [1.0, 0.0, 0.0]);
+    let turn = |corner: &DVec3, east: f64| DVec3::new(20.0 + 0.1 * (corner.y - east), corner.y, corner.z);
+    for share in [0.1, 0.5, 0.85] {
+        let east = 20.0 * (3.0 + share) / FOCAL;
+        let corners = red.corners.iter().map(|corner| turn(corner, east)).collect();
+        let green = Sheet { id: 8, corners, colour: [0.0, 1.0, 0.0], ..red.clone() };
+        let features = features(&Effects { sheets: vec![red.clone(), green], ..Effects::default() });
+        let mix = features.mix([503, 300], false, &mut Even(Back::SKY)).unwrap();
+        assert!((mix.added[1] - share).abs() < 1.0 / 128.0, "{share}: {mix:?}");
+        assert!((mix.added[0] + mix.added[1] - 1.0).abs() < 1e-12 && mix.through == [0.0; 3]);
+    }
+}
+
 /// Two sheets side by side are one: no gap of light shows between them.
 #[test]
 fn sheets_that_share_an_edge_let_through_what_one_does() {
