@@ -65,6 +65,11 @@ impl Camera {
         self.projection.focal * self.squeeze.sqrt()
     }
 
+    /// Lengths along y in camera axes over those of the scene.
+    pub fn squeeze(&self) -> f64 {
+        self.squeeze
+    }
+
     /// Drop of the lunoid (m) under a foot point (north, east, up; m).
     pub fn drop_at(&self, foot: DVec3) -> f64 {
         self.curvature.drop((foot - self.eye).truncate().length())
@@ -86,7 +91,7 @@ mod tests {
             update: rate,
             refresh: rate,
             display: Display { white: 1.0, gamma: 1.0 },
-            laws: Laws::default(),
+            laws: Laws { curvature: Curvature::None, ..Laws::default() },
             ranges: [1.0, 1000.0],
             yoke: None,
             levels: None,

@@ -6,7 +6,7 @@ use ground_mesh::{GroundMesh, MeshError, Rings, Vertex, body_triangles};
 use landscape::Sun;
 use raster::Screen;
 use rayon::prelude::*;
-use scenario::{LightPoint, Medium, Overlay, Pose, Sheet, SkyDisc};
+use scenario::{Effects, LightPoint, Medium, Overlay, Pose, Sheet, SkyDisc};
 use solids::{Body, Kind};
 use translucency::{Feature, FeatureError};
 
@@ -60,7 +60,7 @@ impl Scene {
         };
         gathering.ground(run, &stage.scenery.sun(pose.time)).map_err(|error| refused(error.to_string()))?;
         gathering.bodies(pose.time).map_err(|error| refused(error.to_string()))?;
-        let effects = stage.scenery.effects(pose.time);
+        let effects = by_number(stage.scenery.effects(pose.time));
         gathering.sheets(&effects.sheets).map_err(|error| refused(error.to_string()))?;
         gathering.overlays(&effects.overlays).map_err(|error| refused(error.to_string()))?;
         let Gathering { camera, mut faces, dust, .. } = gathering;
@@ -72,6 +72,14 @@ impl Scene {
         let points = points.map_err(|error| refused(error.to_string()))?.into_iter().flatten().collect();
         Ok(Self { camera, faces, dust, lights: Lights::new(points, screen), discs })
     }
+}
+
+/// Effects in the order of their numbers in the mission, so that features equally near do not depend on the order of the lists.
+fn by_number(mut effects: Effects) -> Effects {
+    effects.lights.sort_by_key(|light| light.id);
+    effects.sheets.sort_by_key(|sheet| sheet.id);
+    effects.overlays.sort_by_key(|overlay| overlay.id);
+    effects
 }
 
 /// Why ground or bodies cannot be gathered.
@@ -174,10 +182,11 @@ impl Gathering<'_> {
     fn may_show(&self, body: &Body) -> bool {
         let centre = self.camera.place(body.centre);
         let [x, y] = [0, 1].map(|axis| self.camera.projection.centre[axis] / self.camera.projection.focal);
-        let beside = |offset: f64, tangent: f64| {
-            (offset.abs() - centre.z * tangent) / (1.0 + tangent * tangent).sqrt() > 2.0 * body.radius
+        let beside = |offset: f64, tangent: f64, radius: f64| {
+            (offset.abs() - centre.z * tangent) / (1.0 + tangent * tangent).sqrt() > 2.0 * radius
         };
-        centre.z > -body.radius && !beside(centre.x, x) && !beside(centre.y, y)
+        let along = body.radius * self.camera.squeeze().max(1.0);
+        centre.z > -body.radius && !beside(centre.x, x, body.radius) && !beside(centre.y, y, along)
     }
 
     /// Translucent polygons of the scene.
