@@ -18,8 +18,6 @@ const WIDEST_COUNTED: f64 = 32.0;
 pub struct Point {
     /// Number of its feature.
     pub id: u32,
-    /// Its number among the light points of the mission.
-    pub light: u32,
     /// Whether a beam draws it.
     pub is_calligraphic: bool,
     /// Middle on the screen (pixels).
@@ -52,7 +50,6 @@ impl Point {
         let is_before = if q == 0.0 { place.z > 0.0 } else { place.z > NEAR };
         (is_before && intensity > 0.0).then(|| Self {
             id,
-            light: light.id,
             is_calligraphic: light.calligraphic,
             middle: camera.projection.project(place),
             q,
