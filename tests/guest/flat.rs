@@ -9,8 +9,8 @@
 //! | `flat.colour` | three numbers, 0 to 1 | [1, 0.9, 0.7] | colour of the ground: linear red, green and blue |
 //!
 //! **Timing.** A painter takes one tick of 1 MHz a pixel; each line that is finished is an event.
-//! **Not modelled.** Craters, bodies, tracks, a map of albedo, texture, silhouettes, shadow, curvature, a second level:
-//! listed. Ground with relief and other laws of reflection: refused.
+//! **Not modelled.** Craters, bodies, lights, sheets, tracks, a map of albedo, texture, silhouettes, shadow, curvature, a second
+//! level: listed. Ground with relief and other laws of reflection: refused.
 
 use std::sync::Arc;
 
@@ -216,6 +216,7 @@ impl Session for Plain {
             (!landscape.features().is_empty(), "craters"),
             (!scenery.standing().is_empty(), "rocks and man-made things"),
             (!scenery.all_guests().is_empty(), "objects that move, open surfaces"),
+            (!scenery.all_effects().is_empty(), "lights, sheets and discs of the sky"),
             (!scenery.patches(f64::INFINITY).is_empty(), "vehicle tracks"),
             (landscape.albedo_map().is_some(), "a map of albedo"),
             (landscape.texture().is_some(), "texture"),

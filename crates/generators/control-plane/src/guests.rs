@@ -15,6 +15,12 @@ pub fn guest_omissions(landscape: &Landscape, scenery: &Scenery) -> Vec<Omission
     let is_smooth = still().any(|body| body.solid.is_smooth());
     let rows = [
         (
+            !scenery.all_effects().is_empty(),
+            "mixing-unit",
+            "lights, sheets, overlays, stars and discs of the sky (`[[light]]`, `[[sheet]]`, `[[overlay]]`, `[stars]`, `[earth]`, `sun.disc`)",
+            "the report has no lights and nothing translucent; --machine exact draws them",
+        ),
+        (
             has_map,
             "terrain-generator",
             "the map of albedo (`landscape.albedo_map`)",

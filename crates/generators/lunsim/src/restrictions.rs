@@ -116,6 +116,12 @@ fn not_modelled(stage: &Stage) -> impl Iterator<Item = Lack> {
     let has_bodies = !scenery.standing().is_empty() || !scenery.all_guests().is_empty();
     [
         (has_bodies, "rocks and man-made things", "[rocks], [[object]]", CRATERS),
+        (
+            !scenery.all_effects().is_empty(),
+            "lights, sheets and discs of the sky",
+            "[[light]], [[sheet]], [stars]",
+            CRATERS,
+        ),
         (!scenery.patches(f64::INFINITY).is_empty(), "vehicle tracks", "[tracks]", CRATERS),
         (scenery.vehicle().is_some(), "the vehicle's own shadow", "[vehicle]", CRATERS),
         (landscape.albedo_map().is_some(), "a map of albedo", "[landscape] albedo_map", ALBEDO),

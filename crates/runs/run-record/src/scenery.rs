@@ -24,6 +24,9 @@ pub struct SceneryRecord {
     /// Number of groups of objects.
     #[serde(default, skip_serializing_if = "is_none")]
     pub groups: usize,
+    /// Light points, sheets, overlays and discs of the sky of the whole mission.
+    #[serde(default, skip_serializing_if = "is_none")]
+    pub effects: usize,
     /// Patches of track that the whole mission leaves.
     pub track_patches: usize,
     /// Number of far silhouettes.
@@ -49,6 +52,7 @@ impl SceneryRecord {
             culture_bodies: bodies(Kind::Culture),
             guest_bodies: scenery.all_guests().len(),
             groups: scenery.groups().len(),
+            effects: effects(scenery),
             track_patches: scenery.patches(f64::INFINITY).len(),
             silhouettes: landscape.silhouettes().len(),
             texture: landscape.texture().is_some(),
@@ -61,6 +65,12 @@ impl SceneryRecord {
     }
 }
 
+/// How many light points, sheets, overlays and discs of the sky a mission has.
+fn effects(scenery: &Scenery) -> usize {
+    let all = scenery.all_effects().iter().map(|carried| &carried.effects);
+    all.map(|one| one.lights.len() + one.sheets.len() + one.overlays.len() + one.discs.len()).sum()
+}
+
 /// Records without any have no such key: they keep the bytes that they had before there were any.
 fn is_none(count: &usize) -> bool {
     *count == 0
@@ -69,9 +79,13 @@ fn is_none(count: &usize) -> bool {
 /// The hash of a scenery and of what it has for other generators than the hybrid machine; `hash` itself where it has none.
 fn with_guests(hash: String, scenery: &Scenery) -> String {
     let dressed: Vec<_> = scenery.standing().iter().map(|one| &one.body).filter(is_dressed).collect();
-    match (dressed.is_empty(), scenery.all_guests().is_empty(), scenery.groups().is_empty()) {
+    let hash = match (dressed.is_empty(), scenery.all_guests().is_empty(), scenery.groups().is_empty()) {
         (true, true, true) => hash,
         _ => hash_of(&(hash, dressed, scenery.all_guests(), scenery.groups())),
+    };
+    match scenery.all_effects() {
+        [] => hash,
+        effects => hash_of(&(hash, effects)),
     }
 }
 

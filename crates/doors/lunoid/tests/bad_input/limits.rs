@@ -56,6 +56,26 @@ fn rocks(room: &Room) -> u64 {
     102
 }
 
+/// A string, and a lamp alone.
+fn lights(room: &Room) -> u64 {
+    let lamp = |id: &str| format!("[[light]]\nid = \"{id}\"\nx_m = 200\ny_m = 200\ndiameter_m = 0.3\n");
+    let string = format!("{}count = 5\nto = {{ x_m = 250, y_m = 200 }}\n", lamp("string"));
+    add(room, &format!("{string}{}", lamp("alone")));
+    6
+}
+
+fn sheets(room: &Room) -> u64 {
+    let corners = "corners_m = [[200, 200, 0], [210, 200, 0], [210, 200, 9]]\ntau = 0.5\n";
+    let sheet = |number: u64| format!("[[sheet]]\nid = \"veil-{number}\"\n{corners}");
+    add(room, &(0..4).map(sheet).collect::<String>());
+    4
+}
+
+fn stars(room: &Room) -> u64 {
+    add(room, "[stars]\nseed = 1\ncount = 40\n");
+    40
+}
+
 /// Two rear wheels, from end to end of the path.
 fn patches(room: &Room) -> u64 {
     add(room, "[shadows]\n[tracks]\nspacing_m = 1\n");
@@ -226,6 +246,9 @@ const CASES: &[Case] = &[
     Case { limit: "picture-bytes", file: "a.png", make: picture_bytes, command: &["info", "a.png"] },
     Case { limit: "pixels", file: "a.png", make: pixels, command: &["info", "a.png"] },
     Case { limit: "pixels", file: "tiny.toml", make: |_| 40 * 23, command: &["check", "tiny.toml"] },
+    Case { limit: "lights", file: "s.toml", make: lights, command: CHECK },
+    Case { limit: "sheets", file: "s.toml", make: sheets, command: CHECK },
+    Case { limit: "stars", file: "s.toml", make: stars, command: CHECK },
     Case { limit: "objects", file: "s.toml", make: flags, command: CHECK },
     Case { limit: "bodies", file: "s.toml", make: bodies, command: CHECK },
     Case { limit: "events", file: "s.toml", make: events, command: CHECK },
