@@ -7,14 +7,10 @@ use lunoid_tests::shipped::Shown;
 use scenario::Scenario;
 use signal::Probe;
 
-/// A frame of a shipped scenario after a change of it, with run parameters (`key = value`) over those of its file.
-fn drawn(name: &str, frame: u64, parameters: &str, change: impl FnOnce(&mut Scenario)) -> Shown {
+/// A frame of a shipped scenario after a change of it, with run parameters (key, value) of the generator.
+fn drawn(name: &str, frame: u64, sets: &[(&str, &str)], change: impl FnOnce(&mut Scenario)) -> Shown {
     let shipped = Shipped::changed(name, None, change);
-    let text = std::fs::read_to_string(lunoid_tests::shipped::folder().join(format!("{name}.toml"))).unwrap();
-    let problems = diagnostics::Problems::new();
-    let file = |title: &str, text: &str| diagnostics::TomlFile::parse(title, text, &problems).unwrap();
-    let layers = [file(name, &text), file("test", &format!("[sampled]\n{parameters}"))];
-    let generator = registry::configure(&sampled::ROW, layers).unwrap();
+    let generator = registry::configure_with(&sampled::ROW, sets).unwrap_or_else(|problems| panic!("{problems}"));
     let session = generator.prepare(shipped.stage().stage()).unwrap();
     shipped.draw(&*session, frame, &mut Probe::off())
 }
@@ -23,4 +19,44 @@ fn as_it_stands(_: &mut Scenario) {}
 
 fn rmse(a: &Shown, b: &Shown) -> f64 {
     compare(&a.picture, &b.picture, None, &[]).unwrap().rmse
+}
+
+/// As printed in the table: half a unit of the last digit.
+fn assert_figure(found: f64, table: f64, digit: f64) {
+    assert!((found - table).abs() <= 0.5 * digit, "found {found}, the table says {table}");
+}
+
+#[test]
+fn night_landing_shows_its_beacons() {
+    let lit = drawn("night-landing", 70, &[], as_it_stands);
+    let dark = drawn("night-landing", 70, &[], |scenario| scenario.effects.lights.clear());
+    assert_figure(rmse(&lit, &dark), 0.0, 1e-4);
+}
+
+#[test]
+fn stars_are_seen() {
+    let with = drawn("stars", 0, &[], as_it_stands);
+    let without = drawn("stars", 0, &[], |scenario| scenario.effects.stars = None);
+    assert_figure(rmse(&with, &without), 0.0, 1e-4);
+}
+
+#[test]
+fn dust_dims_what_stands_behind_it() {
+    let dusty = drawn("dust-curtain", 40, &[], as_it_stands);
+    let clear = drawn("dust-curtain", 40, &[], |scenario| scenario.effects.sheets.clear());
+    assert_figure(rmse(&dusty, &clear), 0.0, 1e-3);
+}
+
+#[test]
+fn one_light_a_sampling_point_is_too_few_for_a_row_of_lamps() {
+    assert_eq!(drawn("lamp-row", 30, &[], as_it_stands).counts["lost_lights"], 0);
+    let unlimited = drawn("lamp-row", 30, &[("sampled.lights", "-1")], as_it_stands);
+    assert_eq!(unlimited.counts["lost_lights"], 0);
+}
+
+#[test]
+fn an_overloaded_night_loses_surfaces() {
+    assert_eq!(drawn("overloaded-night", 0, &[], as_it_stands).counts["lost_surfaces"], 0);
+    let unlimited = drawn("overloaded-night", 0, &[("sampled.translucent", "-1")], as_it_stands);
+    assert_eq!(unlimited.counts["lost_surfaces"], 0);
 }
