@@ -10,7 +10,8 @@ use signal::Probe;
 /// A frame of a shipped scenario after a change of it, with run parameters (key, value) of the generator.
 fn drawn(name: &str, frame: u64, sets: &[(&str, &str)], change: impl FnOnce(&mut Scenario)) -> Shown {
     let shipped = Shipped::changed(name, None, change);
-    let generator = registry::configure_with(&sampled::ROW, sets).unwrap_or_else(|problems| panic!("{problems}"));
+    let generator =
+        registry::configure_with(&sampled::ROW, sets).unwrap_or_else(|problems| panic!("{problems}"));
     let session = generator.prepare(shipped.stage().stage()).unwrap();
     shipped.draw(&*session, frame, &mut Probe::off())
 }

@@ -32,7 +32,6 @@ pub struct Point {
     colour: [f64; 3],
 }
 
-<<<<<<< HEAD
 /// What all light points of a run share.
 #[derive(Debug, Clone)]
 pub struct Optics {
@@ -49,35 +48,6 @@ impl Optics {
         let sampling = run.sampling();
         let least = LeastDiameter::new(run.least_diameter, &sampling)?;
         Ok(Self { run: *run, sampling, least })
-=======
-impl Point {
-    /// A light point where it is seen; `None` where it sends nothing to the eye or lies behind it.
-    pub fn new(light: &LightPoint, id: u32, camera: &Camera, run: &Parameters) -> Option<Self> {
-        let least = LeastDiameter::new(run.least_diameter, &run.sampling()).ok()?;
-        let intensity = light.towards(camera.eye);
-        let (place, q, disc) = match light.source {
-            LightSource::Lamp { at, diameter } => {
-                let place = camera.place(at);
-                let distance = (at - camera.eye).length();
-                let projected = projected_diameter(diameter, distance, camera.focal()).ok()?;
-                (place, 1.0 / place.z, Disc::of_lamp(projected, intensity, least))
-            }
-            LightSource::Star { direction, magnitude } => {
-                let disc = Disc::of_star(magnitude, run.white_magnitude, least).ok()?;
-                (camera.direction(direction), 0.0, disc.dimmed(intensity))
-            }
-        };
-        let is_before = if q == 0.0 { place.z > 0.0 } else { place.z > NEAR };
-        (is_before && intensity > 0.0).then(|| Self {
-            id,
-            is_calligraphic: light.calligraphic,
-            middle: camera.projection.project(place),
-            q,
-            disc,
-            priority: i32::from(light.priority),
-            colour: light.colour,
-        })
->>>>>>> stests
     }
 
     /// What a disc does to the sampling points under it: it adds light, and lets through.
