@@ -47,3 +47,39 @@ fn an_even_picture_stays_even_up_to_the_border() {
         }
     }
 }
+
+/// Mean of the sampling points of pattern `4` under the lamp's disc (pixels).
+fn middle_of_covered(at: [f64; 2]) -> [f64; 2] {
+    let (mut sum, mut count) = ([0.0; 2], 0.0);
+    for pixel in 0..SIDE * SIDE {
+        for offset in [[12.0, 4.0], [28.0, 12.0], [4.0, 20.0], [20.0, 28.0]] {
+            let corner = [pixel % SIDE, pixel / SIDE].map(f64::from);
+            let point: [f64; 2] = [0, 1].map(|axis| corner[axis] + offset[axis] / 32.0);
+            if libm::hypot(point[0] - at[0], point[1] - at[1]) < 1.95 / 2.0 {
+                sum = [sum[0] + point[0], sum[1] + point[1]];
+                count += 1.0;
+            }
+        }
+    }
+    sum.map(|along| along / count)
+}
+
+/// A tent of 2 pixels spreads each sampling point over the pixels about it and leaves its middle where it is.
+#[test]
+fn a_tent_leaves_light_where_it_is() {
+    for step in 0..40 {
+        let at = [10.0 + 0.17 * f64::from(step), 11.0 + 0.13 * f64::from(step)];
+        let red = lamp_at(Filter::Tent, at);
+        let side = SIDE as usize;
+        let place = |index: usize| [index % side, index / side].map(|pixel| pixel as f64 + 0.5);
+        let moment = |axis: usize| -> f64 {
+            red.iter().enumerate().map(|(index, light)| light * place(index)[axis]).sum()
+        };
+        let light: f64 = red.iter().sum();
+        let expected = middle_of_covered(at);
+        for axis in 0..2 {
+            let found = moment(axis) / light;
+            assert!((found - expected[axis]).abs() < 1e-5, "{at:?}: {found}, not {}", expected[axis]);
+        }
+    }
+}
