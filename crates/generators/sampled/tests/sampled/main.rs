@@ -7,6 +7,7 @@ mod beacons;
 mod bodies;
 mod dust;
 mod eye;
+mod filters;
 mod flux;
 mod ground;
 mod overlays;
