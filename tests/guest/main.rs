@@ -196,8 +196,8 @@ fn run(at: &Path, name: &str, generator: Arc<dyn Generator>, colour: bool) {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().unwrap();
     let folder = RunFolder::claim(&at.join(name), false).unwrap();
     let cancel = AtomicBool::new(false);
-    let control = Control { pool: &pool, cancel: &cancel, progress: &|_| (), phases: vec![] };
-    replay::run(&job, &folder, &control).unwrap();
+    let control = Control { pool: &pool, cancel: &cancel, progress: &|_| () };
+    replay::run(&job, &folder, &control, &mut replay::Phases::since(std::time::Instant::now())).unwrap();
 }
 
 #[test]

@@ -1,7 +1,6 @@
 //! Each scenario with its subject, and without it.
 
 use compare::compare;
-use generator::Generator;
 use lunoid_tests::Shipped;
 use lunoid_tests::shipped::Shown;
 use scenario::Scenario;
