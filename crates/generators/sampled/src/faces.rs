@@ -43,7 +43,7 @@ pub struct Face {
     pub priority: i32,
     /// Which sides are seen.
     pub sides: Sides,
-    /// How it looks.
+    /// How the triangle looks all over.
     pub paint: Paint,
 }
 
@@ -52,7 +52,7 @@ pub struct Face {
 pub enum Sides {
     /// The side from which its corners run counter-clockwise.
     Front,
-    /// Both of them.
+    /// Both of its sides are seen.
     Both,
 }
 

@@ -18,7 +18,7 @@ use crate::tile::{SIDE, Sampler};
 /// The sampled generator; see the crate's data sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sampled {
-    /// Its run parameters.
+    /// Run parameters that decide its pictures.
     pub parameters: Parameters,
 }
 

@@ -36,7 +36,7 @@ impl<'a> Opaque<'a> {
         }
     }
 
-    /// Rays so far.
+    /// Number of rays so far.
     pub fn rays(&self) -> u64 {
         self.rays
     }

@@ -19,7 +19,7 @@ pub enum Tier {
     Scene,
     /// A disc of the sky.
     Disc,
-    /// A star.
+    /// A star, behind all else.
     Star,
 }
 
@@ -32,9 +32,9 @@ pub struct Feature {
     pub priority: i8,
     /// Of two of the same priority the lower is seen.
     pub id: u32,
-    /// What it covers.
+    /// Part of the screen that it covers.
     pub outline: Outline,
-    /// What it is.
+    /// What it is made of.
     pub matter: Matter,
 }
 
@@ -107,7 +107,7 @@ pub struct Back {
 }
 
 impl Back {
-    /// Nothing but sky.
+    /// Nothing but sky is there.
     pub const SKY: Self = Self { depth: f64::INFINITY, is_open: true };
 }
 

@@ -10,7 +10,7 @@ use super::outline::Outline;
 /// A thing that covers a part of a pixel.
 #[derive(Debug, Clone, Copy)]
 pub struct Part<'a> {
-    /// The thing.
+    /// The thing that takes part.
     pub feature: &'a Feature,
     /// Its number in the frame.
     pub index: usize,

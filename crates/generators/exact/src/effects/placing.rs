@@ -26,7 +26,7 @@ pub struct Placing<'a> {
     pub outlook: &'a Outlook<'a>,
     /// The view of the eye.
     pub view: &'a View,
-    /// The picture.
+    /// The raster of the picture.
     pub screen: Screen,
 }
 

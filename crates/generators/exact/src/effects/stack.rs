@@ -51,7 +51,7 @@ pub struct Mix {
 /// One pixel with the things that cover it.
 #[derive(Debug)]
 pub struct Stack<'a> {
-    /// The picture.
+    /// The picture as it is so far.
     pub screen: &'a Screen,
     /// The view of the eye.
     pub view: &'a View,

@@ -53,7 +53,7 @@ fn a_wide_disc_has_its_light_within_a_hundredth() {
     }
 }
 
-/// Check values of section 8.2 of the specification: area times intensity.
+/// Check values of light points by distance: area times intensity (specification of the sampled generator).
 #[test]
 fn check_values_by_distance() {
     for (distance, expected) in

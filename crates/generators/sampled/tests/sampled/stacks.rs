@@ -1,4 +1,4 @@
-//! Check values of stacks through whole pictures (section 8.1 of the specification).
+//! Check values of stacks, through whole pictures (specification of the sampled generator).
 
 use crate::shots::{Shot, is_same};
 use scenario::{LightPoint, Sheet};
