@@ -2,7 +2,7 @@
 
 use super::*;
 
-/// Some of everything.
+/// Some of every kind of effect together.
 fn fair() -> Effects {
     let warm = |light: LightPoint| LightPoint { colour: [1.0, 0.8, 0.5], ..light };
     let beam = |light: LightPoint| LightPoint { calligraphic: true, ..light };
