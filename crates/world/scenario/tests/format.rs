@@ -198,6 +198,7 @@ const CHANGES: &[(&str, usize, &str, &str)] = &[
     ("laws.occlusion", 0, "\"peak-hold\"", "\"derivative\""),
     ("laws.pixel_rule", 0, "\"line-mean\"", "\"centre\""),
     ("display.white", 0, "white = 0.45", "white = 0.5"),
+    ("display.white_magnitude", 0, "white = 0.45", "white = 0.45\nwhite_magnitude = 2"),
     ("display.gamma", 0, "gamma = 2.2", "gamma = 1"),
     ("run.scalar", 0, "\"f32\"", "\"f64\""),
     ("landscape.generated.seed", 0, "seed = 7", "seed = 8"),
@@ -465,7 +466,8 @@ fn what_is_left_out_has_the_documented_default() {
     assert_eq!(scenario.laws, scenario::LawWishes::default());
     assert_eq!(scenario.range, None);
     assert_eq!((scenario.photometry, scenario.roll), (Photometry::Lambert, RollDisplay::None));
-    assert_eq!(scenario.effects, scenario::EffectWishes::default());
+    let none = scenario::EffectWishes { white_magnitude: -1.46, ..Default::default() };
+    assert_eq!(scenario.effects, none);
     assert_eq!((&scenario.features, scenario.shadows), (&scenario::CraterWishes::default(), None));
     assert!(scenario.objects.is_empty() && scenario.rocks.is_none() && scenario.tracks.is_none());
     assert_eq!(scenario.files().len(), 2);
