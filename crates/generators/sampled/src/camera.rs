@@ -86,7 +86,7 @@ mod tests {
             update: rate,
             refresh: rate,
             display: Display { white: 1.0, gamma: 1.0 },
-            laws: Laws::default(),
+            laws: Laws { curvature: Curvature::None, ..Laws::default() },
             ranges: [1.0, 1000.0],
             yoke: None,
             levels: None,

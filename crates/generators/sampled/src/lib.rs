@@ -50,15 +50,26 @@
 
 mod camera;
 mod faces;
+mod hardware;
+mod inputs;
 mod lights;
+mod overload;
 mod parameters;
 mod picture;
+mod reading;
 mod row;
+mod rows;
 mod scene;
 mod session;
+mod store;
 mod tile;
+mod timed;
 mod wedge;
+mod work;
 
+pub use hardware::{Hardware, Memory};
+pub use overload::Overload;
 pub use parameters::Parameters;
 pub use row::ROW;
 pub use session::Sampled;
+pub use timed::Clocked;
