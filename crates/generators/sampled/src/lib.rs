@@ -60,6 +60,8 @@ mod reading;
 mod row;
 mod rows;
 mod scene;
+#[cfg(test)]
+mod scenes;
 mod session;
 mod store;
 mod tile;

@@ -116,3 +116,75 @@ fn worth(scene: &Scene, screen: &Screen, overload: Overload, sub_area: usize, tr
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use scenario::Effects;
+
+    use super::*;
+    use crate::scenes;
+    use crate::session::{Sampled, Session};
+
+    /// Places (sub-area, triangle, short) that are lost under `memory`.
+    fn lost(effects: Effects, overload: Overload, memory: Memory) -> Vec<(u32, u32, u32)> {
+        let (generator, update) = scenes::slow(10);
+        let session = Session::new(scenes::stage(effects, update), &generator).unwrap();
+        let scene = session.gather(0, &scenes::pose()).unwrap().scene;
+        let (lists, lost) = lists(&scene, &session.screen, overload, &memory);
+        for area in 0..session.screen.sub_areas() {
+            assert!(
+                lost.iter().all(|lost| {
+                    lost.sub_area as usize != area || !lists.of(area).contains(&lost.triangle)
+                })
+            );
+        }
+        lost.iter().map(|lost| (lost.sub_area, lost.triangle, lost.short)).collect()
+    }
+
+    fn panes() -> Effects {
+        Effects { overlays: vec![scenes::pane()], ..Effects::default() }
+    }
+
+    /// A large sheet far away, and a small one near by, over all four sub-areas.
+    fn sheets() -> Effects {
+        Effects {
+            sheets: vec![scenes::sheet(0, 50.0, 0.9), scenes::sheet(1, 20.0, 0.5)],
+            ..Effects::default()
+        }
+    }
+
+    #[test]
+    fn of_equals_the_larger_numbers_lose_their_places() {
+        let depth = Memory { list_depth: Some(1), ..Memory::default() };
+        assert_eq!(lost(panes(), Overload::DropSmallest, depth), [(0, 1, 1), (2, 1, 1)]);
+        let most = |places| Memory { list_entries: Some(places), ..Memory::default() };
+        assert_eq!(lost(panes(), Overload::DropSmallest, most(3)), [(2, 1, 1)]);
+        assert_eq!(lost(panes(), Overload::DropSmallest, most(1)), [(0, 1, 2), (2, 0, 1), (2, 1, 3)]);
+        assert!(lost(panes(), Overload::DropSmallest, most(4)).is_empty());
+        assert!(lost(panes(), Overload::DropSmallest, Memory::default()).is_empty());
+    }
+
+    #[test]
+    fn each_policy_drops_its_own() {
+        let memory = Memory { list_depth: Some(1), ..Memory::default() };
+        let triangles = |overload| {
+            lost(sheets(), overload, memory).iter().map(|(_, triangle, _)| *triangle).collect::<Vec<_>>()
+        };
+        assert_eq!(triangles(Overload::DropSmallest), [1; 4]);
+        assert_eq!(triangles(Overload::DropFarthest), [0; 4]);
+    }
+
+    #[test]
+    fn what_is_lost_is_counted() {
+        use generator::{Generator, Planes};
+        let (generator, update) = scenes::slow(10);
+        let memory = Memory { list_depth: Some(1), list_entries: Some(1), points: Some(1) };
+        let hardware = crate::Hardware { memory, ..generator.hardware };
+        let generator = Sampled { hardware, ..generator };
+        let session = generator.prepare(scenes::stage(scenes::pane_and_stars(), update)).unwrap();
+        let mut planes = Planes::new(16, 16, &[]);
+        let counts = session.frame(0, &scenes::pose(), &mut planes, &mut signal::Probe::off()).unwrap();
+        assert_eq!((counts["entries"], counts["lost_entries"]), (1, 3));
+        assert_eq!((counts["lights"], counts["lost_points"]), (1, 1));
+    }
+}

@@ -119,3 +119,44 @@ impl Rows<'_> {
         if q > 0.0 { self.camera.ray(middle).truncate().length() / q } else { NO_RANGE }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use generator::{Generator, Planes};
+
+    use super::*;
+    use crate::scenes;
+
+    #[test]
+    fn a_row_of_sub_areas_is_read_off() {
+        let (generator, update) = scenes::slow(10);
+        let stage = scenes::stage(scenes::pane_and_stars(), update);
+        let scan = generator.scan(&stage.view).unwrap();
+        assert_eq!((scan.timebase.sweeps, scan.timebase.active_samples), (2, 2));
+        let session = generator.prepare(stage).unwrap();
+        let mut probe = Probe::new(vec!["sampled.*".into()], 0..2);
+        let mut planes = Planes::new(16, 16, &[]);
+        session.frame(0, &scenes::pose(), &mut planes, &mut probe).unwrap();
+        let read: Vec<_> = probe
+            .waveforms
+            .iter()
+            .map(|waveform| (waveform.sweep, waveform.signal.name, waveform.values.as_slice()))
+            .collect();
+        let expected: [(u32, &str, &[f64]); 12] = [
+            (0, "sampled.range", &[-1.0, -1.0]),
+            (0, "sampled.list", &[2.0, 1.0]),
+            (0, "sampled.ticks", &[2.0, 1.0]),
+            (0, "sampled.stack", &[1.0, 1.0]),
+            (0, "sampled.rest", &[0.5, 1.0]),
+            (0, "sampled.lights", &[0.0, 1.0]),
+            (1, "sampled.range", &[-1.0, -1.0]),
+            (1, "sampled.list", &[2.0, 0.0]),
+            (1, "sampled.ticks", &[2.0, 2.0]),
+            (1, "sampled.stack", &[1.0, 0.0]),
+            (1, "sampled.rest", &[0.5, 1.0]),
+            (1, "sampled.lights", &[0.0, 1.0]),
+        ];
+        assert_eq!(read, expected);
+        assert!(session.wires().iter().map(|wire| wire.signal).eq(SIGNALS));
+    }
+}

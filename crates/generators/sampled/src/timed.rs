@@ -200,3 +200,98 @@ impl Timed for Clocked {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use generator::Timed;
+    use light_points::BeamBudget;
+    use timing::{Cause, FrameTiming};
+
+    use super::Clocked;
+    use crate::hardware::Hardware;
+    use crate::scenes;
+
+    /// Frame 0 of the pane and two stars at `update` frames a second, on hardware that `change` makes of the slow one.
+    fn timed(update: u64, change: impl Fn(Hardware) -> Hardware) -> FrameTiming {
+        let (generator, rate) = scenes::slow(update);
+        let generator = crate::Sampled { hardware: change(generator.hardware), ..generator };
+        let clocked = Clocked::new(scenes::stage(scenes::pane_and_stars(), rate), &generator).unwrap();
+        Timed::frame(&clocked, 0, &scenes::pose()).unwrap()
+    }
+
+    fn slack(timing: &FrameTiming, name: &str) -> Option<(u64, u64, Option<i64>)> {
+        let found = timing.deadlines.iter().find(|(deadline, _)| deadline.word() == name);
+        found.map(|(_, slack)| (slack.count, slack.missed, slack.least))
+    }
+
+    /// Sub-areas with 2, 1 and 2 entries, and one with a calligraphic point, for which the list waits a tick; a tick each for pixels.
+    #[test]
+    fn a_tiny_frame_by_hand() {
+        let timing = timed(10, |hardware| hardware);
+        assert_eq!((timing.frame, timing.ticks), (0, 100));
+        let pieces =
+            |task: &str| timing.tasks.iter().find(|found| found.task == task).map(|found| found.pieces);
+        let counted = ["corners", "pairs", "entries", "short-lists", "pixels", "discs", "points"].map(pieces);
+        // At 1 kHz a point takes less than a tick.
+        assert_eq!(counted, [Some(6), Some(6), Some(5), Some(1), Some(256), Some(1), None]);
+        // Read out at 3, 4, 6 and 8; the rows are due at 50 and 100.
+        assert_eq!(slack(&timing, "sub-area"), Some((4, 0, Some(46))));
+        assert_eq!(timing.events, 5);
+        assert_eq!((slack(&timing, "list"), slack(&timing, "light-store")), (None, None));
+    }
+
+    /// With 4 ticks a frame the rows are due at 2 and 4.
+    #[test]
+    fn a_slow_sampler_misses_lines_and_keeps_the_beam_waiting() {
+        let beam = BeamBudget { jump_ns: 2_000_000, dwell_ns: 0 };
+        let timing = timed(250, |hardware| Hardware { beam, ..hardware });
+        assert_eq!(timing.ticks, 4);
+        assert_eq!(slack(&timing, "sub-area"), Some((4, 4, Some(-4))));
+        assert_eq!(slack(&timing, "frame-tasks").map(|(count, missed, _)| (count, missed)), Some((1, 1)));
+        let told: Vec<_> = timing
+            .misses
+            .iter()
+            .filter(|missed| missed.deadline.word() != "frame-tasks")
+            .map(|missed| (missed.sweep, missed.part.as_deref().unwrap(), missed.due, missed.came.unwrap()))
+            .collect();
+        let expected = [
+            (0, "sub-area.0", 2.0, 3.0),
+            (0, "sub-area.1", 2.0, 4.0),
+            (1, "sub-area.2", 4.0, 6.0),
+            (1, "sub-area.3", 4.0, 8.0),
+            // The field after the frame begins at 4, the last sub-area is read out at 8, the jump takes 2.
+            (1, "light.1", 8.0, 10.0),
+        ];
+        assert_eq!(told, expected);
+        assert!(timing.misses.iter().skip(1).all(|missed| missed.cause == Cause::Queue));
+    }
+
+    #[test]
+    fn full_memories_are_misses_with_their_places() {
+        let timing = timed(10, |hardware| {
+            let memory = crate::Memory { list_depth: Some(1), points: Some(1), ..hardware.memory };
+            Hardware { memory, ..hardware }
+        });
+        assert_eq!(slack(&timing, "list"), Some((4, 2, Some(-1))));
+        assert_eq!(slack(&timing, "light-store"), Some((2, 1, Some(-1))));
+        let occupied = timing.misses.iter().filter(|missed| missed.cause == Cause::Occupied);
+        let told: Vec<_> = occupied.map(|missed| (missed.sweep, missed.part.as_deref().unwrap())).collect();
+        assert_eq!(told, [(0, "sub-area.0.triangle.1"), (1, "sub-area.2.triangle.1"), (1, "light.1")]);
+    }
+
+    #[test]
+    fn a_beam_without_time_drops_points_that_never_come() {
+        let beam = BeamBudget { jump_ns: 200_000_000, dwell_ns: 0 };
+        let timing = timed(10, |hardware| Hardware { beam, ..hardware });
+        assert_eq!(slack(&timing, "beam"), Some((1, 1, Some(-100))));
+        let missed = timing.misses.iter().find(|missed| missed.deadline.word() == "beam").unwrap();
+        assert_eq!((missed.part.as_deref(), missed.came, missed.due), (Some("light.1"), None, 200.0));
+    }
+
+    #[test]
+    fn a_record_with_these_deadlines_is_written_and_read() {
+        let timing = timed(250, |hardware| hardware);
+        let text = serde_json::to_string(&timing).unwrap();
+        assert_eq!(serde_json::from_str::<FrameTiming>(&text).unwrap(), timing);
+    }
+}
