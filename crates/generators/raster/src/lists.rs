@@ -49,6 +49,26 @@ impl Lists {
         &self.entries[self.starts[sub_area] as usize..self.starts[sub_area + 1] as usize]
     }
 
+    /// Takes the entries `(sub-area, triangle)` out of the lists for which `is_kept` is false; the others keep their order.
+    pub fn retain(&mut self, mut is_kept: impl FnMut(u32, u32) -> bool) {
+        let mut kept = 0;
+        for area in 0..self.starts.len().saturating_sub(1) {
+            let held = self.starts[area] as usize..self.starts[area + 1] as usize;
+            self.starts[area] = kept as u32;
+            for entry in held {
+                let number = self.entries[entry];
+                if is_kept(area as u32, number) {
+                    self.entries[kept] = number;
+                    kept += 1;
+                }
+            }
+        }
+        if let Some(end) = self.starts.last_mut() {
+            *end = kept as u32;
+        }
+        self.entries.truncate(kept);
+    }
+
     /// Entries of all lists together.
     pub fn entries(&self) -> usize {
         self.entries.len()

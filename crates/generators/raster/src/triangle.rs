@@ -26,9 +26,14 @@ impl Edge {
     /// The edge from `p` to `q`, with its inside to the right of who walks there (y down).
     fn new(p: Point, q: Point) -> Self {
         let [a, b] = [p.y - q.y, q.x - p.x];
-        let keeps_its_points = a > 0 || (a == 0 && b > 0);
         let on_edge = i64::from(a) * i64::from(p.x) + i64::from(b) * i64::from(p.y);
-        Self { a, b, c: -on_edge - i64::from(!keeps_its_points) }
+        let edge = Self { a, b, c: -on_edge };
+        Self { c: edge.c - i64::from(!edge.keeps_its_points()), ..edge }
+    }
+
+    /// Whether points that lie on the edge belong to the inside.
+    fn keeps_its_points(&self) -> bool {
+        self.a > 0 || (self.a == 0 && self.b > 0)
     }
 
     /// The largest value over a rectangle from `low` to `high` (1/256 pixel).
@@ -62,6 +67,12 @@ impl Triangle {
             low: Point { x: p.x.min(q.x).min(r.x), y: p.y.min(q.y).min(r.y) },
             high: Point { x: p.x.max(q.x).max(r.x), y: p.y.max(q.y).max(r.y) },
         })
+    }
+
+    /// Twice its area (1/256 pixel squared), above 0.
+    pub fn doubled_area(&self) -> i64 {
+        // It is the sum of the three edge functions at any point, here at the origin, without the top-left rule.
+        self.edges.iter().map(|edge| edge.c + i64::from(!edge.keeps_its_points())).sum()
     }
 }
 
@@ -101,6 +112,7 @@ mod tests {
         let corners = [[1.0, 1.0], [5.0, 2.0], [2.0, 7.0]].map(|corner| Point::snap(corner).unwrap());
         let [p, q, r] = corners;
         assert_eq!(doubled_area([p, q, r]), -doubled_area([p, r, q]));
+        assert_eq!(Triangle::new(corners).unwrap().doubled_area(), doubled_area(corners).abs());
         for order in [[p, r, q], [q, r, p]] {
             let inside =
                 Triangle::new(order).unwrap().edges.map(|edge| edge.most([600, 700], [600, 700]) >= 0);

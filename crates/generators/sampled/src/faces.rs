@@ -85,6 +85,8 @@ pub struct Work {
     pub faces: u64,
     /// Triangles that clipping left.
     pub triangles: u64,
+    /// Corners of the polygons that clipping left.
+    pub corners: u64,
 }
 
 impl Faces {
@@ -100,6 +102,7 @@ impl Faces {
         self.looks.extend(part.looks);
         self.work.faces += part.work.faces;
         self.work.triangles += part.work.triangles;
+        self.work.corners += part.work.corners;
     }
 
     /// Clips and adds a face; one that is not seen adds nothing.
@@ -117,6 +120,7 @@ impl Faces {
             Sides::Front => doubled_area(*corners) < 0,
         };
         let surface = surface(face, plane, camera);
+        self.work.corners += fan.len() as u64 + 2;
         for triangle in fan.into_iter().filter(is_seen).filter_map(Triangle::new) {
             self.triangles.push(triangle);
             self.looks.push((plane, surface));

@@ -35,29 +35,44 @@
 //! | `sampled.blending` | `hiding`, `additive` | `hiding` | how a light point meets what is behind it |
 //! | `sampled.veil` | `points`, `stack-only` | `points` | whether calligraphic points dim those behind them |
 //! | `sampled.spot_px` | 0.05 to 100 | 0.6 | deviation of the beam's spot |
+//! | `sampled.overload` | `drop-smallest`, `drop-farthest` | `drop-smallest` | what a full list leaves out |
 //! | `sampled.ground_half_side_m` | 0.1 to 100000 | 32 | half the side of the innermost square of ground |
 //! | `sampled.ground_cells` | 8 to 16384, a multiple of 4 | 128 | cells along half the side of every square of ground |
 //!
 //! # Timing
 //!
-//! No clocks yet. Sub-areas are drawn by the threads of the current rayon pool, and put together in their order: the bits do not
-//! depend on the number of threads.
+//! The gear (`hardware-models/programs/sampled.toml`) has ticks, memories and the beam. A frame's units are geometry, lists, sampler, stack,
+//! pixels, light points and beam. Pictures depend on its memories and beam alone. Sub-areas are drawn by the threads of the current
+//! rayon pool, and put together in their order: the bits do not depend on the number of threads.
 //!
 //! # Not modelled
 //!
-//! Remote shadow, texture, far silhouettes and vehicle tracks are listed as omissions. Nothing can be probed.
+//! Remote shadow, texture, far silhouettes and vehicle tracks are listed as omissions.
 
 mod camera;
 mod faces;
+mod hardware;
+mod inputs;
 mod lights;
+mod overload;
 mod parameters;
 mod picture;
+mod reading;
 mod row;
+mod rows;
 mod scene;
+#[cfg(test)]
+mod scenes;
 mod session;
+mod store;
 mod tile;
+mod timed;
 mod wedge;
+mod work;
 
+pub use hardware::{Hardware, Memory};
+pub use overload::Overload;
 pub use parameters::Parameters;
 pub use row::ROW;
 pub use session::Sampled;
+pub use timed::Clocked;

@@ -19,6 +19,8 @@ const WIDEST_COUNTED: f64 = 32.0;
 pub struct Point {
     /// Number of its feature.
     pub id: u32,
+    /// Its number among the light points of the mission.
+    pub light: u32,
     /// Whether a beam draws it.
     pub is_calligraphic: bool,
     /// Middle on the screen (pixels).
@@ -81,7 +83,16 @@ impl Point {
         let Light { added, translucency } = optics.light(&disc, middle, light.calligraphic);
         let feature = Feature::light(id, i32::from(light.priority), light.colour, added, translucency)?;
         let is_calligraphic = light.calligraphic;
-        Ok(Some(Self { id, is_calligraphic, middle, q, disc, feature, colour: light.colour }))
+        Ok(Some(Self {
+            id,
+            light: light.id,
+            is_calligraphic,
+            middle,
+            q,
+            disc,
+            feature,
+            colour: light.colour,
+        }))
     }
 
     /// Its distance, the same all over the disc.

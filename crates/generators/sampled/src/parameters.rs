@@ -5,6 +5,8 @@ use light_points::{Accumulation, Blending, LeastDiameter};
 use raster::{Filter, Pattern, Sampling};
 use translucency::Capacity;
 
+use crate::overload::Overload;
+
 /// Run parameters that no other generator has.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Parameters {
@@ -34,6 +36,8 @@ pub struct Parameters {
     pub ground_half_side: f64,
     /// Cells along half the side of every square of ground.
     pub ground_cells: u32,
+    /// Which features lose their places where a list is full.
+    pub overload: Overload,
 }
 
 impl Default for Parameters {
@@ -53,6 +57,7 @@ impl Default for Parameters {
             spot: light_points::Spot::DEFAULT_SIGMA,
             ground_half_side: 32.0,
             ground_cells: 128,
+            overload: Overload::DropSmallest,
         }
     }
 }
@@ -89,6 +94,7 @@ impl Parameters {
             .between(ground_mesh::FEWEST_CELLS, ground_mesh::MOST_CELLS)
             .must(rule, |cells| cells.is_multiple_of(4))
             .default(usual.ground_cells);
+        let overload = table.one_of("overload", &Overload::WORDS).default(usual.overload);
         let read = Self {
             pattern: pattern?,
             rotate: rotate?,
@@ -103,6 +109,7 @@ impl Parameters {
             spot: spot?,
             ground_half_side: ground_half_side?,
             ground_cells: ground_cells?,
+            overload: overload?,
         };
         read.check(table)
     }

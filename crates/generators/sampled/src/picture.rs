@@ -4,18 +4,22 @@ use std::collections::HashMap;
 
 use generator::{FrameError, Label, PlaneKind, Planes};
 use glam::DVec3;
-use light_points::{BeamBudget, BeamPoint, Share, Spot, add_up};
+use light_points::{BeamPoint, Share, Spot, add_up};
 use quantities::luminance;
-use raster::{Lists, Screen};
+use raster::Screen;
 use rayon::prelude::*;
 use scenario::View;
 use translucency::{FeatureError, Losses};
 
+use crate::hardware::Hardware;
+use crate::overload::{self, LostEntry};
 use crate::parameters::Parameters;
+use crate::reading::Reading;
 use crate::scene::Scene;
 use crate::tile::{Sampler, Tile};
 
 /// A picture in linear light, and what it took.
+#[derive(Default)]
 pub struct Picture {
     /// Colour of each pixel (linear red, green, blue), row by row.
     pub colours: Vec<[f64; 3]>,
@@ -29,35 +33,49 @@ pub struct Picture {
     pub dropped: Vec<BeamPoint>,
     /// Entries of all lists.
     pub entries: u64,
+    /// Entries that found no place in the lists, by sub-area.
+    pub lost: Vec<LostEntry>,
+    /// Readings of all sub-areas, where they are asked for.
+    pub readings: Vec<Reading>,
 }
 
-/// Draws every sub-area of a scene, and the calligraphic points over them.
+/// Draws every sub-area of a scene, and the calligraphic points over them; reads the sub-areas off if `is_read`.
 ///
 /// # Errors If a light is no number.
 pub fn draw(
     scene: &Scene,
     screen: &Screen,
     run: &Parameters,
+    hardware: &Hardware,
     view: &View,
     frame: u64,
+    is_read: bool,
 ) -> Result<Picture, FrameError> {
     let refused = |error: FeatureError| FrameError::Refused { frame, reason: error.to_string() };
-    let mut lists = Lists::default();
-    lists.fill(screen, &scene.faces.triangles);
-    let tiles: Result<Vec<Tile>, FeatureError> = (0..screen.sub_areas())
+    let (lists, lost) = overload::lists(scene, screen, run.overload, &hardware.memory);
+    let reading = |sampler: &Sampler, number: usize| {
+        let area = screen.sub_area(number);
+        is_read.then(|| Reading::of(sampler.stack(), scene, &lists, &area, number))
+    };
+    let drawn: Result<Vec<(Tile, Option<Reading>)>, FeatureError> = (0..screen.sub_areas())
         .into_par_iter()
         .map_init(
             || Sampler::new(run),
             |sampler, number| match sampler {
-                Ok(sampler) => sampler.draw(scene, &lists, screen, number),
+                Ok(sampler) => {
+                    let tile = sampler.draw(scene, &lists, screen, number)?;
+                    Ok((tile, reading(sampler, number)))
+                }
                 Err(error) => Err(*error),
             },
         )
         .collect();
-    let tiles = tiles.map_err(refused)?;
+    let (tiles, readings): (Vec<Tile>, Vec<Option<Reading>>) = drawn.map_err(refused)?.into_iter().unzip();
     let mut picture = join(&tiles, screen, usize::from(run.filter != raster::Filter::Box));
     picture.entries = lists.entries() as u64;
-    draw_beam(&mut picture, scene, &tiles, screen, run, view);
+    picture.lost = lost;
+    picture.readings = readings.into_iter().flatten().collect();
+    draw_beam(&mut picture, scene, &tiles, screen, run, hardware, view);
     Ok(picture)
 }
 
@@ -91,7 +109,7 @@ fn join(tiles: &[Tile], screen: &Screen, reach: usize) -> Picture {
         .into_iter()
         .map(|([red, green, blue], weight)| [red / weight, green / weight, blue / weight])
         .collect();
-    Picture { colours, surfaces, losses, beam: Vec::new(), dropped: Vec::new(), entries: 0 }
+    Picture { colours, surfaces, losses, ..Picture::default() }
 }
 
 /// Adds the spots of the calligraphic points for which the beam has time.
@@ -101,6 +119,7 @@ fn draw_beam(
     tiles: &[Tile],
     screen: &Screen,
     run: &Parameters,
+    hardware: &Hardware,
     view: &View,
 ) {
     let points = &scene.lights.points;
@@ -115,7 +134,7 @@ fn draw_beam(
         });
     picture.beam = lit.collect();
     let field_ns = (1e9 / view.update.hertz()) as u64;
-    picture.dropped = BeamBudget::default().drop_faintest(&mut picture.beam, field_ns);
+    picture.dropped = hardware.beam.drop_faintest(&mut picture.beam, field_ns);
     let Ok(spot) = Spot::new(run.spot) else { return };
     let colours: HashMap<u32, [f64; 3]> = points.iter().map(|point| (point.id, point.colour())).collect();
     let width = screen.size()[0] as usize;

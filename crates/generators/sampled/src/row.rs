@@ -3,9 +3,11 @@
 use std::sync::Arc;
 
 use diagnostics::Reader;
-use generator::{Generator, Role, Row};
+use generator::{Gear, Generator, Role, Row};
 
-use crate::{Parameters, Sampled};
+use crate::hardware::SHIPPED;
+use crate::rows::SIGNALS;
+use crate::{Hardware, Parameters, Sampled};
 
 /// Name of the generator.
 pub(crate) const NAME: &str = "sampled";
@@ -15,15 +17,20 @@ pub static ROW: Row = Row {
     name: NAME,
     about: "triangles by sampling points, with translucency and light points (EP-0611021)",
     role: Role::Guest,
-    signals: &[],
-    timed: false,
+    signals: &SIGNALS,
+    timed: true,
     parameters: Some(NAME),
-    gear: None,
+    gear: Some(Gear {
+        tables: &["sampler", "memory", "beam"],
+        file: "built-in programs/sampled.toml",
+        text: SHIPPED,
+    }),
     ladder: None,
     configure,
 };
 
 fn configure(root: &Reader) -> Option<Arc<dyn Generator>> {
-    let parameters = Parameters::read(&root.table_or_empty(NAME))?;
-    Some(Arc::new(Sampled { parameters }))
+    let parameters = Parameters::read(&root.table_or_empty(NAME));
+    let hardware = Hardware::read(root);
+    Some(Arc::new(Sampled { parameters: parameters?, hardware: hardware? }))
 }

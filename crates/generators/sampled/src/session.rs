@@ -2,24 +2,31 @@
 
 use generator::{
     Counter, Fact, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes, PrepareError,
-    Session as GeneratorSession, Stage, Weight, check_eye,
+    Scan, Session as GeneratorSession, Stage, Timed, Weight, check_eye,
 };
-use raster::{Lists, Screen};
-use scenario::Pose;
+use raster::Screen;
+use scenario::{Pose, View};
 use serde_json::{Value, json};
-use signal::Probe;
+use signal::{Probe, Signal, Wire};
 
+use crate::hardware::Hardware;
+use crate::lights::Point;
 use crate::parameters::Parameters;
-use crate::picture::{self, PLANES};
+use crate::picture::{self, PLANES, Picture};
 use crate::row::NAME;
+use crate::rows::{self, Rows};
 use crate::scene::Scene;
 use crate::tile::{SIDE, Sampler};
+use crate::timed::Clocked;
+use crate::{overload, store};
 
 /// The sampled generator; see the crate's data sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sampled {
     /// Run parameters that decide its pictures.
     pub parameters: Parameters,
+    /// What it runs on.
+    pub hardware: Hardware,
 }
 
 const fn counter(name: &'static str) -> Counter {
@@ -27,7 +34,7 @@ const fn counter(name: &'static str) -> Counter {
 }
 
 /// What a frame took and lost.
-const COUNTERS: [Counter; 8] = [
+const COUNTERS: [Counter; 10] = [
     counter("faces"),
     counter("triangles"),
     counter("entries"),
@@ -35,6 +42,8 @@ const COUNTERS: [Counter; 8] = [
     counter("calligraphic"),
     counter("lost_surfaces"),
     counter("lost_lights"),
+    counter("lost_entries"),
+    counter("lost_points"),
     counter("beam_dropped"),
 ];
 
@@ -51,12 +60,21 @@ impl Generator for Sampled {
         PLANES
     }
 
+    fn signals(&self) -> &'static [Signal] {
+        &rows::SIGNALS
+    }
+
+    fn scan(&self, view: &View) -> Option<Scan> {
+        let timebase = rows::timebase(view)?;
+        Some(Scan { line: "row", timebase, place: rows::RANGE, ahead: None })
+    }
+
     fn draws_colour(&self, stage: &Stage) -> bool {
         stage.is_colourful()
     }
 
     fn record(&self) -> Value {
-        let run = &self.parameters;
+        let Self { parameters: run, hardware: Hardware { memory, beam, .. } } = self;
         json!({
             "pattern": run.pattern.name(),
             "rotate": run.rotate,
@@ -71,49 +89,91 @@ impl Generator for Sampled {
             "spot_px": run.spot,
             "ground_half_side_m": run.ground_half_side,
             "ground_cells": run.ground_cells,
+            "overload": run.overload.word(),
+            "list_entries": memory.list_entries,
+            "list_depth": memory.list_depth,
+            "points": memory.points,
+            "jump_us": beam.jump_ns as f64 / 1e3,
+            "dwell_us": beam.dwell_ns as f64 / 1e3,
         })
     }
 
     fn prepare(&self, stage: Stage) -> Result<Box<dyn GeneratorSession>, PrepareError> {
-        Ok(Box::new(Session::new(stage, self.parameters)?))
+        Ok(Box::new(Session::new(stage, self)?))
+    }
+
+    fn timed(&self, stage: Stage) -> Result<Option<Box<dyn Timed>>, PrepareError> {
+        Ok(Some(Box::new(Clocked::new(stage, self)?)))
     }
 }
 
 /// The generator made ready for one stage.
-struct Session {
-    stage: Stage,
-    screen: Screen,
-    parameters: Parameters,
+pub(crate) struct Session {
+    pub stage: Stage,
+    pub screen: Screen,
+    pub parameters: Parameters,
+    pub hardware: Hardware,
+}
+
+/// The scene of a frame, within the limits of the light point store.
+pub(crate) struct Gathered {
+    pub scene: Scene,
+    /// Points that found no place in the store, the brightest first.
+    pub lost_points: Vec<Point>,
 }
 
 impl Session {
-    fn new(stage: Stage, parameters: Parameters) -> Result<Self, PrepareError> {
+    /// Makes ready for `stage`.
+    ///
+    /// # Errors
+    /// If its raster is too large.
+    pub fn new(stage: Stage, generator: &Sampled) -> Result<Self, PrepareError> {
         let size = [stage.view.columns, stage.view.lines];
         let screen = Screen::new(size, SIDE as u32).map_err(|error| PrepareError::Unsupported {
             generator: NAME,
             what: error.to_string(),
             remedy: "ask for a smaller raster".into(),
         })?;
-        Ok(Self { stage, screen, parameters })
+        let Sampled { parameters, hardware } = *generator;
+        Ok(Self { stage, screen, parameters, hardware })
     }
 
-    fn scene(&self, frame: u64, pose: &Pose) -> Result<Scene, FrameError> {
+    /// Gathers frame `frame` from `pose`.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    pub fn gather(&self, frame: u64, pose: &Pose) -> Result<Gathered, FrameError> {
         self.check(frame, pose)?;
-        Scene::new(&self.stage, &self.parameters, &self.screen, frame, pose)
+        let mut scene = Scene::new(&self.stage, &self.parameters, &self.screen, frame, pose)?;
+        let lost_points = store::limit(&mut scene.lights, self.hardware.memory.points, &self.screen);
+        Ok(Gathered { scene, lost_points })
+    }
+
+    /// Draws a scene, and reads its sub-areas off if `is_read`.
+    ///
+    /// # Errors
+    /// If a light is no number.
+    pub fn picture(&self, scene: &Scene, frame: u64, is_read: bool) -> Result<Picture, FrameError> {
+        let Self { stage, screen, parameters, hardware } = self;
+        picture::draw(scene, screen, parameters, hardware, &stage.view, frame, is_read)
     }
 }
 
 impl GeneratorSession for Session {
+    /// The raster is that of `planes`; a sweep of `probe` is a row of sub-areas.
     fn frame(
         &self,
         frame: u64,
         pose: &Pose,
         planes: &mut Planes,
-        _probe: &mut Probe,
+        probe: &mut Probe,
     ) -> Result<FrameCounts, FrameError> {
-        let scene = self.scene(frame, pose)?;
-        let picture = picture::draw(&scene, &self.screen, &self.parameters, &self.stage.view, frame)?;
-        picture::fill(&picture, &scene, planes);
+        let gathered = self.gather(frame, pose)?;
+        let scene = &gathered.scene;
+        let picture = self.picture(scene, frame, probe.is_on())?;
+        picture::fill(&picture, scene, planes);
+        let Self { screen, hardware, .. } = self;
+        Rows { screen, camera: &scene.camera, hardware, readings: &picture.readings }.record(frame, probe);
         let calligraphic = scene.lights.points.iter().filter(|point| point.is_calligraphic).count() as u64;
         Ok(FrameCounts::of([
             ("faces", scene.faces.work.faces),
@@ -123,6 +183,8 @@ impl GeneratorSession for Session {
             ("calligraphic", calligraphic),
             ("lost_surfaces", picture.losses.translucent),
             ("lost_lights", picture.losses.lights),
+            ("lost_entries", picture.lost.len() as u64),
+            ("lost_points", gathered.lost_points.len() as u64),
             ("beam_dropped", picture.dropped.len() as u64),
         ]))
     }
@@ -148,18 +210,24 @@ impl GeneratorSession for Session {
         lacks.into_iter().filter(|(is_there, _)| *is_there).map(|(_, what)| omission(what)).collect()
     }
 
+    fn wires(&self) -> Vec<Wire> {
+        rows::wires(&self.stage, &self.screen, &self.parameters, &self.hardware)
+    }
+
     /// Lists and stacks of every sampling point of the pixel.
     fn explain(&self, frame: u64, pose: &Pose, pixel: [usize; 2]) -> Result<Vec<Fact>, FrameError> {
-        let scene = self.scene(frame, pose)?;
+        let Gathered { scene, .. } = self.gather(frame, pose)?;
         let refused =
             |error: translucency::FeatureError| FrameError::Refused { frame, reason: error.to_string() };
-        let mut lists = Lists::default();
-        lists.fill(&self.screen, &scene.faces.triangles);
+        let (lists, lost) =
+            overload::lists(&scene, &self.screen, self.parameters.overload, &self.hardware.memory);
         let number = (pixel[1] / SIDE) * self.screen.counts()[0] as usize + pixel[0] / SIDE;
         let mut sampler = Sampler::new(&self.parameters).map_err(refused)?;
         sampler.fill(&scene, &lists, &self.screen.sub_area(number), number).map_err(refused)?;
         let entries = lists.of(number).len() + scene.lights.of(number).len();
-        let mut facts = vec![Fact::new("sub-area", format!("{number}: {entries} entries"))];
+        let lost = lost.iter().filter(|lost| lost.sub_area as usize == number).count();
+        let without = if lost > 0 { format!(", {lost} without a place") } else { String::new() };
+        let mut facts = vec![Fact::new("sub-area", format!("{number}: {entries} entries{without}"))];
         let stack = sampler.stack();
         let first = (pixel[1] % SIDE * SIDE + pixel[0] % SIDE) * stack.samples();
         for point in 0..stack.samples() {

@@ -1,13 +1,16 @@
 //! Run parameters at fault are told, each by one problem.
 
-use diagnostics::{Problems, TomlFile};
+use diagnostics::{Layers, Problems, TomlFile};
 use sampled::ROW;
 
 /// What the row says to a table of run parameters.
 fn told(lines: &str) -> String {
     let problems = Problems::new();
+    let gear = ROW.gear.expect("it ran on something");
+    let gear = TomlFile::parse(gear.file, gear.text, &problems).unwrap();
     let file = TomlFile::parse("test.toml", &format!("[sampled]\n{lines}\n"), &problems).unwrap();
-    let root = file.root(&problems);
+    let layers = Layers::new([gear, file]);
+    let root = layers.root(&problems);
     let generator = (ROW.configure)(&root);
     root.finish();
     match problems.resolve(generator) {

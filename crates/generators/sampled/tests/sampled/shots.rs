@@ -89,7 +89,9 @@ impl Shot {
             scenery: Arc::new(scenery),
             view: self.view.clone(),
         };
-        Sampled { parameters: self.run }.prepare(stage).unwrap()
+        Sampled { parameters: self.run, hardware: sampled::Hardware::shipped().unwrap() }
+            .prepare(stage)
+            .unwrap()
     }
 
     /// The frame of the shot.
@@ -98,7 +100,7 @@ impl Shot {
         let mut planes = Planes::new(
             self.view.columns as usize,
             self.view.lines as usize,
-            Sampled { parameters: self.run }.planes(),
+            Sampled { parameters: self.run, hardware: sampled::Hardware::shipped().unwrap() }.planes(),
         );
         let counts = session.frame(0, &self.pose, &mut planes, &mut Probe::off()).unwrap();
         Frame { planes, counts }

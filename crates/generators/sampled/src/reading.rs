@@ -1,0 +1,84 @@
+//! What a sub-area took, and what can be looked at of it.
+
+use raster::{Lists, SubArea};
+use translucency::Stack;
+
+use crate::hardware::Hardware;
+use crate::scene::Scene;
+use crate::tile::{SIDE, pixels};
+
+/// Counts of one sub-area after its features were drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Reading {
+    /// Triangles of its list.
+    pub triangles: u32,
+    /// Light points of the raster whose discs meet it.
+    pub raster_points: u32,
+    /// Calligraphic points whose discs meet it.
+    pub calligraphic: u32,
+    /// Pixels of it, 1 to 64.
+    pub pixels: u32,
+    /// Most features that one of its sampling points holds, the opaque one with them.
+    pub depth: u32,
+    /// Largest share of light (0 to 1) that all features of a sampling point let through.
+    pub rest: f64,
+    /// How near the opaque surface of its middle pixel is (1/m); 0 for sky.
+    pub q: f64,
+}
+
+impl Reading {
+    /// Reads the sub-area of a number off its stacks.
+    pub fn of(stack: &Stack, scene: &Scene, lists: &Lists, area: &SubArea, number: usize) -> Self {
+        let lights = scene.lights.of(number);
+        let is_drawn_by_beam = |point: &&u32| scene.lights.points[**point as usize].is_calligraphic;
+        let calligraphic = lights.iter().filter(is_drawn_by_beam).count();
+        let (mut depth, mut rest) = (0, 0.0);
+        for (pixel, _) in pixels(area) {
+            for sample in pixel * stack.samples()..(pixel + 1) * stack.samples() {
+                let of_sample =
+                    stack.layers(sample).fold((0, 1.0), |(count, _), layer| (count + 1, layer.rest()));
+                (depth, rest) = (of_sample.0.max(depth), of_sample.1.max(rest));
+            }
+        }
+        let middle = SIDE * (area.rows().len() / 2) + area.columns().len() / 2;
+        Self {
+            triangles: lists.of(number).len() as u32,
+            raster_points: (lights.len() - calligraphic) as u32,
+            calligraphic: calligraphic as u32,
+            pixels: (area.columns().len() * area.rows().len()) as u32,
+            depth,
+            rest,
+            q: stack.surface(middle).map_or(0.0, |(_, q)| q),
+        }
+    }
+
+    /// Entries of its list: triangles and raster points.
+    pub fn entries(&self) -> u64 {
+        u64::from(self.triangles) + u64::from(self.raster_points)
+    }
+
+    /// Light points whose discs meet it, calligraphic or not.
+    pub fn lights(&self) -> u32 {
+        self.raster_points + self.calligraphic
+    }
+
+    /// Ticks of the sampler for the list.
+    pub fn list_ticks(&self, hardware: &Hardware) -> u64 {
+        self.entries().max(hardware.least_ticks)
+    }
+
+    /// Ticks for which the slowest sampling point holds the sampler up, beyond one an entry.
+    pub fn stack_ticks(&self, hardware: &Hardware) -> u64 {
+        u64::from(self.depth) * (hardware.insert_ticks - 1)
+    }
+
+    /// Ticks of the sub-area from its first entry to its last calligraphic point.
+    pub fn ticks(&self, hardware: &Hardware) -> u64 {
+        self.list_ticks(hardware) + self.stack_ticks(hardware) + u64::from(self.calligraphic)
+    }
+
+    /// Ticks in which its pixels are written.
+    pub fn pixel_ticks(&self, hardware: &Hardware) -> u64 {
+        u64::from(self.pixels).div_ceil(hardware.pixels_tick)
+    }
+}
