@@ -112,7 +112,8 @@ impl Clocked {
         }
     }
 
-    /// Whether the beam drew every point in the field after the frame, which begins no earlier than the last sub-area is read out.
+    /// Whether the beam drew every point in the field after the frame. It begins when the last sub-area is read out, no earlier
+    /// than that field.
     fn judge_beam(&self, gathered: &Gathered, picture: &Picture, start: u64, due: u64, judged: &mut Judged) {
         let points = &gathered.scene.lights.points;
         let drawn = picture.beam.iter().map(|point| (point, true));
@@ -224,7 +225,8 @@ mod tests {
         found.map(|(_, slack)| (slack.count, slack.missed, slack.least))
     }
 
-    /// Sub-areas with 2, 1 and 2 entries, and one with a calligraphic point, for which the list waits a tick; a tick each for pixels.
+    /// Sub-areas with 2, 1 and 2 entries, and one with a calligraphic point and no entry, which takes a tick all the same. The
+    /// pixels of each take another.
     #[test]
     fn a_tiny_frame_by_hand() {
         let timing = timed(10, |hardware| hardware);
