@@ -9,6 +9,7 @@ use scenario::{Pose, Scenario};
 use timing::{Cause, Deadline, EventHash, FrameTiming, Missed, Slack, Task};
 
 use crate::Sampled;
+use crate::hardware::{Hardware, Memory};
 use crate::inputs::inputs_hash;
 use crate::lights::Point;
 use crate::picture::Picture;
@@ -25,19 +26,28 @@ const SUB_AREA: Deadline = Deadline::new("sub-area");
 /// A calligraphic point is drawn before the field after the frame ends.
 const POINT: Deadline = Deadline::new("beam");
 
-/// A stage as a job for [`Hardware`](crate::Hardware).
+/// A stage as a job for [`Hardware`].
 pub struct Clocked {
     session: Session,
 }
 
 /// Deadlines of a frame as they are met or missed.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 struct Judged {
     deadlines: BTreeMap<Deadline, Slack>,
     misses: Vec<Missed>,
 }
 
 impl Judged {
+    /// All deadlines that the machine has, before any is met or missed; those of a memory only where it is limited.
+    fn none_of(hardware: &Hardware) -> Self {
+        let Memory { list_entries, list_depth, points } = hardware.memory;
+        let lists = list_entries.or(list_depth).map(|_| LIST);
+        let kinds =
+            [Deadline::FRAME_TASKS, SUB_AREA, POINT].into_iter().chain(lists).chain(points.map(|_| STORE));
+        Self { deadlines: kinds.map(|kind| (kind, Slack::default())).collect(), misses: Vec::new() }
+    }
+
     /// Counts a deadline that was met or missed by so many ticks; `missed` tells of a miss.
     fn add(&mut self, deadline: Deadline, slack: i64, missed: impl FnOnce() -> Missed) {
         self.deadlines.entry(deadline).or_default().add(slack);
@@ -182,7 +192,7 @@ impl Timed for Clocked {
         let ticks = work::frame_ticks(hardware, stage.view.update);
         let course = Course::of(&picture.readings, hardware);
         let work = Work::of(&gathered.scene, &picture, screen);
-        let mut judged = Judged::default();
+        let mut judged = Judged::none_of(hardware);
         self.judge_frame_tasks(&work, ticks, &mut judged);
         self.judge_lists(&picture, &mut judged);
         self.judge_store(&gathered, &mut judged);
@@ -288,6 +298,15 @@ mod tests {
         assert_eq!(slack(&timing, "beam"), Some((1, 1, Some(-100))));
         let missed = timing.misses.iter().find(|missed| missed.deadline.word() == "beam").unwrap();
         assert_eq!((missed.part.as_deref(), missed.came, missed.due), (Some("light.1"), None, 200.0));
+    }
+
+    /// A bound on a kind of deadline that a frame has no cause to count is met all the same.
+    #[test]
+    fn a_frame_without_lights_has_the_deadline_of_the_beam() {
+        let (generator, rate) = scenes::slow(10);
+        let clocked = Clocked::new(scenes::stage(scenario::Effects::default(), rate), &generator).unwrap();
+        let timing = Timed::frame(&clocked, 0, &scenes::pose()).unwrap();
+        assert_eq!(slack(&timing, "beam"), Some((0, 0, None)));
     }
 
     #[test]
