@@ -214,9 +214,11 @@ impl Timed for Clocked {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeMap;
+
     use generator::Timed;
     use light_points::BeamBudget;
-    use timing::{Cause, FrameTiming};
+    use timing::{Cause, FORMAT, FrameTiming, TimingRecord};
 
     use super::Clocked;
     use crate::hardware::Hardware;
@@ -310,9 +312,20 @@ mod tests {
     }
 
     #[test]
-    fn a_record_with_these_deadlines_is_written_and_read() {
-        let timing = timed(250, |hardware| hardware);
-        let text = serde_json::to_string(&timing).unwrap();
-        assert_eq!(serde_json::from_str::<FrameTiming>(&text).unwrap(), timing);
+    fn a_record_with_these_deadlines_holds_together_and_reads_back() {
+        let record = TimingRecord {
+            format: FORMAT,
+            scenario: "pane and stars".into(),
+            machine: crate::ROW.name.into(),
+            inputs: "0".into(),
+            keys: BTreeMap::new(),
+            master: "1000 Hz".into(),
+            before_mission: Vec::new(),
+            frames: vec![timed(250, |hardware| hardware)],
+        };
+        assert_eq!(record.check(), Ok(()));
+        let text = serde_json::to_string(&record).unwrap();
+        assert_eq!(serde_json::from_str::<TimingRecord>(&text).unwrap(), record);
+        assert!(record.text().contains("sub-area"), "{}", record.text());
     }
 }
