@@ -25,8 +25,12 @@ const HEADS: [&str; 10] = [
 const REASONS: [&str; 7] = ["circuit", "design", "light", "mechanics", "optics", "report", "software"];
 
 /// Pages with a table of keys.
-const KEY_PAGES: [&str; 3] =
-    ["docs/hardware-model-format.md", "docs/scenario-format.md", "docs/blocks/lunsim.md"];
+const KEY_PAGES: [&str; 4] = [
+    "docs/hardware-model-format.md",
+    "docs/scenario-format.md",
+    "docs/blocks/lunsim.md",
+    "docs/blocks/sampled.md",
+];
 
 /// Keys in the first cells of the tables of a page.
 fn documented(page: &str) -> BTreeSet<String> {

@@ -14,7 +14,7 @@ pub struct Camera {
     pub projection: Projection,
     /// From north, east, up to right, down, ahead.
     turn: DMat3,
-    /// Height of a square pixel over that of the true one.
+    /// Height of a square pixel over the height of a true pixel.
     squeeze: f64,
     curvature: Curvature,
 }

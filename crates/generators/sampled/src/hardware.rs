@@ -23,7 +23,7 @@ pub struct Hardware {
     pub corner_ticks: u64,
     /// Least ticks of a sub-area in the sampler.
     pub least_ticks: u64,
-    /// Ticks of an insertion into a stack, at least 1; one of them is that of the entry.
+    /// Ticks of an insertion into a stack, at least 1. The tick of the entry is one of these.
     pub insert_ticks: u64,
     /// Pixels that are written in a tick, at least 1.
     pub pixels_tick: u64,

@@ -9,8 +9,8 @@ use scenario::Scenario;
 
 use crate::session::Session;
 
-/// Hash of everything that decides what a frame takes: ground, craters, bodies, effects, path, view, run parameters and hardware. The sun
-/// is not in it: it colours surfaces, and moves none.
+/// Hash of everything that decides what a frame takes: ground, craters, bodies, effects, path, view, run parameters, hardware.
+/// The sun is not in it: it colours surfaces, and moves none.
 pub(crate) fn inputs_hash(scenario: &Scenario, session: &Session) -> String {
     let Stage { landscape, scenery, view } = &session.stage;
     let mut hasher = Hasher::new_derive_key("lunoid timing, inputs of the sampled generator, format 1");

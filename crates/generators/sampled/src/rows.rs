@@ -54,7 +54,8 @@ pub(crate) static SIGNALS: [Signal; 6] = [
     ),
 ];
 
-/// Clocks for as many rows and columns of sub-areas as a raster has. Rows part a frame evenly; our choice, since their ticks differ.
+/// Clocks for as many rows and columns of sub-areas as a raster has. Rows part a frame evenly: our choice, since their ticks
+/// differ.
 pub(crate) fn timebase(view: &View) -> Option<Timebase> {
     let [columns, rows] = [view.columns, view.lines].map(|pixels| pixels.div_ceil(SIDE as u32));
     Timebase::new(view.update, view.update, rows, columns, 0).ok()

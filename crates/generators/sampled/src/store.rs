@@ -4,8 +4,8 @@ use raster::Screen;
 
 use crate::lights::{Lights, Point};
 
-/// Takes the faintest light points out of `lights` until at most `most` are left, and returns them; of equally faint ones those with
-/// larger numbers.
+/// Takes the faintest light points out of `lights` until at most `most` are left, and returns them, the brightest first. Of
+/// equally faint ones those with larger numbers are taken.
 pub fn limit(lights: &mut Lights, most: Option<u32>, screen: &Screen) -> Vec<Point> {
     let Some(most) = most.filter(|most| lights.points.len() > *most as usize) else { return Vec::new() };
     let mut points = std::mem::take(&mut lights.points);

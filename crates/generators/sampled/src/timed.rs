@@ -9,6 +9,7 @@ use scenario::{Pose, Scenario};
 use timing::{Cause, Deadline, EventHash, FrameTiming, Missed, Slack, Task};
 
 use crate::Sampled;
+use crate::hardware::{Hardware, Memory};
 use crate::inputs::inputs_hash;
 use crate::lights::Point;
 use crate::picture::Picture;
@@ -25,19 +26,28 @@ const SUB_AREA: Deadline = Deadline::new("sub-area");
 /// A calligraphic point is drawn before the field after the frame ends.
 const POINT: Deadline = Deadline::new("beam");
 
-/// A stage as a job for [`Hardware`](crate::Hardware).
+/// A stage as a job for [`Hardware`].
 pub struct Clocked {
     session: Session,
 }
 
 /// Deadlines of a frame as they are met or missed.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 struct Judged {
     deadlines: BTreeMap<Deadline, Slack>,
     misses: Vec<Missed>,
 }
 
 impl Judged {
+    /// All deadlines that the machine has, before any is met or missed; those of a memory only where it is limited.
+    fn none_of(hardware: &Hardware) -> Self {
+        let Memory { list_entries, list_depth, points } = hardware.memory;
+        let lists = list_entries.or(list_depth).map(|_| LIST);
+        let kinds =
+            [Deadline::FRAME_TASKS, SUB_AREA, POINT].into_iter().chain(lists).chain(points.map(|_| STORE));
+        Self { deadlines: kinds.map(|kind| (kind, Slack::default())).collect(), misses: Vec::new() }
+    }
+
     /// Counts a deadline that was met or missed by so many ticks; `missed` tells of a miss.
     fn add(&mut self, deadline: Deadline, slack: i64, missed: impl FnOnce() -> Missed) {
         self.deadlines.entry(deadline).or_default().add(slack);
@@ -112,7 +122,8 @@ impl Clocked {
         }
     }
 
-    /// Whether the beam drew every point in the field after the frame, which begins no earlier than the last sub-area is read out.
+    /// Whether the beam drew every point in the field after the frame. It begins when the last sub-area is read out, no earlier
+    /// than that field.
     fn judge_beam(&self, gathered: &Gathered, picture: &Picture, start: u64, due: u64, judged: &mut Judged) {
         let points = &gathered.scene.lights.points;
         let drawn = picture.beam.iter().map(|point| (point, true));
@@ -181,7 +192,7 @@ impl Timed for Clocked {
         let ticks = work::frame_ticks(hardware, stage.view.update);
         let course = Course::of(&picture.readings, hardware);
         let work = Work::of(&gathered.scene, &picture, screen);
-        let mut judged = Judged::default();
+        let mut judged = Judged::none_of(hardware);
         self.judge_frame_tasks(&work, ticks, &mut judged);
         self.judge_lists(&picture, &mut judged);
         self.judge_store(&gathered, &mut judged);
@@ -203,9 +214,11 @@ impl Timed for Clocked {
 
 #[cfg(test)]
 mod tests {
+    use std::collections::BTreeMap;
+
     use generator::Timed;
     use light_points::BeamBudget;
-    use timing::{Cause, FrameTiming};
+    use timing::{Cause, FORMAT, FrameTiming, TimingRecord};
 
     use super::Clocked;
     use crate::hardware::Hardware;
@@ -224,7 +237,8 @@ mod tests {
         found.map(|(_, slack)| (slack.count, slack.missed, slack.least))
     }
 
-    /// Sub-areas with 2, 1 and 2 entries, and one with a calligraphic point, for which the list waits a tick; a tick each for pixels.
+    /// Sub-areas with 2, 1 and 2 entries, and one with a calligraphic point and no entry, which takes a tick all the same. The
+    /// pixels of each take another.
     #[test]
     fn a_tiny_frame_by_hand() {
         let timing = timed(10, |hardware| hardware);
@@ -288,10 +302,30 @@ mod tests {
         assert_eq!((missed.part.as_deref(), missed.came, missed.due), (Some("light.1"), None, 200.0));
     }
 
+    /// A bound on a kind of deadline that a frame has no cause to count is met all the same.
     #[test]
-    fn a_record_with_these_deadlines_is_written_and_read() {
-        let timing = timed(250, |hardware| hardware);
-        let text = serde_json::to_string(&timing).unwrap();
-        assert_eq!(serde_json::from_str::<FrameTiming>(&text).unwrap(), timing);
+    fn a_frame_without_lights_has_the_deadline_of_the_beam() {
+        let (generator, rate) = scenes::slow(10);
+        let clocked = Clocked::new(scenes::stage(scenario::Effects::default(), rate), &generator).unwrap();
+        let timing = Timed::frame(&clocked, 0, &scenes::pose()).unwrap();
+        assert_eq!(slack(&timing, "beam"), Some((0, 0, None)));
+    }
+
+    #[test]
+    fn a_record_with_these_deadlines_holds_together_and_reads_back() {
+        let record = TimingRecord {
+            format: FORMAT,
+            scenario: "pane and stars".into(),
+            machine: crate::ROW.name.into(),
+            inputs: "0".into(),
+            keys: BTreeMap::new(),
+            master: "1000 Hz".into(),
+            before_mission: Vec::new(),
+            frames: vec![timed(250, |hardware| hardware)],
+        };
+        assert_eq!(record.check(), Ok(()));
+        let text = serde_json::to_string(&record).unwrap();
+        assert_eq!(serde_json::from_str::<TimingRecord>(&text).unwrap(), record);
+        assert!(record.text().contains("sub-area"), "{}", record.text());
     }
 }

@@ -51,8 +51,8 @@ pub struct Course {
 }
 
 impl Course {
-    /// Sub-area after sub-area in raster order. The pixels of one are written while the next is worked out, which waits for the writer
-    /// before it hands its own over.
+    /// Sub-area after sub-area in raster order. The pixels of one are written while the next is worked out. That one waits for
+    /// the writer before it hands its own over.
     pub fn of(readings: &[Reading], hardware: &Hardware) -> Self {
         let (mut handed_over, mut written) = (0, 0);
         let mut course = Self { read_out: Vec::with_capacity(readings.len()), has_waited: false };
@@ -186,7 +186,7 @@ mod tests {
         assert!(beam_ticks(&hardware, 1667) > field);
     }
 
-    /// Three sub-areas: 10 entries; 3 entries, filled up to 8; 20 entries, 5 deep with 2 ticks an insertion beyond the first, and 4 points.
+    /// Three sub-areas: 10 entries; 3 entries, filled up to 8; 20 entries, 5 deep with 2 more ticks each, and 4 points.
     #[test]
     fn sub_areas_follow_one_another() {
         let hardware = Hardware { insert_ticks: 3, ..Hardware::shipped().unwrap() };

@@ -34,8 +34,8 @@ pub enum Kind {
 
 /// The kinds that are known, each with the keys that it is known by.
 pub const KNOWN: &str = "a scenario (title, landscape, path or sun), a hardware model (name or base), differences from \
-                         one (a table of its parts), what a generator ran on (computer or recorder), a cartridge (scene) or \
-                         the description of a bank (content_blake3)";
+                         one (a table of its parts), what a generator ran on (computer, recorder, sampler, memory or \
+                         beam), a cartridge (scene) or the description of a bank (content_blake3)";
 
 impl Kind {
     /// What the keys of a file say, if it can be read.

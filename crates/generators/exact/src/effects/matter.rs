@@ -166,7 +166,7 @@ impl Feature {
         }
     }
 
-    /// The label of pixels that it fills; discs of the sky have that of the sky.
+    /// Label of pixels that it fills. Discs of the sky have the label of the sky.
     pub fn label(&self) -> Option<Label> {
         match self.matter {
             Matter::Overlay(_) => Some(Label::EyeFixed),

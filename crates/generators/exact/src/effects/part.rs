@@ -20,7 +20,7 @@ pub struct Part<'a> {
     pub effect: Effect,
     /// The sub-rays that meet it, bit by bit, where they are looked at.
     pub met: u64,
-    /// Share of the pixel that each of them stands for; 1 where they are not looked at.
+    /// Share of the pixel that each of its places stands for; 1 where the places are not looked at.
     pub weight: f64,
 }
 
