@@ -98,7 +98,8 @@
 //!
 //! # Signals
 //!
-//! Rows of sub-areas stand for sweeps (`rows.rs`): ground range, entries, ticks, deepest stack, largest rest, light points.
+//! Rows of sub-areas stand for sweeps (`rows.rs`): place across the view, ground range, entries, ticks, deepest stack, largest
+//! rest, light points.
 //!
 //! # Not modelled
 //!

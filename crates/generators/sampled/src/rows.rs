@@ -13,16 +13,22 @@ use crate::reading::Reading;
 use crate::tile::SIDE;
 use crate::work::frame_ticks;
 
-/// Ground range of what a sub-area shows.
-pub(crate) const RANGE: &str = "sampled.range";
+/// Place of a sub-area in its row.
+pub(crate) const ACROSS: &str = "sampled.across";
 
-/// Value of [`RANGE`] where a sub-area shows sky (m).
+/// Ground range where a sub-area shows sky (m).
 const NO_RANGE: f64 = -1.0;
 
 /// What can be looked at; a row of sub-areas stands for a sweep, its sub-areas for samples, from the top left on.
-pub(crate) static SIGNALS: [Signal; 6] = [
+pub(crate) static SIGNALS: [Signal; 7] = [
     Signal::ground(
-        RANGE,
+        ACROSS,
+        Unit::Metre,
+        "middle of the sub-area on a plane 1 m ahead, to the right of the view axis",
+        "none: ours",
+    ),
+    Signal::ground(
+        "sampled.range",
         Unit::Metre,
         "ground range of the surface in the middle pixel of the sub-area; -1 where there is sky",
         "EP-0611021, claim 3",
@@ -69,7 +75,7 @@ pub(crate) fn wires(stage: &Stage, screen: &Screen, run: &Parameters, hardware: 
         .translucent
         .zip(run.lights)
         .map_or(mean, |(surfaces, lights)| f64::from(surfaces) + f64::from(lights) + 1.0);
-    let scales = [stage.view.ranges[1], mean, mean, deepest, 1.0, mean];
+    let scales = [stage.view.field.tan_half_width, stage.view.ranges[1], mean, mean, deepest, 1.0, mean];
     let wire = |(signal, full_scale)| Wire { signal, full_scale, volts: 0.0, datum: 0.0 };
     SIGNALS.into_iter().zip(scales).map(wire).collect()
 }
@@ -101,10 +107,11 @@ impl Rows<'_> {
     }
 
     /// Values of all signals at a sub-area, in the order of [`SIGNALS`].
-    fn values(&self, number: usize) -> [f64; 6] {
-        let reading = &self.readings[number];
+    fn values(&self, number: usize) -> [f64; 7] {
+        let (reading, middle) = (&self.readings[number], self.middle(number));
         [
-            self.range(number, reading.q),
+            self.camera.projection.ray(middle).x,
+            self.range(middle, reading.q),
             reading.entries() as f64,
             reading.ticks(self.hardware) as f64,
             f64::from(reading.depth),
@@ -113,10 +120,13 @@ impl Rows<'_> {
         ]
     }
 
-    fn range(&self, number: usize, q: f64) -> f64 {
+    /// Middle pixel of a sub-area (pixels on the screen).
+    fn middle(&self, number: usize) -> [f64; 2] {
         let area = self.screen.sub_area(number);
-        let middle = [area.columns(), area.rows()]
-            .map(|range| f64::from(range.start) + (range.len() / 2) as f64 + 0.5);
+        [area.columns(), area.rows()].map(|range| f64::from(range.start) + (range.len() / 2) as f64 + 0.5)
+    }
+
+    fn range(&self, middle: [f64; 2], q: f64) -> f64 {
         if q > 0.0 { self.camera.ray(middle).truncate().length() / q } else { NO_RANGE }
     }
 }
@@ -143,13 +153,16 @@ mod tests {
             .iter()
             .map(|waveform| (waveform.sweep, waveform.signal.name, waveform.values.as_slice()))
             .collect();
-        let expected: [(u32, &str, &[f64]); 12] = [
+        let across = [-0.04375, 0.05625];
+        let expected: [(u32, &str, &[f64]); 14] = [
+            (0, ACROSS, &across),
             (0, "sampled.range", &[-1.0, -1.0]),
             (0, "sampled.list", &[2.0, 1.0]),
             (0, "sampled.ticks", &[2.0, 1.0]),
             (0, "sampled.stack", &[1.0, 1.0]),
             (0, "sampled.rest", &[0.5, 1.0]),
             (0, "sampled.lights", &[0.0, 1.0]),
+            (1, ACROSS, &across),
             (1, "sampled.range", &[-1.0, -1.0]),
             (1, "sampled.list", &[2.0, 0.0]),
             (1, "sampled.ticks", &[2.0, 2.0]),

@@ -66,7 +66,7 @@ impl Generator for Sampled {
 
     fn scan(&self, view: &View) -> Option<Scan> {
         let timebase = rows::timebase(view)?;
-        Some(Scan { line: "row", timebase, place: rows::RANGE, ahead: None })
+        Some(Scan { line: "row", timebase, place: rows::ACROSS, ahead: None })
     }
 
     fn draws_colour(&self, stage: &Stage) -> bool {
