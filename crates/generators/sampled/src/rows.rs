@@ -16,15 +16,27 @@ use crate::work::frame_ticks;
 /// Place of a sub-area in its row.
 pub(crate) const ACROSS: &str = "sampled.across";
 
+/// Distance of the plane on which rows lie.
+pub(crate) const AHEAD: &str = "sampled.ahead";
+
+/// Value of [`AHEAD`] (m).
+const PLANE: f64 = 1.0;
+
 /// Ground range where a sub-area shows sky (m).
 const NO_RANGE: f64 = -1.0;
 
 /// What can be looked at; a row of sub-areas stands for a sweep, its sub-areas for samples, from the top left on.
-pub(crate) static SIGNALS: [Signal; 7] = [
+pub(crate) static SIGNALS: [Signal; 8] = [
+    Signal::ground(
+        AHEAD,
+        Unit::Metre,
+        "distance of the plane on which rows of sub-areas lie: 1 m",
+        "none: ours",
+    ),
     Signal::ground(
         ACROSS,
         Unit::Metre,
-        "middle of the sub-area on a plane 1 m ahead, to the right of the view axis",
+        "middle of the sub-area on that plane, to the right of the view axis",
         "none: ours",
     ),
     Signal::ground(
@@ -75,7 +87,8 @@ pub(crate) fn wires(stage: &Stage, screen: &Screen, run: &Parameters, hardware: 
         .translucent
         .zip(run.lights)
         .map_or(mean, |(surfaces, lights)| f64::from(surfaces) + f64::from(lights) + 1.0);
-    let scales = [stage.view.field.tan_half_width, stage.view.ranges[1], mean, mean, deepest, 1.0, mean];
+    let scales =
+        [PLANE, stage.view.field.tan_half_width, stage.view.ranges[1], mean, mean, deepest, 1.0, mean];
     let wire = |(signal, full_scale)| Wire { signal, full_scale, volts: 0.0, datum: 0.0 };
     SIGNALS.into_iter().zip(scales).map(wire).collect()
 }
@@ -107,10 +120,11 @@ impl Rows<'_> {
     }
 
     /// Values of all signals at a sub-area, in the order of [`SIGNALS`].
-    fn values(&self, number: usize) -> [f64; 7] {
+    fn values(&self, number: usize) -> [f64; 8] {
         let (reading, middle) = (&self.readings[number], self.middle(number));
         [
-            self.camera.projection.ray(middle).x,
+            PLANE,
+            self.camera.projection.ray(middle).x * PLANE,
             self.range(middle, reading.q),
             reading.entries() as f64,
             reading.ticks(self.hardware) as f64,
@@ -154,7 +168,8 @@ mod tests {
             .map(|waveform| (waveform.sweep, waveform.signal.name, waveform.values.as_slice()))
             .collect();
         let across = [-0.04375, 0.05625];
-        let expected: [(u32, &str, &[f64]); 14] = [
+        let expected: [(u32, &str, &[f64]); 16] = [
+            (0, AHEAD, &[1.0; 2]),
             (0, ACROSS, &across),
             (0, "sampled.range", &[-1.0, -1.0]),
             (0, "sampled.list", &[2.0, 1.0]),
@@ -162,6 +177,7 @@ mod tests {
             (0, "sampled.stack", &[1.0, 1.0]),
             (0, "sampled.rest", &[0.5, 1.0]),
             (0, "sampled.lights", &[0.0, 1.0]),
+            (1, AHEAD, &[1.0; 2]),
             (1, ACROSS, &across),
             (1, "sampled.range", &[-1.0, -1.0]),
             (1, "sampled.list", &[2.0, 0.0]),

@@ -66,7 +66,7 @@ impl Generator for Sampled {
 
     fn scan(&self, view: &View) -> Option<Scan> {
         let timebase = rows::timebase(view)?;
-        Some(Scan { line: "row", timebase, place: rows::ACROSS, ahead: None })
+        Some(Scan { line: "row", timebase, place: rows::ACROSS, ahead: Some(rows::AHEAD) })
     }
 
     fn draws_colour(&self, stage: &Stage) -> bool {
