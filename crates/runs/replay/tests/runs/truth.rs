@@ -5,12 +5,13 @@ use std::fs;
 use std::ops::Range;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Instant;
 
 use files::{Npy, NpyData};
 use generator::{Generator, Label, PlaneKind, Planes};
 use landscape::parabolic_drop;
 use picture::Depth;
-use replay::{Control, Pictures, Progress, ReplayError, RunFolder, TruthOutcome, run, write_truth};
+use replay::{Control, Phases, Pictures, Progress, ReplayError, RunFolder, TruthOutcome, run, write_truth};
 use scenario::{PixelRule, PoseRow, PoseTable, Scenario};
 use serde_json::Value;
 use signal::Probe;
@@ -60,7 +61,7 @@ impl Wish {
         };
         let control = Control { pool: &pool, cancel: &cancel, progress: &progress };
         let folder = RunFolder::claim(out, self.fresh)?;
-        run(&job, &folder, &control)?;
+        run(&job, &folder, &control, &mut Phases::since(Instant::now()))?;
         write_truth(&job, &self.items.parse().expect("a list"), &folder, &control)
     }
 
