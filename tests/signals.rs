@@ -66,7 +66,7 @@ fn some_sweeps_alone_are_those_of_the_whole_frame() {
         let session = scene.stage().prepare();
         let mut whole = Probe::new(vec!["*".into()], 0..96);
         scene.draw(&*session, frame, &mut whole);
-        for asked in [0..1, 3..4, 40..42, 95..96] {
+        for asked in [0..1, 3..4, 28..30, 41..42, 60..61, 95..96] {
             let mut alone = Probe::new(vec!["*".into()], asked.clone());
             // Made ready anew: it has no shadow boundaries but those that these sweeps need.
             let session = scene.stage().prepare();

@@ -260,8 +260,15 @@ impl Supply<'_> {
         let mut cast: Vec<&Outlines> = tiles.iter().map(|tile| &tile.outlines).collect();
         // A map that is read beside its place shows shadows that no sweep meets.
         let all = matches!(self.stage.settings.shadow_controller, ShadowParts::ScanConverter { .. });
-        let shade = Shade::new(foot, edges, self.table.ranges()[0], &self.plan.sun);
-        let may_fall = |body: &Body| all || shade.may_meet([body.centre.x, body.centre.y], body.radius);
+        // What falls nearer than the sweeps begin is left out only where it does so all over the fan: wherever it does not, it takes
+        // line generators of all sweeps that it crosses.
+        let fan = [directions[0], directions[directions.len() - 1]];
+        let shades = [(fan, self.table.ranges()[0]), (edges, 0.0)];
+        let shades = shades.map(|(edges, start)| Shade::new(foot, edges, start, &self.plan.sun));
+        let may_fall = |body: &Body| {
+            let place = [body.centre.x, body.centre.y];
+            all || shades.iter().all(|shade| shade.may_meet(place, body.radius))
+        };
         let meets = |(centre, radius)| all || self.plan.sweeps_of(centre, radius).is_some();
         let of_bodies = seen.par_iter().filter_map(|&number| {
             let body = self.body(number);
