@@ -3,9 +3,11 @@
 use control_plane::{ControlPlane, MachineStage};
 use exact::Columns;
 use explain::{Explanation, Inquiry, InquiryError, Writer};
+use generator::PlaneKind;
 use hardware_model::{HardwareModel, ModelSource};
 use lunoid_tests::{Dice, Shipped, shipped};
 use machine::Prepare;
+use signal::Probe;
 
 fn told(stage: &MachineStage, scene: &Shipped, frame: u64, pixels: &[[usize; 2]]) -> Vec<Explanation> {
     let session = stage.clone().prepare();
@@ -131,4 +133,21 @@ fn the_picture_that_is_kept_is_the_right_one() {
     let told = asked.map(|(frame, pixel)| (ask(&kept, frame, pixel), ask(&new(), frame, pixel)));
     assert!(told.iter().all(|(kept, new)| kept == new));
     assert!(told[0].0.intensity != told[2].0.intensity, "the frames differ there");
+}
+
+/// No more of the picture is drawn than the pixel needs: what is told stands in the whole picture, and in the whole frame's signals.
+#[test]
+fn a_pixel_is_told_as_the_whole_frame_has_it() {
+    for (name, frame, sweeps) in [("craters", 10, 200), ("long-shadows", 30, 150), ("showpiece", 5, 96)] {
+        let scene = Shipped::read(name, Some(sweeps));
+        let mut probe = Probe::new(vec!["sm.write".into()], 0..sweeps);
+        let whole = scene.draw(&*scene.stage().prepare(), frame, &mut probe).planes;
+        let light = whole.get(PlaneKind::Intensity).unwrap();
+        for told in told(&scene.stage(), &scene, frame, &pixels(&scene, 13, 8)) {
+            let [x, y] = told.pixel;
+            assert_eq!(told.intensity, f64::from(light[y * whole.columns() + x]), "{name}, {x},{y}");
+            let wave = probe.waveforms.iter().find(|wave| wave.sweep == told.place.sweep).unwrap();
+            assert_eq!(told.left, wave.values[told.place.cell], "{name}, {x},{y}");
+        }
+    }
 }

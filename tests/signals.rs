@@ -49,6 +49,60 @@ fn every_signal_is_named_once_and_belongs_to_a_block_of_the_house() {
     }
 }
 
+/// Shadow gates are found for the sweeps that are looked at alone, with or without drums and a processor that take time.
+#[test]
+fn some_sweeps_alone_are_those_of_the_whole_frame() {
+    let mut changes = 0;
+    for (name, machine, frame) in [
+        ("craters", "ideal", 10),
+        ("long-shadows", "ideal", 30),
+        ("long-shadows", "pra-nominal", 4),
+        ("full-drive", "pra-overloaded", 3),
+        ("showpiece", "ideal", 5),
+    ] {
+        let scene = Shipped::changed(name, Some(96), |scenario| scenario.machine = machine.into());
+        let (pose, raster) = (scene.pose(frame).pose, scene.settings.raster);
+        let size = [raster.columns, raster.lines].map(|count| count as usize);
+        let session = scene.stage().prepare();
+        let mut whole = Probe::new(vec!["*".into()], 0..96);
+        scene.draw(&*session, frame, &mut whole);
+        for asked in [0..1, 3..4, 28..30, 41..42, 60..61, 95..96] {
+            let mut alone = Probe::new(vec!["*".into()], asked.clone());
+            // Made ready anew: it has no shadow boundaries but those that these sweeps need.
+            let session = scene.stage().prepare();
+            session.frame(frame, &pose, &mut Planes::new(size[0], size[1], &[]), &mut alone).unwrap();
+            let of_whole: Vec<_> =
+                whole.waveforms.iter().filter(|wave| asked.contains(&wave.sweep)).cloned().collect();
+            assert!(of_whole == alone.waveforms, "{name} on {machine}, sweeps {asked:?}");
+            let gates = of_whole.iter().filter(|wave| wave.signal.name == "sc.gate");
+            changes += gates.map(|gate| gate.values.len() - 1).sum::<usize>();
+        }
+    }
+    assert!(changes > 20, "{changes} changes of the gate");
+}
+
+/// A column drawn alone is that of the whole picture, with a tube and without.
+#[test]
+fn a_column_alone_is_that_of_the_whole_picture() {
+    for (name, machine) in [("craters", "ideal"), ("long-shadows", "ideal"), ("craters", "pra-nominal")] {
+        let scene = Shipped::changed(name, Some(96), |scenario| scenario.machine = machine.into());
+        let (pose, raster) = (scene.pose(4).pose, scene.settings.raster);
+        let whole = scene.machine(4).planes;
+        for column in [0, 40, raster.columns as usize - 1] {
+            let mut planes =
+                Planes::new(raster.columns as usize, raster.lines as usize, &[PlaneKind::Intensity]);
+            let session = scene.stage().prepare();
+            let there = session.column(4, &pose, column, &mut planes, &mut Probe::off()).unwrap();
+            assert!(there.contains(&column), "{there:?}");
+            let [found, expected] = [&planes, &whole].map(|planes| {
+                let rows = planes.get(PlaneKind::Intensity).unwrap().chunks_exact(planes.columns());
+                rows.flat_map(|row| row[there.clone()].to_vec()).collect::<Vec<f32>>()
+            });
+            assert!(found == expected, "{name} on {machine}, columns {there:?}");
+        }
+    }
+}
+
 #[test]
 fn what_the_colours_add_is_the_height() {
     for seed in SEEDS {

@@ -42,6 +42,12 @@ pub struct Tile<'a> {
 }
 
 impl<'a> Tile<'a> {
+    /// The columns of the tile that holds column `column` of a picture `columns` wide.
+    pub fn columns_beside(column: usize, columns: usize) -> Range<usize> {
+        let first = column / TILE * TILE;
+        first..columns.min(first + TILE)
+    }
+
     /// The tiles of a picture (row by row, `columns` wide), from left to right; none of one that nobody wants, which has no
     /// columns.
     pub fn all(picture: &'a mut [f32], columns: usize) -> Vec<Self> {

@@ -62,9 +62,11 @@ pub struct Supply<'a> {
     pub absent_shadows: Option<&'a Absent>,
     /// Bodies that are not in the storage buffer, ascending.
     pub absent_bodies: &'a [u32],
+    /// Sweeps whose shadow gates are wanted; those of others are empty.
+    pub gated: Range<u32>,
 }
 
-/// Outlines of all shadows that the sweeps of a frame can meet.
+/// Outlines of all shadows that the sweeps can meet whose gates are wanted.
 struct Cast<'a> {
     /// Those that lie in the shadow bank.
     stored: &'a [&'a Outlines],
@@ -172,6 +174,9 @@ impl Supply<'_> {
         time: f64,
         gates: &mut Vec<Gate>,
     ) {
+        if self.gated.is_empty() {
+            return gates.clear();
+        }
         let (reach, end) = (shadows.reach, self.stage.settings.range.end);
         let timing = |sweep: u32| {
             let place = (self.plan.frame, sweep);
@@ -186,6 +191,11 @@ impl Supply<'_> {
             };
             gates.clear();
             for sweeps in self.spells(absent) {
+                let is_wanted = sweeps.start < self.gated.end && self.gated.start < sweeps.end;
+                if !is_wanted {
+                    gates.resize_with(sweeps.end as usize, Gate::default);
+                    continue;
+                }
                 let there = self.there(cast, absent, sweeps.start);
                 let all: Vec<&Outlines> = there.iter().chain(cast.own).collect();
                 let directions = &directions[sweeps.start as usize..sweeps.end as usize];
@@ -199,6 +209,17 @@ impl Supply<'_> {
         if reach < end {
             gates.iter_mut().for_each(|gate| gate.end_at(reach));
         }
+        // Of what others meet not all was asked for.
+        let others = (0..).zip(gates.iter_mut()).filter(|(sweep, _)| !self.gated.contains(sweep));
+        others.for_each(|(_, gate)| *gate = Gate::default());
+    }
+
+    /// Directions of the sweeps between which all lies that the gates are made of: one more on either side than are wanted, so that
+    /// rounding leaves nothing out.
+    fn edges(&self, directions: &[[f64; 2]]) -> [[f64; 2]; 2] {
+        let last = directions.len() - 1;
+        let Range { start, end } = self.gated;
+        [directions[(start as usize).saturating_sub(1)], directions[last.min(end as usize)]]
     }
 
     /// Stored outlines that the storage buffer has as sweep `sweep` begins.
@@ -220,7 +241,7 @@ impl Supply<'_> {
         begins.iter().zip(ends).map(|(&begin, end)| begin..end).collect()
     }
 
-    /// Hands directions of the sweeps and lists of outlines of all shadows that they can meet to `take`.
+    /// Hands directions of the sweeps, and lists of outlines of all shadows that those can meet whose gates are wanted, to `take`.
     fn with_outlines<T>(
         &self,
         shadows: &Shadows,
@@ -231,7 +252,7 @@ impl Supply<'_> {
     ) -> T {
         let sweeps = self.plan.fan.sweeps;
         let directions: Vec<[f64; 2]> = (0..sweeps).map(|sweep| self.plan.direction(sweep)).collect();
-        let edges = [directions[0], directions[sweeps as usize - 1]];
+        let edges = self.edges(&directions);
         let foot = [self.plan.eye[0], self.plan.eye[1]];
         let reach = shadows.reach;
         let (place, scale) = shadows.controller.reading(foot);
@@ -239,8 +260,15 @@ impl Supply<'_> {
         let mut cast: Vec<&Outlines> = tiles.iter().map(|tile| &tile.outlines).collect();
         // A map that is read beside its place shows shadows that no sweep meets.
         let all = matches!(self.stage.settings.shadow_controller, ShadowParts::ScanConverter { .. });
-        let shade = Shade::new(foot, edges, self.table.ranges()[0], &self.plan.sun);
-        let may_fall = |body: &Body| all || shade.may_meet([body.centre.x, body.centre.y], body.radius);
+        // What falls nearer than the sweeps begin is left out only where it does so all over the fan: wherever it does not, it takes
+        // line generators of all sweeps that it crosses.
+        let fan = [directions[0], directions[directions.len() - 1]];
+        let shades = [(fan, self.table.ranges()[0]), (edges, 0.0)];
+        let shades = shades.map(|(edges, start)| Shade::new(foot, edges, start, &self.plan.sun));
+        let may_fall = |body: &Body| {
+            let place = [body.centre.x, body.centre.y];
+            all || shades.iter().all(|shade| shade.may_meet(place, body.radius))
+        };
         let meets = |(centre, radius)| all || self.plan.sweeps_of(centre, radius).is_some();
         let of_bodies = seen.par_iter().filter_map(|&number| {
             let body = self.body(number);

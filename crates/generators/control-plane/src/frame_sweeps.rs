@@ -112,6 +112,7 @@ impl ControlPlane {
             ready: sweeps.digital().ready_vertices(),
             absent_shadows: sweeps.digital().absent_shadows.as_ref(),
             absent_bodies: &sweeps.digital().absent_bodies,
+            gated: 0..sweeps.plan().fan.sweeps,
         }
     }
 

@@ -152,6 +152,23 @@ pub trait Session: Send + Sync {
         probe: &mut Probe,
     ) -> Result<FrameCounts, FrameError>;
 
+    /// The same for whoever looks at column `column` of the picture alone, and draws no more than that takes. Returns the columns of
+    /// `planes` that are as [`frame`](Self::frame) draws them, that one among them; the others hold anything.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    fn column(
+        &self,
+        frame: u64,
+        pose: &Pose,
+        _column: usize,
+        planes: &mut Planes,
+        probe: &mut Probe,
+    ) -> Result<Range<usize>, FrameError> {
+        self.frame(frame, pose, planes, probe)?;
+        Ok(0..planes.columns())
+    }
+
     /// Draws showing `showing` of frame `frame`, from 0, as a display repeats it at the refresh rate. `false` if every showing is
     /// what [`frame`](Self::frame) draws: then `planes` keep what they hold. Otherwise `frame` draws the last showing.
     ///

@@ -16,7 +16,8 @@ use crate::picture::Picture;
 const MORE_FRAMES: usize = 4;
 
 impl<S: Real> Elaborated<S> {
-    /// Writes the sweeps of a frame that has begun, and reads them into `picture`, if that has any pixels.
+    /// Writes the sweeps of a frame that has begun, and reads them into `picture`, if that has any pixels: all of it, or where no
+    /// tube keeps it the tiles whose sweeps are all wanted.
     pub(crate) fn read(
         &self,
         begun: &Begun,
@@ -36,7 +37,7 @@ impl<S: Real> Elaborated<S> {
                 Ok(groups)
             }
             _ => {
-                let picture = Picture::new(self.reading(plan, yoke, columns), picture);
+                let picture = Picture::new(self.reading(plan, yoke, columns), picture, wanted.picture);
                 Ok(self.write_and_read(begun, wanted, &picture))
             }
         }
@@ -47,7 +48,7 @@ impl<S: Real> Elaborated<S> {
         let raster = &self.stage.settings.raster;
         let mut picture = vec![0.0; raster.columns as usize * raster.lines as usize];
         let begun = self.begin(frame, pose)?;
-        self.read(&begun, pose.yoke, Wanted { look: &(), picture: true }, &mut picture)?;
+        self.read(&begun, pose.yoke, Wanted { look: &(), picture: &self.all_sweeps() }, &mut picture)?;
         self.deliveries.give_back(begun.delivery);
         Ok(Arc::new(picture))
     }

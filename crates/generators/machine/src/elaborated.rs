@@ -1,5 +1,7 @@
 //! A machine made ready for one stage.
 
+use std::ops::Range;
+
 use control_plane::{
     Blocks, Crossings, Delivery, Digital, DigitalFrame, Elaboration, FramePlan, MachineStage, Supply,
     Surroundings, WrittenRaster, vertices,
@@ -9,8 +11,8 @@ use generator::FrameError;
 use polyhedron_generator::NearTable;
 use remote_shadow::Footings;
 use scenario::Pose;
-use signal::Real;
-use signal_plane::{Group, RealParts, Workspace};
+use signal::{LANES, Real};
+use signal_plane::{Group, Look, RealParts, Wanted, Workspace};
 use sweep_generator::RangeTable;
 
 use crate::picture::Cells;
@@ -73,23 +75,55 @@ impl<S: Real> Elaborated<S> {
         }
     }
 
-    /// Begins `frame` from `pose`.
+    /// Begins `frame` from `pose`, for all that may be wanted of it.
     ///
     /// # Errors
     /// If the pose cannot be drawn.
     pub(crate) fn begin(&self, frame: u64, pose: &Pose) -> Result<Begun, FrameError> {
         let plan = FramePlan::new(frame, pose, &self.stage, &self.raster.field)?;
-        let digital = self.digital_frame(&plan, pose.time);
-        let delivery = self.deliver(&plan, &digital, pose.time)?;
+        self.begin_for(plan, pose.time, Wanted { look: &(), picture: &self.all_sweeps() })
+    }
+
+    /// Begins the frame of `plan` at `time` (s) for what is `wanted` of it, and nothing more.
+    ///
+    /// # Errors
+    /// If the shadow cache cannot be kept.
+    pub(crate) fn begin_for(
+        &self,
+        plan: FramePlan,
+        time: f64,
+        wanted: Wanted<'_, impl Look>,
+    ) -> Result<Begun, FrameError> {
+        let digital = self.digital_frame(&plan, time);
+        let delivery = self.deliver(&plan, &digital, time, self.gated(&digital, wanted))?;
         Ok(Begun { plan, digital, delivery })
     }
 
-    /// What the I/O processors bring for the frame of `plan` at `time` (s).
+    /// All sweeps of a frame.
+    pub(crate) fn all_sweeps(&self) -> Range<u32> {
+        0..self.stage.settings.raster.sweeps
+    }
+
+    /// Sweeps from the first to the last whose shadow gates a frame needs: those of the set-ups that its groups are drawn with.
+    fn gated(&self, digital: &DigitalFrame, wanted: Wanted<'_, impl Look>) -> Range<u32> {
+        let all = self.all_sweeps();
+        if *wanted.picture == all {
+            return all;
+        }
+        let groups = all.clone().step_by(LANES).filter(|&first| wanted.group(first));
+        let sweeps = groups.flat_map(|first| first..all.end.min(first + LANES as u32));
+        let set_ups: Vec<u32> = sweeps.map(|sweep| digital.drawn(sweep)).collect();
+        let ends = set_ups.iter().min().zip(set_ups.iter().max());
+        ends.map_or(0..0, |(&first, &last)| first..last + 1)
+    }
+
+    /// What the I/O processors bring for the frame of `plan` at `time` (s), with the shadow gates of the sweeps `gated`.
     pub(crate) fn deliver(
         &self,
         plan: &FramePlan,
         digital: &DigitalFrame,
         time: f64,
+        gated: Range<u32>,
     ) -> Result<Delivery, FrameError> {
         let mut delivery = self.deliveries.take();
         let supply = Supply {
@@ -102,6 +136,7 @@ impl<S: Real> Elaborated<S> {
             ready: digital.ready_vertices(),
             absent_shadows: digital.absent_shadows.as_ref(),
             absent_bodies: &digital.absent_bodies,
+            gated,
         };
         supply.deliver(time, &mut delivery);
         supply.check_cache()?;

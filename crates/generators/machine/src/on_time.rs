@@ -139,7 +139,7 @@ impl<S: Real> Elaborated<S> {
         let mut begun = self.begin(frame, pose)?;
         let draw = || {
             let mut store = Vec::new();
-            let wanted = Wanted { look: &(), picture: true };
+            let wanted = Wanted { look: &(), picture: &self.all_sweeps() };
             self.write(&begun.plan, &begun, wanted, &mut store);
             Arc::new((begun.plan, store))
         };
@@ -147,7 +147,7 @@ impl<S: Real> Elaborated<S> {
         let mut would_be = Arc::clone(&is);
         if frame == on_time.late.frame {
             self.bring_on_time(on_time.late, pose.time, &mut begun)?;
-            let wanted = Wanted { look: &Again(&on_time.again), picture: false };
+            let wanted = Wanted { look: &Again(&on_time.again), picture: &(0..0) };
             self.write(&begun.plan, &begun, wanted, &mut Arc::make_mut(&mut would_be).1);
         }
         self.deliveries.give_back(begun.delivery);
@@ -161,7 +161,7 @@ impl<S: Real> Elaborated<S> {
         let sweep = if is_of_gate { begun.digital.drawn(late.sweep) } else { late.sweep };
         begun.plan = begun.plan.with_words_on_time(LateWords { sweep, ..late });
         if is_of_gate {
-            let other = self.deliver(&begun.plan, &begun.digital, time)?;
+            let other = self.deliver(&begun.plan, &begun.digital, time, self.all_sweeps())?;
             self.deliveries.give_back(mem::replace(&mut begun.delivery, other));
         }
         Ok(())

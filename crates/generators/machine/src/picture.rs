@@ -31,15 +31,19 @@ struct State<'a> {
 }
 
 impl<'a> Picture<'a> {
-    /// A picture that is read into `pixels` (row by row).
-    pub fn new(reading: Reading, pixels: &'a mut [f32]) -> Self {
+    /// A picture that is read into `pixels` (row by row): those of its tiles whose sweeps are all among the `written`.
+    pub fn new(reading: Reading, pixels: &'a mut [f32], written: &Range<u32>) -> Self {
+        let written = written.start as usize..written.end as usize;
         let waiting = |tile: Tile<'a>| {
             let sweeps = reading.sweeps(&tile.columns);
+            if sweeps.start < written.start || written.end < sweeps.end {
+                return None;
+            }
             let groups = sweeps.start / LANES..sweeps.end.div_ceil(LANES);
             let cells = vec![None; groups.len()];
-            Waiting { groups, state: Mutex::new(State { tile, cells }) }
+            Some(Waiting { groups, state: Mutex::new(State { tile, cells }) })
         };
-        Self { reading, tiles: Tile::all(pixels, reading.columns).into_iter().map(waiting).collect() }
+        Self { reading, tiles: Tile::all(pixels, reading.columns).into_iter().filter_map(waiting).collect() }
     }
 
     /// Takes what group `group` has written, and reads the tiles that waited for it alone. Cells that no tile waits for

@@ -176,7 +176,7 @@ impl<S: Real> Elaborated<S> {
             return known.to_vec();
         }
         let mut store = Vec::new();
-        let wanted = Wanted { look: &Again(&rest), picture: false };
+        let wanted = Wanted { look: &Again(&rest), picture: &(0..0) };
         self.write(&begun.plan, begun, wanted, &mut store);
         store.truncate(values);
         store[..known.len()].copy_from_slice(known);

@@ -9,6 +9,7 @@ use picture_tube::PictureTube;
 use scenario::Pose;
 use signal::{Probe, Real, Waveform, Wire};
 use signal_plane::{Look, Wanted, wires};
+use sweep_memory::Tile;
 
 use crate::counts::{MachineCounts, delivery_counts};
 use crate::elaborated::{Begun, Elaborated};
@@ -23,9 +24,22 @@ impl<S: Real> Elaborated<S> {
         planes: &mut Planes,
         look: &impl Look,
     ) -> Result<(FrameCounts, Vec<Waveform>), FrameError> {
+        self.draw_columns((frame, 0..planes.columns()), pose, planes, look)
+    }
+
+    /// The same of some columns of the picture: all, or those of a tile where no tube keeps it.
+    fn draw_columns(
+        &self,
+        (frame, columns): (u64, Range<usize>),
+        pose: &Pose,
+        planes: &mut Planes,
+        look: &impl Look,
+    ) -> Result<(FrameCounts, Vec<Waveform>), FrameError> {
         let settings = &self.stage.settings;
-        let begun = self.begin(frame, pose)?;
-        let wanted = Wanted { look, picture: planes.any() };
+        let plan = FramePlan::new(frame, pose, &self.stage, &self.raster.field)?;
+        let picture = if planes.any() { self.sweeps_of(&plan, pose.yoke, &columns) } else { 0..0 };
+        let wanted = Wanted { look, picture: &picture };
+        let begun = self.begin_for(plan, pose.time, wanted)?;
         let mut nothing = [];
         let pixels = planes.get_mut(PlaneKind::Intensity).unwrap_or(&mut nothing);
         let groups = self.read(&begun, pose.yoke, wanted, pixels)?;
@@ -43,6 +57,16 @@ impl<S: Real> Elaborated<S> {
         }
         Ok((total.into(), waveforms))
     }
+
+    /// Sweeps that some columns of the picture are read from.
+    fn sweeps_of(&self, plan: &FramePlan, yoke: f64, columns: &Range<usize>) -> Range<u32> {
+        let all = self.stage.settings.raster.columns as usize;
+        if *columns == (0..all) {
+            return self.all_sweeps();
+        }
+        let Range { start, end } = self.reading(plan, yoke, all).sweeps(columns);
+        start as u32..end as u32
+    }
 }
 
 impl<S: Real> Session for Elaborated<S> {
@@ -56,6 +80,22 @@ impl<S: Real> Session for Elaborated<S> {
         let (counts, waveforms) = self.draw(frame, pose, planes, &*probe)?;
         probe.waveforms.extend(waveforms);
         Ok(counts)
+    }
+
+    fn column(
+        &self,
+        frame: u64,
+        pose: &Pose,
+        column: usize,
+        planes: &mut Planes,
+        probe: &mut Probe,
+    ) -> Result<Range<usize>, FrameError> {
+        let has_tubes = self.parts.tube.is_some() || self.parts.picture_tube.is_some();
+        let all = planes.columns();
+        let columns = if has_tubes { 0..all } else { Tile::columns_beside(column, all) };
+        let (_, waveforms) = self.draw_columns((frame, columns.clone()), pose, planes, &*probe)?;
+        probe.waveforms.extend(waveforms);
+        Ok(columns)
     }
 
     fn repeat(&self, frame: u64, pose: &Pose, showing: u64, planes: &mut Planes) -> Result<bool, FrameError> {

@@ -61,7 +61,7 @@ impl<S: Real> Elaborated<S> {
         let draw = || {
             let begun = self.begin(frame, pose)?;
             let mut store = Vec::new();
-            let wanted = Wanted { look: &(), picture: true };
+            let wanted = Wanted { look: &(), picture: &self.all_sweeps() };
             self.write(&begun.plan, &begun, wanted, &mut store);
             self.deliveries.give_back(begun.delivery);
             Ok(Arc::new((begun.plan, store)))

@@ -59,8 +59,8 @@ impl Look for () {
 pub struct Wanted<'a, L> {
     /// Who looks at signals.
     pub look: &'a L,
-    /// Whether anybody wants the picture.
-    pub picture: bool,
+    /// Sweeps that the picture is wanted of: all, none, or those of some columns.
+    pub picture: &'a Range<u32>,
 }
 
 impl<L> Clone for Wanted<'_, L> {
@@ -74,6 +74,8 @@ impl<L> Copy for Wanted<'_, L> {}
 impl<L: Look> Wanted<'_, L> {
     /// Whether anyone wants a sweep of the group that begins at sweep `first`.
     pub fn group(&self, first: u32) -> bool {
-        self.picture || self.look.wants_any_of(first..first + LANES as u32)
+        let group = first..first + LANES as u32;
+        let is_shown = self.picture.start < group.end && group.start < self.picture.end;
+        is_shown || self.look.wants_any_of(group)
     }
 }

@@ -1,5 +1,6 @@
 //! The way from a pixel to its sample.
 
+use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
 use control_plane::{ControlPlane, FrameSweeps, MachineStage};
@@ -146,6 +147,8 @@ struct Picture {
     frame: u64,
     pose: Pose,
     planes: Planes,
+    /// Columns that are there.
+    columns: Range<usize>,
 }
 
 impl<'a> Inquiry<'a> {
@@ -159,8 +162,8 @@ impl<'a> Inquiry<'a> {
         Self { stage, session, control, exact, last: Mutex::new(None) }
     }
 
-    /// Explains pixel (column, line) of a frame. The frame is drawn by the threads of the current pool, once for all pixels
-    /// that are asked about one after another.
+    /// Explains pixel (column, line) of a frame. Its picture is drawn by the threads of the current pool, as much of it
+    /// as the pixel needs, and once for all pixels there that are asked about one after another.
     ///
     /// # Errors
     /// If there is no such pixel, or the pose cannot be drawn.
@@ -226,13 +229,15 @@ impl<'a> Inquiry<'a> {
         let raster = &self.stage.settings.raster;
         let [columns, lines] = [raster.columns, raster.lines].map(|count| count as usize);
         let mut last = self.last.lock().unwrap_or_else(PoisonError::into_inner);
-        let known = last.take().filter(|known| known.frame == frame && known.pose == *pose);
+        let is_there =
+            |known: &Picture| known.frame == frame && known.pose == *pose && known.columns.contains(&x);
+        let known = last.take().filter(is_there);
         let kinds: &[PlaneKind] = if known.is_some() { &[] } else { &[PlaneKind::Intensity] };
         let mut planes = Planes::new(columns, lines, kinds);
         let patterns = SIGNALS.iter().map(|name| (*name).to_owned()).collect();
         let mut probe = Probe::new(patterns, sweep..sweep + 1);
-        self.session.frame(frame, pose, &mut planes, &mut probe)?;
-        let picture = known.unwrap_or(Picture { frame, pose: *pose, planes });
+        let columns_drawn = self.session.column(frame, pose, x, &mut planes, &mut probe)?;
+        let picture = known.unwrap_or(Picture { frame, pose: *pose, planes, columns: columns_drawn });
         let intensity = picture.planes.get(PlaneKind::Intensity);
         let shown = intensity.map_or(0.0, |plane| plane[y * columns + x]);
         *last = Some(picture);
