@@ -5,6 +5,7 @@ mod bad_input;
 mod banks;
 mod cartridges;
 mod changed;
+mod channels;
 mod checks;
 mod colour;
 mod columns;
