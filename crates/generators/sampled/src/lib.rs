@@ -106,6 +106,7 @@
 //! Remote shadow, texture, far silhouettes and vehicle tracks are listed as omissions. Insertions that a nearer feature undoes
 //! take no time, and discs of the sky take no place in lists.
 
+mod beam;
 mod camera;
 mod faces;
 mod hardware;
@@ -114,6 +115,7 @@ mod lights;
 mod overload;
 mod parameters;
 mod picture;
+mod point;
 mod reading;
 mod row;
 mod rows;
@@ -129,7 +131,7 @@ mod work;
 
 pub use hardware::{Hardware, Memory};
 pub use overload::Overload;
-pub use parameters::Parameters;
+pub use parameters::{BeamLayer, BeamOrder, Parameters};
 pub use row::ROW;
 pub use session::Sampled;
 pub use timed::Clocked;

@@ -1,16 +1,14 @@
 //! From a scene to a picture: all sub-areas, then the beam.
 
-use std::collections::HashMap;
-
 use generator::{FrameError, Label, PlaneKind, Planes};
 use glam::DVec3;
-use light_points::{BeamPoint, Share, Spot, add_up};
 use quantities::luminance;
 use raster::Screen;
 use rayon::prelude::*;
 use scenario::View;
 use translucency::{FeatureError, Losses};
 
+use crate::beam::Beam;
 use crate::hardware::Hardware;
 use crate::overload::{self, LostEntry};
 use crate::parameters::Parameters;
@@ -27,10 +25,8 @@ pub struct Picture {
     pub surfaces: Vec<(f64, Label)>,
     /// What the limits of the stacks lost.
     pub losses: Losses,
-    /// Points that the beam drew, in the order of drawing.
-    pub beam: Vec<BeamPoint>,
-    /// Points for which the beam had no time.
-    pub dropped: Vec<BeamPoint>,
+    /// What the beam draws.
+    pub beam: Beam,
     /// Entries of all lists.
     pub entries: u64,
     /// Entries that found no place in the lists, by sub-area.
@@ -75,7 +71,9 @@ pub fn draw(
     picture.entries = lists.entries() as u64;
     picture.lost = lost;
     picture.readings = readings.into_iter().flatten().collect();
-    draw_beam(&mut picture, scene, &tiles, screen, run, hardware, view);
+    let points = &scene.lights.points;
+    picture.beam = Beam::new(points, &tiles, run, hardware, (1e9 / view.update.hertz()) as u64);
+    picture.beam.draw(points, run, screen, &mut picture.colours);
     Ok(picture)
 }
 
@@ -110,41 +108,6 @@ fn join(tiles: &[Tile], screen: &Screen, reach: usize) -> Picture {
         .map(|([red, green, blue], weight)| [red / weight, green / weight, blue / weight])
         .collect();
     Picture { colours, surfaces, losses, ..Picture::default() }
-}
-
-/// Adds the spots of the calligraphic points for which the beam has time.
-fn draw_beam(
-    picture: &mut Picture,
-    scene: &Scene,
-    tiles: &[Tile],
-    screen: &Screen,
-    run: &Parameters,
-    hardware: &Hardware,
-    view: &View,
-) {
-    let points = &scene.lights.points;
-    let shares = tiles.iter().zip(0..).flat_map(|(tile, area)| {
-        tile.shares.iter().map(move |&(point, share): &(u32, Share)| (area, point, share))
-    });
-    let sums = add_up(shares.collect(), points.len());
-    let lit =
-        points.iter().zip(&sums).filter(|(point, _)| point.is_calligraphic).filter_map(|(point, sum)| {
-            let intensity = sum.display(point.disc.intensity)?;
-            (intensity > 0.0).then(|| point.of_beam(intensity * point.disc.area()))
-        });
-    picture.beam = lit.collect();
-    let field_ns = (1e9 / view.update.hertz()) as u64;
-    picture.dropped = hardware.beam.drop_faintest(&mut picture.beam, field_ns);
-    let Ok(spot) = Spot::new(run.spot) else { return };
-    let colours: HashMap<u32, [f64; 3]> = points.iter().map(|point| (point.id, point.colour())).collect();
-    let width = screen.size()[0] as usize;
-    for beam in &picture.beam {
-        let colour = colours[&beam.id];
-        spot.draw(beam.place, beam.light, screen.size(), |[x, y], light| {
-            let pixel = &mut picture.colours[y as usize * width + x as usize];
-            *pixel = std::array::from_fn(|channel| pixel[channel] + light * colour[channel]);
-        });
-    }
 }
 
 /// Fills the planes that a caller wants.

@@ -3,6 +3,7 @@
 mod augment;
 mod bad_input;
 mod banks;
+mod beam;
 mod cartridges;
 mod changed;
 mod channels;
