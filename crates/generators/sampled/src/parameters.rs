@@ -58,7 +58,7 @@ pub enum BeamOrder {
 pub enum BeamLayer {
     /// The raster with the beam's spots over it.
     Both,
-    /// The raster alone.
+    /// The raster without the beam.
     Raster,
     /// The beam's spots over black.
     Beam,

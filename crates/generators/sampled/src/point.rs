@@ -19,7 +19,7 @@ pub struct SamplingPoint<'a> {
     pub stack: &'a Stack,
     /// Number of the sub-area.
     pub sub_area: usize,
-    /// Its pixels.
+    /// Pixels of the sub-area.
     pub area: SubArea,
     /// Column and line of the pixel.
     pub pixel: [usize; 2],
