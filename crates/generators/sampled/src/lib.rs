@@ -111,6 +111,8 @@ mod camera;
 mod faces;
 mod hardware;
 mod inputs;
+mod judged;
+mod ladders;
 mod lights;
 mod overload;
 mod parameters;

@@ -1,8 +1,8 @@
 //! The generator and its sessions.
 
 use generator::{
-    BeamEntry, Counter, Fact, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes,
-    PrepareError, Scan, Session as GeneratorSession, Stage, Timed, Weight, check_eye,
+    BeamEntry, Counter, FaceScene, Fact, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind,
+    Planes, PrepareError, Scan, Session as GeneratorSession, Stage, Timed, Weight, check_eye,
 };
 use raster::{Lists, Screen};
 use scenario::{Pose, View};
@@ -21,7 +21,7 @@ use crate::rows::{self, Rows};
 use crate::scene::Scene;
 use crate::tile::{SIDE, Sampler};
 use crate::timed::Clocked;
-use crate::{overload, store};
+use crate::{judged, overload, store};
 
 /// The sampled generator; see the crate's data sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -278,6 +278,12 @@ impl GeneratorSession for Session {
             number,
         };
         Ok((number < stack.samples()).then(|| point.document()))
+    }
+
+    fn faces(&self, frame: u64, pose: &Pose) -> Result<Option<FaceScene>, FrameError> {
+        self.check(frame, pose)?;
+        let scene = Scene::new(&self.stage, &self.parameters, &self.screen, frame, pose)?;
+        Ok(Some(judged::faces(scene, &self.parameters)))
     }
 
     fn beam_list(&self, frame: u64, pose: &Pose) -> Result<Option<Vec<BeamEntry>>, FrameError> {
