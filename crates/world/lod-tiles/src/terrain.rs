@@ -36,7 +36,7 @@ impl Terrain {
             if places.len() <= side || (places.len() - 1) % side != 0 {
                 return Err(TileError::Posts { axis, posts: places.len(), side });
             }
-            if let Some(before) = places.windows(2).position(|pair| !(pair[0] < pair[1])) {
+            if let Some(before) = places.windows(2).position(|pair| pair[1].is_nan() || pair[1] <= pair[0]) {
                 return Err(TileError::Places { axis, index: before + 1 });
             }
         }
