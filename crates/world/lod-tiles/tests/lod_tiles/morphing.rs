@@ -70,7 +70,7 @@ fn both_ends_are_exact() {
 #[test]
 fn morphing_is_linear_in_the_fraction() {
     let mut dice = Dice(9);
-    let terrain = tile(3, |x, y| 40.0 * (0.7 * x).sin() + 25.0 * (1.3 * y).cos());
+    let terrain = tile(3, |x, y| 40.0 * libm::sin(0.7 * x) + 25.0 * libm::cos(1.3 * y));
     for _ in 0..500 {
         let place = [8.0 * dice.next(), 8.0 * dice.next()];
         let of = |fraction: f64| {
