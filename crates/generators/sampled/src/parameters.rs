@@ -34,14 +34,17 @@ pub struct Parameters {
     pub spot: f64,
     /// Half the side of the innermost square of ground (m).
     pub ground_half_side: f64,
-    /// Cells along half the side of every square of ground.
+    /// Most cells along half the side of every square of ground.
     pub ground_cells: u32,
+    /// Error of the ground in the view of frame 0 (pixels) up to which it has fewer cells; 0 for never.
+    pub ground_error: f64,
     /// Which features lose their places where a list is full.
     pub overload: Overload,
 }
 
 impl Default for Parameters {
-    /// One light and four translucent surfaces a sampling point: the claims name one light (6); all other figures are chosen.
+    /// One light and four translucent surfaces a sampling point: the claims name one light (6); all other figures are chosen. An
+    /// error of the ground of half a pixel is as much as the points of the pattern `4` are apart.
     fn default() -> Self {
         Self {
             pattern: Pattern::Four,
@@ -57,6 +60,7 @@ impl Default for Parameters {
             spot: light_points::Spot::DEFAULT_SIGMA,
             ground_half_side: 32.0,
             ground_cells: 128,
+            ground_error: 0.5,
             overload: Overload::DropSmallest,
         }
     }
@@ -94,6 +98,8 @@ impl Parameters {
             .between(ground_mesh::FEWEST_CELLS, ground_mesh::MOST_CELLS)
             .must(rule, |cells| cells.is_multiple_of(4))
             .default(usual.ground_cells);
+        let ground_error =
+            table.f64("ground_error_px").between(0.0, 100.0).unit("pixels").default(usual.ground_error);
         let overload = table.one_of("overload", &Overload::WORDS).default(usual.overload);
         let read = Self {
             pattern: pattern?,
@@ -109,6 +115,7 @@ impl Parameters {
             spot: spot?,
             ground_half_side: ground_half_side?,
             ground_cells: ground_cells?,
+            ground_error: ground_error?,
             overload: overload?,
         };
         read.check(table)

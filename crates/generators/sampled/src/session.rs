@@ -4,6 +4,7 @@ use generator::{
     Counter, Fact, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes, PrepareError,
     Scan, Session as GeneratorSession, Stage, Timed, Weight, check_eye,
 };
+use ground_mesh::Rings;
 use raster::Screen;
 use scenario::{Pose, View};
 use serde_json::{Value, json};
@@ -18,7 +19,7 @@ use crate::rows::{self, Rows};
 use crate::scene::Scene;
 use crate::tile::{SIDE, Sampler};
 use crate::timed::Clocked;
-use crate::{overload, store};
+use crate::{ground, overload, store};
 
 /// The sampled generator; see the crate's data sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,7 +35,8 @@ const fn counter(name: &'static str) -> Counter {
 }
 
 /// What a frame took and lost.
-const COUNTERS: [Counter; 10] = [
+const COUNTERS: [Counter; 11] = [
+    Counter { name: "ground_cells", joined: Joined::Largest },
     counter("faces"),
     counter("triangles"),
     counter("entries"),
@@ -89,6 +91,7 @@ impl Generator for Sampled {
             "spot_px": run.spot,
             "ground_half_side_m": run.ground_half_side,
             "ground_cells": run.ground_cells,
+            "ground_error_px": run.ground_error,
             "overload": run.overload.word(),
             "list_entries": memory.list_entries,
             "list_depth": memory.list_depth,
@@ -113,6 +116,8 @@ pub(crate) struct Session {
     pub screen: Screen,
     pub parameters: Parameters,
     pub hardware: Hardware,
+    /// Rings of the ground in all frames.
+    rings: Rings,
 }
 
 /// The scene of a frame, within the limits of the light point store.
@@ -135,7 +140,8 @@ impl Session {
             remedy: "ask for a smaller raster".into(),
         })?;
         let Sampled { parameters, hardware } = *generator;
-        Ok(Self { stage, screen, parameters, hardware })
+        let rings = ground::rings(&stage, &parameters);
+        Ok(Self { stage, screen, parameters, hardware, rings })
     }
 
     /// Gathers frame `frame` from `pose`.
@@ -144,7 +150,7 @@ impl Session {
     /// If the pose cannot be drawn.
     pub fn gather(&self, frame: u64, pose: &Pose) -> Result<Gathered, FrameError> {
         self.check(frame, pose)?;
-        let mut scene = Scene::new(&self.stage, &self.parameters, &self.screen, frame, pose)?;
+        let mut scene = Scene::new(&self.stage, &self.parameters, self.rings, &self.screen, frame, pose)?;
         let lost_points = store::limit(&mut scene.lights, self.hardware.memory.points, &self.screen);
         Ok(Gathered { scene, lost_points })
     }
@@ -154,7 +160,7 @@ impl Session {
     /// # Errors
     /// If a light is no number.
     pub fn picture(&self, scene: &Scene, frame: u64, is_read: bool) -> Result<Picture, FrameError> {
-        let Self { stage, screen, parameters, hardware } = self;
+        let Self { stage, screen, parameters, hardware, .. } = self;
         picture::draw(scene, screen, parameters, hardware, &stage.view, frame, is_read)
     }
 }
@@ -176,6 +182,7 @@ impl GeneratorSession for Session {
         Rows { screen, camera: &scene.camera, hardware, readings: &picture.readings }.record(frame, probe);
         let calligraphic = scene.lights.points.iter().filter(|point| point.is_calligraphic).count() as u64;
         Ok(FrameCounts::of([
+            ("ground_cells", u64::from(self.rings.cells)),
             ("faces", scene.faces.work.faces),
             ("triangles", scene.faces.work.triangles),
             ("entries", picture.entries),
@@ -214,7 +221,7 @@ impl GeneratorSession for Session {
         rows::wires(&self.stage, &self.screen, &self.parameters, &self.hardware)
     }
 
-    /// Lists and stacks of every sampling point of the pixel.
+    /// The ground mesh of the frame with its error; lists and stacks of every sampling point of the pixel.
     fn explain(&self, frame: u64, pose: &Pose, pixel: [usize; 2]) -> Result<Vec<Fact>, FrameError> {
         let Gathered { scene, .. } = self.gather(frame, pose)?;
         let refused =
@@ -227,7 +234,12 @@ impl GeneratorSession for Session {
         let entries = lists.of(number).len() + scene.lights.of(number).len();
         let lost = lost.iter().filter(|lost| lost.sub_area as usize == number).count();
         let without = if lost > 0 { format!(", {lost} without a place") } else { String::new() };
-        let mut facts = vec![Fact::new("sub-area", format!("{number}: {entries} entries{without}"))];
+        let ground = ground::told(&self.stage, self.rings, &scene.camera);
+        let ground = ground.map_err(|error| FrameError::Refused { frame, reason: error.to_string() })?;
+        let mut facts = vec![
+            Fact::new("ground mesh", ground),
+            Fact::new("sub-area", format!("{number}: {entries} entries{without}")),
+        ];
         let stack = sampler.stack();
         let first = (pixel[1] % SIDE * SIDE + pixel[0] % SIDE) * stack.samples();
         for point in 0..stack.samples() {

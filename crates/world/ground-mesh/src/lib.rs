@@ -3,7 +3,7 @@
 //! ```text
 //!  eye, rings --> blocks of the world grid --> fans --> triangles
 //!                                                \--> vertices --> height, slopes, albedo (landscape, closed form)
-//!  triangles, landscape --> HeightError (metres, pixels) --> fit: finer rings until the tolerance or the limit
+//!  triangles, landscape --> HeightError (metres, pixels) --> fit_where: finer rings until the tolerance or the limit
 //! ```
 //!
 //! # Law

@@ -66,7 +66,7 @@ impl GroundMesh {
     }
 
     /// Places and triangles, without heights.
-    pub(crate) fn lay_out(
+    fn lay_out(
         &mut self,
         landscape: &Landscape,
         eye: DVec3,
@@ -142,7 +142,7 @@ impl GroundMesh {
     }
 
     /// Heights, slopes and albedo of all vertices; triangles without ground go.
-    pub(crate) fn raise(&mut self, landscape: &Landscape) {
+    fn raise(&mut self, landscape: &Landscape) {
         self.vertices.par_iter_mut().for_each(|vertex| {
             let (x, y) = (vertex.place.x, vertex.place.y);
             if let Some(ground) = landscape.at_spacing(x, y, vertex.spacing) {
