@@ -68,7 +68,14 @@ pub fn draw(
         }
         Err(error) => Err(*error),
     };
-    let mut picture = Picture { entries: lists.entries() as u64, lost, ..Picture::default() };
+    let pixels = screen.size().iter().map(|pixels| *pixels as usize).product();
+    let mut picture = Picture {
+        colours: Vec::with_capacity(pixels),
+        surfaces: Vec::with_capacity(pixels),
+        entries: lists.entries() as u64,
+        lost,
+        ..Picture::default()
+    };
     let mut band = Band::new(screen, usize::from(run.filter != raster::Filter::Box));
     let mut shares = Vec::new();
     let [columns, rows] = screen.counts().map(|count| count as usize);
