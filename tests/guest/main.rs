@@ -208,7 +208,7 @@ fn it_is_put_side_by_side_with_the_judge() {
         run(at.path(), "flat", flat(), true);
         run(at.path(), judge.name, registry::configure_with(judge, &[]).unwrap(), judge_in_colour);
         let names = ["flat", judge.name].map(str::to_owned);
-        let (figures, page) = write_side_by_side(at.path(), &names, judge.name).unwrap();
+        let (figures, page) = write_side_by_side(at.path(), &names, Some(judge.name)).unwrap();
         (
             serde_json::to_value(&figures).unwrap()["machines"][0].clone(),
             fs::read_to_string(page).unwrap(),

@@ -3,7 +3,7 @@
 use compare::compare;
 use lunoid_tests::Shipped;
 use lunoid_tests::shipped::Shown;
-use scenario::Scenario;
+use scenario::{RollDisplay, Scenario};
 use signal::Probe;
 
 /// A frame of a shipped scenario after a change of it, with run parameters (key, value) of the generator.
@@ -60,4 +60,27 @@ fn an_overloaded_night_loses_surfaces_and_stars() {
     assert_eq!((counts["lost_surfaces"], counts["beam_dropped"]), (142_727, 512));
     let unlimited = drawn("overloaded-night", 0, &[("sampled.translucent", "-1")], as_it_stands);
     assert_eq!(unlimited.counts["lost_surfaces"], 0);
+}
+
+/// Lines by which the horizon is broken where the windows `left` and `right` of `three-windows` meet in frame 0.
+fn break_at_seam(left: &str, right: &str, change: impl Fn(&mut Scenario)) -> usize {
+    let horizon = |name: &str, column: fn(usize) -> usize| {
+        let shown = drawn("three-windows", 0, &[], |scenario| {
+            change(scenario);
+            *scenario = scenario.clone().through(name).unwrap();
+        });
+        let (columns, lines) = (shown.picture.columns(), shown.picture.lines());
+        let codes = shown.picture.codes();
+        (0..lines).find(|line| codes[line * columns + column(columns)] > 0).unwrap()
+    };
+    horizon(left, |columns| columns - 1).abs_diff(horizon(right, |_| 0))
+}
+
+#[test]
+fn three_windows_show_one_world() {
+    assert!(break_at_seam("left", "ahead", as_it_stands) <= 1);
+    assert!(break_at_seam("ahead", "right", as_it_stands) <= 1);
+    // Pictures that stay upright do not join.
+    let upright = |scenario: &mut Scenario| scenario.roll = RollDisplay::None;
+    assert_eq!(break_at_seam("left", "ahead", upright), 30);
 }

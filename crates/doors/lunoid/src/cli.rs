@@ -3,7 +3,7 @@
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::commands::{
-    augment, bank, cartridge, check, compare, completions, explain, info, list, lockstep, man, model,
+    augment, bank, beam, cartridge, check, compare, completions, explain, info, list, lockstep, man, model,
     netlist, page, probe, replay, schema, sizing, state, study, sun, survey, timing, trace, trigger,
 };
 use crate::output::Colour;
@@ -89,6 +89,8 @@ pub enum Command {
     Signals(list::Signals),
     /// Explain a pixel: the sweep and sample that made it, and every block there.
     Explain(explain::Explain),
+    /// List the light points of a frame that a beam draws.
+    Beam(beam::BeamCommand),
     /// Find where in a mission a condition on signals is met.
     Trigger(trigger::TriggerCommand),
     /// List the digital events of a frame, or show all registers at an instant.

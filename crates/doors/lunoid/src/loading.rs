@@ -79,6 +79,9 @@ pub struct StageOptions {
     pub overlay: Vec<PathBuf>,
     #[arg(long, value_name = "PART.KEY=VALUE", value_parser = values::setting, help = set_help())]
     pub set: Vec<(String, String)>,
+    /// Look through this channel of the scenario; through the vehicle's own camera if left out.
+    #[arg(long, value_name = "NAME")]
+    pub channel: Option<String>,
     /// Ground from this bank instead of the scenario's.
     #[arg(long, value_name = "FILE")]
     pub bank: Option<PathBuf>,
@@ -211,6 +214,7 @@ impl StageArgs {
             machine: self.machine.clone(),
             overlays: options.overlay.clone(),
             set: options.set.clone(),
+            channel: options.channel.clone(),
             bank: options.bank.clone(),
             sweeps: options.sweeps,
             samples: options.samples,
@@ -235,12 +239,31 @@ impl StageArgs {
         sources
     }
 
-    /// Reads scenario and model.
+    /// Reads scenario and model, and says whose view it is where there are several.
     pub fn load(&self) -> Result<Opened, Failure> {
+        let opened = self.load_any_view()?;
+        if opened.scenario.channels.is_empty() || self.options.channel.is_some() {
+            return Ok(opened);
+        }
+        let (file, names) = (opened.scenario_file(), channel_names(&opened));
+        warn(&format!(
+            "{file}: the view is that of the vehicle's own camera; --channel NAME looks through one of {names}"
+        ));
+        Ok(opened)
+    }
+
+    /// Reads scenario and model where all views are drawn.
+    pub fn load_any_view(&self) -> Result<Opened, Failure> {
         let opened = open(&self.scenario, &self.wishes())?;
         opened.remarks.iter().for_each(|remark| warn(remark));
         Ok(opened)
     }
+}
+
+/// The channels of a scenario in words.
+pub fn channel_names(opened: &Opened) -> String {
+    let names: Vec<&str> = opened.scenario.channels.iter().map(|channel| channel.name.as_str()).collect();
+    names.join(", ")
 }
 
 /// Refuses a generator that is no machine, whether the command line or the scenario names it; `why` is what it lacks.

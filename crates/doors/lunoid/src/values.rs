@@ -138,6 +138,13 @@ pub fn pixel(text: &str) -> Result<[usize; 2], String> {
     Ok([number(column)?, number(line)?])
 }
 
+/// Column and line of a pixel, and the number of a sampling point within it.
+pub fn sampling_point(text: &str) -> Result<[usize; 3], String> {
+    let numbers: Result<Vec<usize>, _> = text.split(',').map(|word| word.trim().parse()).collect();
+    let found = numbers.ok().and_then(|numbers| numbers.try_into().ok());
+    found.ok_or_else(|| "expected column, line and number of the sampling point, as 500,300,2".into())
+}
+
 #[cfg(test)]
 mod tests {
     use super::{at_least, edges, metres, of_heights, pair, percent, place, setting, sun, two_metres, whole};

@@ -12,9 +12,11 @@
 //! - [`Row`]: what is known of a generator before it draws. The crate `registry` lists the rows.
 //! - [`Counter`], [`FrameError::Refused`]: counters and refusals are lists of each generator's own.
 
+mod beam_list;
 mod colours;
 mod counts;
 mod error;
+mod faces;
 mod fact;
 mod omission;
 mod planes;
@@ -30,12 +32,14 @@ use serde_json::Value;
 use signal::{Probe, Signal, Waveform, Wire};
 use std::ops::Range;
 
+pub use beam_list::BeamEntry;
 pub use counts::{Counter, FrameCounts, Joined};
 pub use error::{FrameError, PrepareError, check_eye};
+pub use faces::{FaceScene, Look, Looks, ScreenFace};
 pub use fact::Fact;
 pub use omission::{Omission, Weight};
 pub use planes::{Label, Plane, PlaneKind, Planes, Shade};
-pub use row::{ErrorLadder, Gear, Role, Row};
+pub use row::{Against, ErrorLadder, Gear, Role, Row};
 pub use timed::Timed;
 
 /// The world and the view: everything that generators share but the pose.
@@ -224,5 +228,37 @@ pub trait Session: Send + Sync {
     /// If the pose cannot be drawn.
     fn explain(&self, _frame: u64, _pose: &Pose, _pixel: [usize; 2]) -> Result<Vec<Fact>, FrameError> {
         Ok(Vec::new())
+    }
+
+    /// Everything that sampling point `number` of pixel `pixel` holds in frame `frame`, as a document; `None` if the generator has no
+    /// such sampling point.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    fn sampling_point(
+        &self,
+        _frame: u64,
+        _pose: &Pose,
+        _pixel: [usize; 2],
+        _number: usize,
+    ) -> Result<Option<Value>, FrameError> {
+        Ok(None)
+    }
+
+    /// The faces of frame `frame` on the screen without any limit of the generator, for a judge that draws them by area; `None` if it draws
+    /// no faces, or something that is no face.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    fn faces(&self, _frame: u64, _pose: &Pose) -> Result<Option<FaceScene>, FrameError> {
+        Ok(None)
+    }
+
+    /// The light points of frame `frame` that leave the generator for a beam, in the order of drawing; `None` if it has no beam.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    fn beam_list(&self, _frame: u64, _pose: &Pose) -> Result<Option<Vec<BeamEntry>>, FrameError> {
+        Ok(None)
     }
 }

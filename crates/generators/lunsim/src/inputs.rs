@@ -22,6 +22,7 @@ pub(crate) fn inputs_hash(
     landscape.features().craters().iter().for_each(|crater| add(&mut hasher, "crater", &crater));
     add(&mut hasher, "light", &(scenery.suns(), landscape.albedo(), landscape.photometry()));
     add(&mut hasher, "path", &(scenario.path.waypoints(), &scenario.vehicle));
+    scenario.channel.iter().for_each(|channel| add(&mut hasher, "channel", channel));
     add(&mut hasher, "view", &(view.field, view.ranges[1], view.update));
     add(&mut hasher, "laws", &(view.laws.curvature, view.shadows.is_some(), view.display.white));
     add(&mut hasher, "run", &(run.grid, run.intensity_codes));

@@ -110,15 +110,19 @@
 //! take no time, and discs of the sky take no place in lists.
 
 mod band;
+mod beam;
 mod camera;
 mod faces;
 mod ground;
 mod hardware;
 mod inputs;
+mod judged;
+mod ladders;
 mod lights;
 mod overload;
 mod parameters;
 mod picture;
+mod point;
 mod reading;
 mod row;
 mod rows;
@@ -134,7 +138,7 @@ mod work;
 
 pub use hardware::{Hardware, Memory};
 pub use overload::Overload;
-pub use parameters::Parameters;
+pub use parameters::{BeamLayer, BeamOrder, Parameters};
 pub use row::ROW;
 pub use session::Sampled;
 pub use timed::Clocked;

@@ -32,6 +32,10 @@ pub struct Parameters {
     pub veil: Accumulation,
     /// Deviation of the beam's spot (pixels).
     pub spot: f64,
+    /// In which order the beam draws its points.
+    pub beam_order: BeamOrder,
+    /// Which layers the picture shows.
+    pub beam_layer: BeamLayer,
     /// Half the side of the innermost square of ground (m).
     pub ground_half_side: f64,
     /// Most cells along half the side of every square of ground.
@@ -40,6 +44,26 @@ pub struct Parameters {
     pub ground_error: f64,
     /// Which features lose their places where a list is full.
     pub overload: Overload,
+}
+
+/// In which order the beam draws its points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BeamOrder {
+    /// As they are read out (claim 7).
+    NearToFar,
+    /// Always the nearest on the screen, so that jumps are short.
+    NearestNeighbour,
+}
+
+/// Which layers the picture shows: the beam may have a tube of its own.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BeamLayer {
+    /// The raster with the beam's spots over it.
+    Both,
+    /// The raster without the beam.
+    Raster,
+    /// The beam's spots over black.
+    Beam,
 }
 
 impl Default for Parameters {
@@ -58,6 +82,8 @@ impl Default for Parameters {
             blending: Blending::Hiding,
             veil: Accumulation::Points,
             spot: light_points::Spot::DEFAULT_SIGMA,
+            beam_order: BeamOrder::NearToFar,
+            beam_layer: BeamLayer::Both,
             ground_half_side: 32.0,
             ground_cells: 128,
             ground_error: 0.5,
@@ -90,6 +116,11 @@ impl Parameters {
         let veils = [("points", Accumulation::Points), ("stack-only", Accumulation::StackOnly)];
         let veil = table.one_of("veil", &veils).default(usual.veil);
         let spot = table.f64("spot_px").between(0.05, 100.0).unit("pixels").default(usual.spot);
+        let orders =
+            [("near-to-far", BeamOrder::NearToFar), ("nearest-neighbour", BeamOrder::NearestNeighbour)];
+        let beam_order = table.one_of("beam_order", &orders).default(usual.beam_order);
+        let layers = [("both", BeamLayer::Both), ("raster", BeamLayer::Raster), ("beam", BeamLayer::Beam)];
+        let beam_layer = table.one_of("beam_layer", &layers).default(usual.beam_layer);
         let ground_half_side =
             table.f64("ground_half_side_m").between(0.1, 1e5).unit("m").default(usual.ground_half_side);
         let rule = "a multiple of 4";
@@ -113,6 +144,8 @@ impl Parameters {
             blending: blending?,
             veil: veil?,
             spot: spot?,
+            beam_order: beam_order?,
+            beam_layer: beam_layer?,
             ground_half_side: ground_half_side?,
             ground_cells: ground_cells?,
             ground_error: ground_error?,

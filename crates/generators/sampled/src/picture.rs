@@ -1,10 +1,7 @@
 //! From a scene to a picture: all sub-areas, then the beam.
 
-use std::collections::HashMap;
-
 use generator::{FrameError, Label, PlaneKind, Planes};
 use glam::DVec3;
-use light_points::{BeamPoint, Share, Spot, add_up};
 use quantities::luminance;
 use raster::Screen;
 use rayon::prelude::*;
@@ -12,6 +9,7 @@ use scenario::View;
 use translucency::{FeatureError, Losses};
 
 use crate::band::Band;
+use crate::beam::Beam;
 use crate::hardware::Hardware;
 use crate::overload::{self, LostEntry};
 use crate::parameters::Parameters;
@@ -31,10 +29,8 @@ pub struct Picture {
     pub surfaces: Vec<(f32, Label)>,
     /// What the limits of the stacks lost.
     pub losses: Losses,
-    /// Points that the beam drew, in the order of drawing.
-    pub beam: Vec<BeamPoint>,
-    /// Points for which the beam had no time.
-    pub dropped: Vec<BeamPoint>,
+    /// What the beam draws.
+    pub beam: Beam,
     /// Entries of all lists.
     pub entries: u64,
     /// Entries that found no place in the lists, by sub-area.
@@ -91,41 +87,10 @@ pub fn draw(
         }
         band.hand_over(&mut picture);
     }
-    draw_beam(&mut picture, scene, shares, screen, run, hardware, view);
-    Ok(picture)
-}
-
-/// Adds the spots of the calligraphic points for which the beam has time.
-fn draw_beam(
-    picture: &mut Picture,
-    scene: &Scene,
-    shares: Vec<(u32, u32, Share)>,
-    screen: &Screen,
-    run: &Parameters,
-    hardware: &Hardware,
-    view: &View,
-) {
     let points = &scene.lights.points;
-    let sums = add_up(shares, points.len());
-    let lit =
-        points.iter().zip(&sums).filter(|(point, _)| point.is_calligraphic).filter_map(|(point, sum)| {
-            let intensity = sum.display(point.disc.intensity)?;
-            (intensity > 0.0).then(|| point.of_beam(intensity * point.disc.area()))
-        });
-    picture.beam = lit.collect();
-    let field_ns = (1e9 / view.update.hertz()) as u64;
-    picture.dropped = hardware.beam.drop_faintest(&mut picture.beam, field_ns);
-    let Ok(spot) = Spot::new(run.spot) else { return };
-    let colours: HashMap<u32, [f64; 3]> = points.iter().map(|point| (point.id, point.colour())).collect();
-    let width = screen.size()[0] as usize;
-    for beam in &picture.beam {
-        let colour = colours[&beam.id];
-        spot.draw(beam.place, beam.light, screen.size(), |[x, y], light| {
-            let pixel = &mut picture.colours[y as usize * width + x as usize];
-            let lit = |channel: usize| f64::from(pixel[channel]) + light * colour[channel];
-            *pixel = [lit(0), lit(1), lit(2)].map(|value| value as f32);
-        });
-    }
+    picture.beam = Beam::new(points, shares, run, hardware, (1e9 / view.update.hertz()) as u64);
+    picture.beam.draw(points, run, screen, &mut picture.colours);
+    Ok(picture)
 }
 
 /// Fills the planes that a caller wants.

@@ -6,6 +6,7 @@ use diagnostics::Reader;
 use generator::{Gear, Generator, Role, Row};
 
 use crate::hardware::SHIPPED;
+use crate::ladders::LADDERS;
 use crate::rows::SIGNALS;
 use crate::{Hardware, Parameters, Sampled};
 
@@ -25,7 +26,7 @@ pub static ROW: Row = Row {
         file: "built-in programs/sampled.toml",
         text: SHIPPED,
     }),
-    ladder: None,
+    ladders: &LADDERS,
     configure,
 };
 

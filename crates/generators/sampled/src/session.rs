@@ -1,25 +1,28 @@
 //! The generator and its sessions.
 
 use generator::{
-    Counter, Fact, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes, PrepareError,
-    Scan, Session as GeneratorSession, Stage, Timed, Weight, check_eye,
+    BeamEntry, Counter, FaceScene, Fact, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind,
+    Planes, PrepareError, Scan, Session as GeneratorSession, Stage, Timed, Weight, check_eye,
 };
 use ground_mesh::Rings;
-use raster::Screen;
+use raster::{Lists, Screen};
 use scenario::{Pose, View};
 use serde_json::{Value, json};
 use signal::{Probe, Signal, Wire};
+use translucency::{FeatureError, Losses};
 
 use crate::hardware::Hardware;
 use crate::lights::Point;
+use crate::overload::LostEntry;
 use crate::parameters::Parameters;
 use crate::picture::{self, PLANES, Picture};
+use crate::point::SamplingPoint;
 use crate::row::NAME;
 use crate::rows::{self, Rows};
 use crate::scene::Scene;
 use crate::tile::{SIDE, Sampler};
 use crate::timed::Clocked;
-use crate::{ground, overload, store};
+use crate::{ground, judged, overload, store};
 
 /// The sampled generator; see the crate's data sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,7 +38,7 @@ const fn counter(name: &'static str) -> Counter {
 }
 
 /// What a frame took and lost.
-const COUNTERS: [Counter; 11] = [
+const COUNTERS: [Counter; 12] = [
     Counter { name: "ground_cells", joined: Joined::Largest },
     counter("faces"),
     counter("triangles"),
@@ -47,7 +50,13 @@ const COUNTERS: [Counter; 11] = [
     counter("lost_entries"),
     counter("lost_points"),
     counter("beam_dropped"),
+    Counter { name: "loss_bound_ppm", joined: Joined::Largest },
 ];
+
+/// How much the limits of the stacks can change a colour of a sampling point, in millionths of white, rounded up.
+fn largest_loss_ppm(losses: &Losses) -> u64 {
+    (1e6 * losses.bound.into_iter().fold(0.0, f64::max)).ceil() as u64
+}
 
 impl Generator for Sampled {
     fn name(&self) -> &'static str {
@@ -89,6 +98,8 @@ impl Generator for Sampled {
             "blending": format!("{:?}", run.blending).to_lowercase(),
             "veil": format!("{:?}", run.veil).to_lowercase(),
             "spot_px": run.spot,
+            "beam_order": format!("{:?}", run.beam_order).to_lowercase(),
+            "beam_layer": format!("{:?}", run.beam_layer).to_lowercase(),
             "ground_half_side_m": run.ground_half_side,
             "ground_cells": run.ground_cells,
             "ground_error_px": run.ground_error,
@@ -165,6 +176,20 @@ impl Session {
     }
 }
 
+impl Session {
+    /// The sub-area that holds a pixel of frame `frame` from `pose`.
+    fn filled(&self, frame: u64, pose: &Pose, pixel: [usize; 2]) -> Result<Filled, FrameError> {
+        let Gathered { scene, .. } = self.gather(frame, pose)?;
+        let refused = |error: FeatureError| FrameError::Refused { frame, reason: error.to_string() };
+        let (lists, lost) =
+            overload::lists(&scene, &self.screen, self.parameters.overload, &self.hardware.memory);
+        let number = (pixel[1] / SIDE) * self.screen.counts()[0] as usize + pixel[0] / SIDE;
+        let mut sampler = Sampler::new(&self.parameters).map_err(refused)?;
+        sampler.fill(&scene, &lists, &self.screen.sub_area(number), number).map_err(refused)?;
+        Ok(Filled { scene, lists, lost, sampler, number })
+    }
+}
+
 impl GeneratorSession for Session {
     /// The raster is that of `planes`; a sweep of `probe` is a row of sub-areas.
     fn frame(
@@ -192,7 +217,8 @@ impl GeneratorSession for Session {
             ("lost_lights", picture.losses.lights),
             ("lost_entries", picture.lost.len() as u64),
             ("lost_points", gathered.lost_points.len() as u64),
-            ("beam_dropped", picture.dropped.len() as u64),
+            ("beam_dropped", picture.beam.dropped.len() as u64),
+            ("loss_bound_ppm", largest_loss_ppm(&picture.losses)),
         ]))
     }
 
@@ -223,16 +249,10 @@ impl GeneratorSession for Session {
 
     /// The ground mesh of the frame with its error; lists and stacks of every sampling point of the pixel.
     fn explain(&self, frame: u64, pose: &Pose, pixel: [usize; 2]) -> Result<Vec<Fact>, FrameError> {
-        let Gathered { scene, .. } = self.gather(frame, pose)?;
-        let refused =
-            |error: translucency::FeatureError| FrameError::Refused { frame, reason: error.to_string() };
-        let (lists, lost) =
-            overload::lists(&scene, &self.screen, self.parameters.overload, &self.hardware.memory);
-        let number = (pixel[1] / SIDE) * self.screen.counts()[0] as usize + pixel[0] / SIDE;
-        let mut sampler = Sampler::new(&self.parameters).map_err(refused)?;
-        sampler.fill(&scene, &lists, &self.screen.sub_area(number), number).map_err(refused)?;
-        let entries = lists.of(number).len() + scene.lights.of(number).len();
-        let lost = lost.iter().filter(|lost| lost.sub_area as usize == number).count();
+        let filled = self.filled(frame, pose, pixel)?;
+        let Filled { scene, lists, lost, number, .. } = &filled;
+        let entries = lists.of(*number).len() + scene.lights.of(*number).len();
+        let lost = lost.iter().filter(|lost| lost.sub_area as usize == *number).count();
         let without = if lost > 0 { format!(", {lost} without a place") } else { String::new() };
         let ground = ground::told(&self.stage, self.rings, &scene.camera);
         let ground = ground.map_err(|error| FrameError::Refused { frame, reason: error.to_string() })?;
@@ -240,16 +260,59 @@ impl GeneratorSession for Session {
             Fact::new("ground mesh", ground),
             Fact::new("sub-area", format!("{number}: {entries} entries{without}")),
         ];
-        let stack = sampler.stack();
+        let stack = filled.sampler.stack();
         let first = (pixel[1] % SIDE * SIDE + pixel[0] % SIDE) * stack.samples();
         for point in 0..stack.samples() {
-            facts.push(Fact::new(
-                "sampling point",
-                format!("{point}: {}", told(&scene, stack, first + point)),
-            ));
+            let words = format!("{point}: {}", told(scene, stack, first + point));
+            facts.push(Fact::new("sampling point", words));
         }
         Ok(facts)
     }
+
+    fn sampling_point(
+        &self,
+        frame: u64,
+        pose: &Pose,
+        pixel: [usize; 2],
+        number: usize,
+    ) -> Result<Option<Value>, FrameError> {
+        let filled = self.filled(frame, pose, pixel)?;
+        let stack = filled.sampler.stack();
+        let point = SamplingPoint {
+            scene: &filled.scene,
+            run: &self.parameters,
+            lists: &filled.lists,
+            lost: &filled.lost,
+            stack,
+            sub_area: filled.number,
+            area: self.screen.sub_area(filled.number),
+            pixel,
+            number,
+        };
+        Ok((number < stack.samples()).then(|| point.document()))
+    }
+
+    fn faces(&self, frame: u64, pose: &Pose) -> Result<Option<FaceScene>, FrameError> {
+        self.check(frame, pose)?;
+        let scene = Scene::new(&self.stage, &self.parameters, self.rings, &self.screen, frame, pose)?;
+        Ok(Some(judged::faces(scene, &self.parameters)))
+    }
+
+    fn beam_list(&self, frame: u64, pose: &Pose) -> Result<Option<Vec<BeamEntry>>, FrameError> {
+        let Gathered { scene, .. } = self.gather(frame, pose)?;
+        let picture = self.picture(&scene, frame, false)?;
+        Ok(Some(picture.beam.entries(&scene.lights.points)))
+    }
+}
+
+/// The sub-area of a pixel with its stacks filled.
+struct Filled {
+    scene: Scene,
+    lists: Lists,
+    lost: Vec<LostEntry>,
+    sampler: Sampler,
+    /// Number of the sub-area.
+    number: usize,
 }
 
 /// The stack of a sampling point in words, near to far.

@@ -126,8 +126,8 @@ impl Clocked {
     /// than that field.
     fn judge_beam(&self, gathered: &Gathered, picture: &Picture, start: u64, due: u64, judged: &mut Judged) {
         let points = &gathered.scene.lights.points;
-        let drawn = picture.beam.iter().map(|point| (point, true));
-        let dropped = picture.dropped.iter().map(|point| (point, false));
+        let drawn = picture.beam.drawn.iter().map(|point| (point, true));
+        let dropped = picture.beam.dropped.iter().map(|point| (point, false));
         for (place, (point, is_drawn)) in (1..).zip(drawn.chain(dropped)) {
             let came = start + work::beam_ticks(&self.session.hardware, place);
             // A point without time is late, be it by less than a tick.
@@ -153,7 +153,7 @@ impl Clocked {
         for (number, (reading, tick)) in (0..).zip(picture.readings.iter().zip(&course.read_out)) {
             events.push(*tick, SAMPLER, "sub-area", &[number, reading.entries()]);
         }
-        for (place, BeamPoint { id, .. }) in (1..).zip(&picture.beam) {
+        for (place, BeamPoint { id, .. }) in (1..).zip(&picture.beam.drawn) {
             let tick = start + work::beam_ticks(&self.session.hardware, place);
             events.push(tick, BEAM, "point", &[u64::from(*id)]);
         }

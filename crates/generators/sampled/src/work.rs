@@ -96,8 +96,8 @@ impl Work {
             features: scene.faces.work.faces + (lights + scene.discs.len()) as u64,
             corners: scene.faces.work.corners,
             pairs: picture.entries + picture.lost.len() as u64 + listed as u64,
-            drawn: picture.beam.len() as u64,
-            dropped: picture.dropped.len() as u64,
+            drawn: picture.beam.drawn.len() as u64,
+            dropped: picture.beam.dropped.len() as u64,
         }
     }
 

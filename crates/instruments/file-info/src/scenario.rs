@@ -71,6 +71,7 @@ fn contents(scenario: &Scenario) -> Value {
         "texture": scenario.texture.is_some(),
         "silhouettes": scenario.silhouettes.len(),
         "coarse_ground": scenario.coarse.is_some(),
+        "channels": scenario.channels.len(),
     })
 }
 

@@ -3,7 +3,8 @@
 use generator::Stage;
 use hardware_model::{MachineRecord, Settings};
 use run_record::{
-    GroundRecord, PathRecord, Program, SceneryRecord, SunRecord, VehicleRecord, ViewRecord, hash,
+    ChannelRecord, GroundRecord, PathRecord, Program, SceneryRecord, SunRecord, VehicleRecord, ViewRecord,
+    hash,
 };
 use scenario::Scenario;
 use serde::{Deserialize, Serialize};
@@ -73,6 +74,7 @@ impl Identity {
                 "sun": SunRecord::from(&stage.scenery.sun(0.0)),
                 "vehicle": VehicleRecord::from(&scenario.vehicle),
                 "waypoints": PathRecord::from(&scenario.path).waypoints_blake3,
+                "channel": scenario.channel.as_ref().map(ChannelRecord::from),
             })),
         };
         Self { program, machine: machine.to_owned(), scenario: scenario.title.clone(), hashes }

@@ -29,7 +29,7 @@ pub fn base_model(named: &str) -> &str {
 /// Everything that is wrong in files and wishes, before any ground is made.
 pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
     expect_tables_of_scenarios(&wishes.set)?;
-    let mut scenario = read_scenario_over(path, wishes)?;
+    let mut scenario = seen_through(path, read_scenario_over(path, wishes)?, wishes)?;
     if let Some(bank) = &wishes.bank {
         scenario.ground = GroundSource::Bank(bank.clone());
     }
@@ -69,6 +69,19 @@ pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
         path: path.to_owned(),
         wishes: wishes.clone(),
     })
+}
+
+/// The scenario through the channel that is asked for, if one is.
+fn seen_through(path: &Path, scenario: Scenario, wishes: &Wishes) -> Result<Scenario, OpenError> {
+    let Some(name) = &wishes.channel else { return Ok(scenario) };
+    let names: Vec<&str> = scenario.channels.iter().map(|channel| channel.name.as_str()).collect();
+    let expected = match names[..] {
+        [] => "the scenario has no [[channel]]; leave the option out".into(),
+        _ => format!("expected one of the scenario's channels {}", names.join(", ")),
+    };
+    let refused =
+        OpenError::Wish(format!("--channel {name}: {}: no such channel; {expected}", path.display()));
+    scenario.through(name).ok_or(refused)
 }
 
 /// A generator reads its table from the file alone; its keys are set by their own names.

@@ -69,6 +69,7 @@ fn joined(
     scenario: &Scenario,
     settings: Settings,
 ) -> Result<MachineStage, StageError> {
+    let scenery = scenery.through(scenario.channel.clone());
     // What data banks hold and what tubes still show depends on the frames before.
     let is_lasting = settings.data_banks.drum.is_some() || settings.analog.remembers_frames();
     let scenery = match is_lasting {

@@ -14,6 +14,8 @@ pub struct Wishes {
     pub overlays: Vec<PathBuf>,
     /// Single keys and their values as TOML, over everything else.
     pub set: Vec<(String, String)>,
+    /// Channel of the scenario that is looked through; without it, the vehicle's own camera.
+    pub channel: Option<String>,
     /// Ground from this bank instead of the scenario's.
     pub bank: Option<PathBuf>,
     /// Sweeps a frame, 1..=8192.

@@ -1,6 +1,6 @@
 //! What decides the pixels of a run, in one hash, and what differs between two runs.
 
-use run_record::{PathRecord, RunRecord, SunRecord, VehicleRecord, hash};
+use run_record::{ChannelRecord, PathRecord, RunRecord, SunRecord, VehicleRecord, hash};
 use serde::Serialize;
 use serde_json::{Value, json};
 
@@ -41,6 +41,9 @@ impl Fingerprint {
         if job.pictures.colour {
             document["colour"] = true.into();
         }
+        if let Some(channel) = &job.scenario.channel {
+            document["channel"] = value(&ChannelRecord::from(channel));
+        }
         Self::new(document)
     }
 
@@ -61,6 +64,9 @@ impl Fingerprint {
         });
         if record.pictures.kind == "RGB PNG" {
             document["colour"] = true.into();
+        }
+        if let Some(channel) = &record.channel {
+            document["channel"] = value(channel);
         }
         Self { hash: record.fingerprint.clone(), of: document }
     }

@@ -2,8 +2,9 @@
 
 use generator::Omission;
 use run_record::{
-    FileRecord, FrameRecord, LimitRecord, ModelRecord, OmissionRecord, PathRecord, PicturesRecord,
-    RUN_FORMAT, RUN_SCHEMA, RunRecord, ScenarioRecord, SkyRecord, SunRecord, VehicleRecord, total_work,
+    ChannelRecord, FileRecord, FrameRecord, LimitRecord, ModelRecord, OmissionRecord, PathRecord,
+    PicturesRecord, RUN_FORMAT, RUN_SCHEMA, RunRecord, ScenarioRecord, SkyRecord, SunRecord, VehicleRecord,
+    total_work,
 };
 use scenario::LimitReport;
 
@@ -42,6 +43,7 @@ pub(crate) fn run_record(job: &Job, finished: Finished<'_>) -> RunRecord {
         sky: job.stage.scenery.sky().map(SkyRecord::from),
         vehicle: VehicleRecord::from(&job.scenario.vehicle),
         path: PathRecord::from(&job.scenario.path),
+        channel: job.scenario.channel.as_ref().map(ChannelRecord::from),
         view,
         settings,
         pictures: PicturesRecord {

@@ -14,6 +14,7 @@
 //! - [`Inputs`], [`FileRecord`]: the files that a run was made from.
 //! - [`sealed`], [`is_as_sealed`]: the hash at the end of a record, which tells whether the record was changed.
 
+mod channel;
 mod differences;
 mod file;
 mod frame;
@@ -28,6 +29,7 @@ mod sky;
 mod truth;
 mod view;
 
+pub use channel::ChannelRecord;
 pub use differences::differences;
 pub use file::{FileRecord, MAX_BYTES, file_hash, hash, stays_inside};
 pub use frame::{FrameRecord, total_work};

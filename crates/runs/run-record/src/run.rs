@@ -9,9 +9,9 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 use crate::{
-    FileRecord, FrameRecord, GroundRecord, LimitRecord, ModelRecord, OmissionRecord, PathRecord,
-    SceneryRecord, SkyRecord, SunRecord, VehicleRecord, ViewRecord, frame::fault_of_files, is_as_sealed,
-    sealed,
+    ChannelRecord, FileRecord, FrameRecord, GroundRecord, LimitRecord, ModelRecord, OmissionRecord,
+    PathRecord, SceneryRecord, SkyRecord, SunRecord, VehicleRecord, ViewRecord, frame::fault_of_files,
+    is_as_sealed, sealed,
 };
 
 /// Schema of the record.
@@ -65,6 +65,9 @@ pub struct RunRecord {
     pub vehicle: VehicleRecord,
     /// Path that the vehicle takes.
     pub path: PathRecord,
+    /// Channel that is looked through, where the run has one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub channel: Option<ChannelRecord>,
     /// What was asked of every picture.
     pub view: ViewRecord,
     /// The generator's own settings; of the hybrid machine a [`MachineRecord`](hardware_model::MachineRecord).

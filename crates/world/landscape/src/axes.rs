@@ -18,6 +18,10 @@ pub struct Attitude {
     pub heading: f64,
 }
 
+/// Cosine of the pitch below which heading and roll cannot be told apart. Chosen: far above rounding, and half a milliarcsecond from the
+/// vertical.
+const STEEPEST: f64 = 1e-8;
+
 impl Attitude {
     /// `R = Phi Theta Psi`: from vehicle axes to terrain axes.
     pub fn to_terrain(&self) -> DMat3 {
@@ -27,6 +31,19 @@ impl Attitude {
         let theta = DMat3::from_cols(DVec3::new(ct, 0.0, -st), DVec3::Y, DVec3::new(st, 0.0, ct));
         let phi = DMat3::from_cols(DVec3::new(ch, sh, 0.0), DVec3::new(-sh, ch, 0.0), DVec3::Z);
         phi * theta * psi
+    }
+
+    /// The attitude whose [`to_terrain`](Self::to_terrain) is `rotation`: pitch within a right angle, heading and roll within half a
+    /// turn. Straight up and straight down, where heading and roll are about one axis, the roll is 0.
+    pub fn of_terrain(rotation: &DMat3) -> Self {
+        let [ahead, aside, below] = [rotation.x_axis, rotation.y_axis, rotation.z_axis];
+        let level = (ahead.x * ahead.x + ahead.y * ahead.y).sqrt();
+        let pitch = libm::atan2(-ahead.z, level);
+        if level < STEEPEST {
+            return Self { roll: 0.0, pitch, heading: libm::atan2(-aside.x, aside.y) };
+        }
+        let (roll, heading) = (libm::atan2(aside.z, below.z), libm::atan2(ahead.y, ahead.x));
+        Self { roll, pitch, heading }
     }
 
     /// Attitude of a vehicle that stands on ground of slopes `[hx, hy]` with a heading (section 4).
@@ -61,6 +78,24 @@ mod tests {
         let moved = r * DVec3::new(3.0, 1.0, -0.5) + DVec3::new(0.0, 0.0, -2.0);
         let expected = DVec3::new(2.07643321528733, 2.436243140523968, -2.056075508927139);
         assert!((moved - expected).length() < 1e-14);
+    }
+
+    #[test]
+    fn a_rotation_gives_its_attitude_back() {
+        for (roll, pitch, heading) in [(10.0, -5.0, 30.0), (-170.0, 80.0, -100.0), (0.0, 0.0, 180.0)] {
+            let attitude = Attitude { roll: radians(roll), pitch: radians(pitch), heading: radians(heading) };
+            let found = Attitude::of_terrain(&attitude.to_terrain());
+            let [found, attitude] = [found, attitude].map(|a| DVec3::new(a.roll, a.pitch, a.heading));
+            assert!((found - attitude).length() < 1e-14, "{found} {attitude}");
+        }
+    }
+
+    #[test]
+    fn straight_down_has_a_heading_and_no_roll() {
+        let attitude = Attitude { roll: radians(20.0), pitch: radians(-90.0), heading: radians(50.0) };
+        let found = Attitude::of_terrain(&attitude.to_terrain());
+        assert!(found.roll == 0.0 && (degrees(found.heading) - 70.0).abs() < 1e-12, "{found:?}");
+        assert!((found.to_terrain().x_axis - attitude.to_terrain().x_axis).length() < 1e-15);
     }
 
     #[test]

@@ -10,8 +10,10 @@
 //!   that may [`Drift`] or have a date ([`Sunlight`]).
 //! - [`EffectWishes`]: lamps, stars, sheets, overlays and discs of the sky as a scenario asks for them; [`Effects`]: the same
 //!   at one time.
+//! - [`Channel`]: one of several views from the vehicle.
 //! - [`words`]: keys that scenarios and hardware models share.
 
+mod channel;
 mod craters;
 mod curve;
 mod drift;
@@ -50,6 +52,7 @@ pub mod words;
 mod written;
 mod yoke;
 
+pub use channel::Channel;
 pub use craters::{CraterList, CraterPopulation, CraterWishes};
 pub use drift::Drift;
 pub use effect_wishes::{

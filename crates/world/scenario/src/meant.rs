@@ -7,9 +7,9 @@ use landscape::{Photometry, Silhouette};
 use quantities::Rate;
 
 use crate::{
-    AlbedoMapWish, CraterWishes, Display, EffectWishes, Event, FieldWish, Group, LawWishes, LevelSwitch,
-    Object, Path, RangeProgramme, RasterWishes, Rocks, RollDisplay, Scalar, ShadowFineness, StarSource,
-    Sunlight, TextureWish, Tracks, Vehicle, VehicleShape,
+    AlbedoMapWish, Channel, CraterWishes, Display, EffectWishes, Event, FieldWish, Group, LawWishes,
+    LevelSwitch, Object, Path, RangeProgramme, RasterWishes, Rocks, RollDisplay, Scalar, ShadowFineness,
+    StarSource, Sunlight, TextureWish, Tracks, Vehicle, VehicleShape,
 };
 
 /// What happens: ground, light, vehicle, path, and how it is to be seen.
@@ -69,6 +69,10 @@ pub struct Scenario {
     pub raster: RasterWishes,
     /// What the driver sees.
     pub field: FieldWish,
+    /// Views from the vehicle, where it has several; their names differ.
+    pub channels: Vec<Channel>,
+    /// The one that is looked through; without it, the vehicle's own camera.
+    pub channel: Option<Channel>,
     /// Ground-range programme asked for.
     pub range: Option<RangeProgramme>,
     /// Switch from the fine level of the ground to the coarse one.
@@ -104,6 +108,13 @@ pub enum GroundSource {
 }
 
 impl Scenario {
+    /// The scenario as it is seen through the channel of this name; `None` if it has no such channel.
+    pub fn through(self, name: &str) -> Option<Self> {
+        let channel = self.channels.iter().find(|channel| channel.name == name)?.clone();
+        let field = channel.field.unwrap_or(self.field);
+        Some(Self { channel: Some(channel), field, ..self })
+    }
+
     /// Frames at `update` frames a second: those that begin before the end; at least one.
     pub fn frames(&self, update: Rate) -> u64 {
         match self.length {

@@ -11,7 +11,7 @@ use crate::path::{Station, shortest_turn};
 use crate::pose_problem::{PathProblem, PathProblems, PoseFault};
 use crate::vehicle::{Stand, Vehicle};
 use crate::yoke::Swing;
-use crate::{HeightOver, Path, Pose, Scenario, Yoke};
+use crate::{Channel, HeightOver, Path, Pose, Scenario, Yoke};
 
 /// Pitch or roll beyond which a pose is taken for a mistake (our choice): the sweeps need ground ahead.
 const MAX_TILT_DEG: f64 = 60.0;
@@ -61,7 +61,8 @@ impl PoseTable {
         yoke: Option<Yoke>,
         frames: Range<u64>,
     ) -> Result<Self, PathProblems> {
-        let driver = Driver { path: &scenario.path, vehicle: &scenario.vehicle, landscape, update };
+        let (path, vehicle, channel) = (&scenario.path, &scenario.vehicle, scenario.channel.as_ref());
+        let driver = Driver { path, vehicle, channel, landscape, update };
         let mut picture = Follower { yoke, driver: &driver, swing: Swing::default() };
         (0..frames.start).for_each(|frame| picture.pass(frame));
         let found: Vec<_> = frames.map(|frame| (frame, picture.turn(frame, driver.row(frame)))).collect();
@@ -121,6 +122,7 @@ impl Follower<'_> {
 struct Driver<'a> {
     path: &'a Path,
     vehicle: &'a Vehicle,
+    channel: Option<&'a Channel>,
     landscape: &'a Landscape,
     update: Rate,
 }
@@ -151,7 +153,7 @@ impl Driver<'_> {
         })
     }
 
-    /// Height of the eye, attitude, and the ground under the vehicle.
+    /// Height of the eye, attitude of the picture, and the ground under the vehicle. Limits are those of the vehicle.
     fn place(&self, station: &Station) -> Result<(f64, Attitude, Stand), PoseFault> {
         let stand = self.stand(station)?;
         let standing = stand.attitude(station.heading);
@@ -172,6 +174,7 @@ impl Driver<'_> {
         check_tilt("pitch", attitude.pitch, steepest)?;
         let most = if flies(station) { MAX_FLOWN_ROLL_DEG } else { MAX_TILT_DEG };
         check_tilt("roll", attitude.roll, most)?;
+        let attitude = self.channel.map_or(attitude, |channel| channel.on(attitude));
         Ok((eye, attitude, stand))
     }
 

@@ -5,7 +5,7 @@ use std::num::NonZeroU16;
 use landscape::{Attitude, Sun};
 use solids::Body;
 
-use crate::{Carried, DatedSky, Effects, Group, Guest, Pose, VehicleShape};
+use crate::{Carried, Channel, DatedSky, Effects, Group, Guest, Pose, VehicleShape};
 
 /// A body that stands from one time to another.
 #[derive(Debug, Clone, PartialEq)]
@@ -40,6 +40,7 @@ pub struct Scenery {
     start: Option<Pose>,
     course: Vec<Pose>,
     vehicle: Option<VehicleShape>,
+    channel: Option<Channel>,
 }
 
 impl Scenery {
@@ -61,6 +62,7 @@ impl Scenery {
             start: None,
             course: Vec::new(),
             vehicle: None,
+            channel: None,
         }
     }
 
@@ -108,6 +110,11 @@ impl Scenery {
     /// driven there.
     pub fn start(&self) -> Option<&Pose> {
         self.start.as_ref()
+    }
+
+    /// The same as it is seen through a channel, if there is one.
+    pub fn through(self, channel: Option<Channel>) -> Self {
+        Self { channel, ..self }
     }
 
     /// The same with the pose of every frame from the first: what a data bank has to have fetched depends on all.
@@ -190,8 +197,10 @@ impl Scenery {
         self.vehicle.as_ref()
     }
 
-    /// The vehicle's parts where they stand with the eye at `eye` (north, east, up; m): they cast shadow, and are not seen.
+    /// The vehicle's parts where they stand with the eye at `eye` (north, east, up; m) and the picture's attitude: they cast shadow, and
+    /// are not seen.
     pub fn own_bodies(&self, eye: [f64; 3], attitude: Attitude) -> Vec<Body> {
+        let attitude = self.channel.as_ref().map_or(attitude, |channel| channel.off(attitude));
         self.vehicle.iter().flat_map(|shape| shape.bodies(eye, attitude)).collect()
     }
 

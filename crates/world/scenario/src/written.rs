@@ -1,6 +1,7 @@
 //! A scenario as written: the keys of its TOML file, strictly, and every fault at once.
 
 mod albedo;
+mod channels;
 mod coordinates;
 mod course;
 mod doubts;
@@ -208,7 +209,8 @@ fn scenario(root: &Reader, surroundings: &Surroundings, problems: &Problems) -> 
     let vehicle = vehicle(&vehicle_table);
     let path = root.table("path").map(|table| course::course(&table, folder, lies_on, problems));
     let raster = root.table_or_empty("raster");
-    let (wishes, field) = (raster::wishes(&raster), raster::field_of_view(&raster));
+    let (wishes, field) = (raster::wishes(&raster), raster::field_of_view(&raster, &raster));
+    let channels = channels::channels(&root.tables("channel"), &raster);
     let levels = part(root, "levels", levels);
     let roll = roll(&root.table_or_empty("roll"));
     let range = root.optional_table("range").map(|table| words::range(&table));
@@ -254,6 +256,8 @@ fn scenario(root: &Reader, surroundings: &Surroundings, problems: &Problems) -> 
         path_file,
         raster: wishes,
         field: field?,
+        channels: channels?,
+        channel: None,
         range: range.flatten(),
         laws,
         display: display?,

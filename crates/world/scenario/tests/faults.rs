@@ -331,6 +331,25 @@ fn groups_that_cannot_be() {
 }
 
 #[test]
+fn channels_that_cannot_be() {
+    let left = "[[channel]]\nname = 'left'\nheading_deg = -50\n";
+    assert_eq!(faults(&GOOD.replace("[sun]", &format!("{left}[sun]"))), []);
+    for (tables, expected) in [
+        (left.replace("'left'", "'../left'"), "letters, digits and dashes"),
+        (left.replace("name = 'left'\n", ""), "missing key `channel[0].name`"),
+        (format!("{left}{}", left.replace("left", "Left")), "two channels are called \"left\""),
+        (format!("{left}pitch_deg = 91\n"), "must be a number from -90 to 90 degrees"),
+        (format!("{left}roll_deg = nan\n"), "not nan"),
+        (format!("{left}field_of_view_deg = [0, 30]\n"), "0.1 to 170"),
+        (format!("{left}field_of_view_deg = 50\n"), "is one angle, without `raster.lines`"),
+        ((0..17).map(|k| left.replace("left", &format!("c{k}"))).collect(), "17 channels"),
+    ] {
+        let found = fault_of(&tables);
+        assert!(found.contains(expected), "{tables}: {found}");
+    }
+}
+
+#[test]
 fn shapes_that_are_no_solids() {
     let folder = tempfile::tempdir().unwrap();
     let dented =

@@ -44,6 +44,54 @@ fn hz(rate: u64) -> Rate {
     Rate::new(rate, 1).unwrap()
 }
 
+const CHANNELS: &str = r#"
+        format = 1
+        title = "t"
+        shows = "s"
+        frames = 1
+        landscape.generated = { seed = 1, extent_m = [500, 500], region_size_m = 50 }
+        sun = { azimuth_deg = 0, elevation_deg = 10 }
+        path.keyframes = [{ t_s = 0, x_m = 0, y_m = 0 }]
+        channel = [{ name = "left", heading_deg = -90 }, { name = "ahead" }, { name = "up", pitch_deg = 80 }]
+    "#;
+
+/// The rows of `scenario` through each of its channels, and of its own camera first.
+fn through(text: &str, landscape: &Landscape) -> Vec<scenario::PoseRow> {
+    let own = scenario(vec![waypoint(0.0, 200.0, 300.0, Some(30.0))]);
+    let channels = Scenario::parse("t.toml", text).unwrap_or_else(|list| panic!("{list}")).channels;
+    let named = channels.iter().map(|channel| {
+        Scenario { channels: channels.clone(), ..own.clone() }.through(&channel.name).unwrap()
+    });
+    let views = [own.clone()].into_iter().chain(named);
+    let row = |view: Scenario| PoseTable::resolve(&view, landscape, hz(30), None, 0..1).unwrap().rows()[0];
+    views.map(row).collect()
+}
+
+#[test]
+fn a_channel_is_turned_with_the_vehicle_and_moves_as_it_does() {
+    let rows = through(CHANNELS, &ground(20.0, [0.2, 0.1], 0.0));
+    let [own, left, ahead, up] = rows[..] else { panic!("four rows") };
+    let directions = rows.iter().map(|row| row.pose.attitude.to_terrain()).collect::<Vec<_>>();
+    // What was to port is straight ahead of the left window.
+    assert!((directions[1].x_axis + directions[0].y_axis).length() < 1e-15);
+    assert!((directions[2].x_axis - directions[0].x_axis).length() < 1e-15);
+    let (sin, cos) = quantities::sin_cos(radians(80.0));
+    assert!(
+        (directions[3].x_axis - (cos * directions[0].x_axis - sin * directions[0].z_axis)).length() < 1e-15
+    );
+    for other in [left, ahead, up] {
+        let moves = |row: scenario::PoseRow| (row.pose.eye, row.speed, row.turn_rate, row.slope);
+        assert_eq!(moves(other), moves(own));
+    }
+}
+
+#[test]
+fn a_channel_may_look_where_a_vehicle_may_not() {
+    let text = CHANNELS.replace("pitch_deg = 80", "pitch_deg = -90");
+    let rows = through(&text, &ground(20.0, [0.0, 0.0], 0.0));
+    assert!((degrees(rows[3].pose.attitude.pitch) + 90.0).abs() < 1e-9);
+}
+
 proptest! {
     #[test]
     fn on_a_plane_the_attitude_is_that_of_the_slope(

@@ -3,6 +3,7 @@
 mod again;
 pub mod augment;
 pub mod bank;
+pub mod beam;
 pub mod cartridge;
 mod changed;
 pub mod check;
@@ -52,6 +53,7 @@ pub fn run(cli: &Cli, start: Instant) -> Result<Verdict, Failure> {
         Command::Probe(probe) => probe.run(),
         Command::Signals(signals) => signals.run(),
         Command::Explain(explain) => explain.run(),
+        Command::Beam(beam) => beam.run(),
         Command::Trigger(trigger) => trigger.run(),
         Command::Trace(trace) => trace.run(),
         Command::Bank(bank) => bank.run(),

@@ -11,6 +11,7 @@ pub fn words(stage: &StageArgs) -> Vec<String> {
     stage.machine.iter().for_each(|machine| option("--machine", machine.clone()));
     options.overlay.iter().for_each(|file| option("--overlay", path(file)));
     options.set.iter().for_each(|(key, value)| option("--set", format!("{key}={value}")));
+    options.channel.iter().for_each(|channel| option("--channel", channel.clone()));
     options.bank.iter().for_each(|bank| option("--bank", path(bank)));
     options.sweeps.iter().for_each(|sweeps| option("--sweeps", sweeps.to_string()));
     options.samples.iter().for_each(|samples| option("--samples", samples.to_string()));
@@ -49,7 +50,7 @@ mod tests {
     #[test]
     fn they_choose_the_same_stage() {
         assert_eq!(given(&["a.toml"]), ["a.toml"]);
-        let all = "a.toml --machine m --overlay o.toml --set raster.sweeps=5 --set dpp.curvature=none --bank b \
+        let all = "a.toml --machine m --overlay o.toml --set raster.sweeps=5 --set dpp.curvature=none --channel left --bank b \
                    --sweeps 40 --samples 80 --scalar f64 --shadow-cache shadows --everything";
         let all: Vec<&str> = all.split_whitespace().collect();
         assert_eq!(given(&all), all);

@@ -10,6 +10,8 @@ use crate::room::Room;
 /// Long enough to be met in the middle.
 const SLOW: [&str; 4] = ["--sweeps", "4000", "--samples", "1500"];
 
+const SLOWER: [&str; 4] = ["--sweeps", "8192", "--samples", "65536"];
+
 /// Names that begin with a dot: what is not whole yet.
 fn temporaries(room: &Room) -> Vec<String> {
     let names = fs::read_dir(room.path()).unwrap().map(|entry| entry.unwrap().file_name());
@@ -56,11 +58,12 @@ fn a_probe_that_is_interrupted_leaves_nothing() {
 fn what_writes_no_file_ends_as_well() {
     let room = Room::new();
     let commands = [
-        vec!["explain", "tiny.toml", "--frame", "1", "--pixel", "9,9"],
-        vec!["trace", "tiny.toml", "--frame", "1"],
+        // A pixel needs few sweeps: these are long ones.
+        (vec!["explain", "tiny.toml", "--frame", "1", "--pixel", "9,9"], SLOWER),
+        (vec!["trace", "tiny.toml", "--frame", "1"], SLOW),
     ];
-    for command in commands {
-        let child = start(&room, &[&command[..], &SLOW].concat());
+    for (command, slow) in commands {
+        let child = start(&room, &[&command[..], &slow].concat());
         // It is at work, and takes Ctrl-C from its first line on.
         sleep(Duration::from_millis(100));
         assert_eq!(interrupt(child), Some(130), "{command:?}");

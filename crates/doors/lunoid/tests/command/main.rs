@@ -3,8 +3,10 @@
 mod augment;
 mod bad_input;
 mod banks;
+mod beam;
 mod cartridges;
 mod changed;
+mod channels;
 mod checks;
 mod colour;
 mod columns;

@@ -76,7 +76,7 @@ fn a_run_among_others_is_the_run_alone_and_goes_on() {
 fn what_cannot_stand_side_by_side_is_refused() {
     let scene = Scene::new();
     let (_, err) = scene.expect(2, &[&SEVERAL[..], &["--truth", "range"]].concat());
-    assert!(err.contains("--truth: this belongs to one machine"), "{err}");
+    assert!(err.contains("--truth: this belongs to one run"), "{err}");
     let (_, err) = scene.expect(2, &[&SEVERAL[..], &["--machine", "ideal"]].concat());
     assert!(err.contains("two machines would draw into the folder `ideal`"), "{err}");
     scene.vary("open.toml", "sweeps = 40\n", "");

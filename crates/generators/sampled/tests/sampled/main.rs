@@ -4,6 +4,7 @@ mod any_order;
 mod any_pose;
 mod bad_parameters;
 mod beacons;
+mod beam_list;
 mod bodies;
 mod dust;
 mod eye;

@@ -79,13 +79,13 @@ pub(crate) fn read(folder: &Path, names: &[String]) -> Result<Vec<(String, Run)>
     names.iter().map(|name| Ok((name.clone(), Run::read(&folder.join(name))?))).collect()
 }
 
-/// Each run, held against the one called `reference`.
+/// Each run, held against the one called `reference`, if there is one.
 pub(crate) fn figures(
     folder: &Path,
     runs: &[(String, Run)],
-    reference: &str,
+    reference: Option<&str>,
 ) -> Result<Vec<MachineFigures>, ReportError> {
-    let judge = runs.iter().find(|(name, _)| name == reference);
+    let judge = runs.iter().find(|(name, _)| Some(name.as_str()) == reference);
     let of_run = |(name, run): &(String, Run)| {
         let errors = match judge.filter(|(judge, _)| judge != name) {
             Some((judge, of_judge)) => {

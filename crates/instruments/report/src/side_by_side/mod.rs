@@ -1,4 +1,4 @@
-//! Several machines on one scenario: their errors against one of them, their times, and the page that shows both.
+//! Several machines or channels of one scenario: errors against one of them, times, and the page that shows both.
 
 mod figures;
 mod page;
@@ -25,13 +25,13 @@ pub struct SideBySide {
     schema: &'static str,
     /// Title of the scenario.
     pub title: String,
-    /// Folder of the run that errors are told against.
-    pub reference: String,
+    /// Folder of the run that errors are told against, if they are told against one.
+    pub reference: Option<String>,
     /// The runs, as they were asked for.
     pub machines: Vec<MachineFigures>,
 }
 
-/// Holds the finished runs in the folders `names` of `folder` against the one in `reference`, which is among them, and
+/// Holds the finished runs in the folders `names` of `folder` against the one in `reference`, which is among them if there is one, and
 /// writes [`SIDE_BY_SIDE`] and the page; tells the figures and where the page is. Frames are compared by the threads of the
 /// current pool.
 ///
@@ -40,12 +40,12 @@ pub struct SideBySide {
 pub fn write_side_by_side(
     folder: &Path,
     names: &[String],
-    reference: &str,
+    reference: Option<&str>,
 ) -> Result<(SideBySide, PathBuf), ReportError> {
     let runs = figures::read(folder, names)?;
     let machines = figures(folder, &runs, reference)?;
     let title = runs.first().map_or_else(String::new, |(_, run)| run.scenario.title.clone());
-    let figures = SideBySide { schema: SCHEMA, title, reference: reference.to_owned(), machines };
+    let figures = SideBySide { schema: SCHEMA, title, reference: reference.map(str::to_owned), machines };
     let json = serde_json::to_string_pretty(&figures).expect("figures are plain values") + "\n";
     write_changed(&folder.join(SIDE_BY_SIDE), &json)?;
     let path = folder.join(replay::PAGE);

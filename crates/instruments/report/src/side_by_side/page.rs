@@ -34,20 +34,22 @@ pub(crate) fn page(
     figures: &SideBySide,
 ) -> Result<Markup, ReportError> {
     let (_, first) = runs.first().expect("runs stand side by side");
-    let frames = frames(folder, runs, &figures.reference)?;
+    let reference = figures.reference.as_deref();
+    let frames = frames(folder, runs, reference)?;
     Ok(html! {
         (DOCTYPE)
         html lang="en" {
             (head(&format!("{} – side by side", figures.title), OWN_STYLE))
             body.wide-page {
                 header.masthead {
-                    div.running { span.house { "lunoid" } span { "Machines side by side" } }
+                    div.running { span.house { "lunoid" } span { (if reference.is_some() { "Machines side by side" } else { "Views side by side" }) } }
                     h1 { (figures.title) }
                     p.abstract { (first.scenario.shows) }
                 }
                 main {
-                    (errors(figures))
+                    @if let Some(reference) = reference { (errors(figures, reference)) }
                     (frames)
+                    @if reference.is_none() { (views(runs, figures)) }
                     (laws(runs))
                     (left_out(runs))
                     (every_frame(figures))
@@ -58,11 +60,11 @@ pub(crate) fn page(
 }
 
 /// The table that says which is how good at what cost.
-fn errors(figures: &SideBySide) -> Markup {
+fn errors(figures: &SideBySide, reference: &str) -> Markup {
     html! {
         section #errors aria-labelledby="errors-title" {
             h2 #errors-title { "Error and time" }
-            p.lead { "Against " b { (figures.reference) } ", over all pixels of all frames that both have. Root mean square, SSIM "
+            p.lead { "Against " b { (reference) } ", over all pixels of all frames that both have. Root mean square, SSIM "
                 "and shares are means over the frames, followed by the worst frame. The horizon is off by so many lines in half "
                 "the columns and in 99 of 100, in the worst frame. Shadow agrees where a pixel of the ground is dark in both pictures or in "
                 "neither." }
@@ -104,6 +106,27 @@ fn row(machine: &MachineFigures) -> Markup {
     }
 }
 
+/// How each view is turned, what it shows, and what it took.
+fn views(runs: &[(String, Run)], figures: &SideBySide) -> Markup {
+    let degrees = |value: f64| format!("{}°", shortened(value, 2));
+    html! {
+        section #views aria-labelledby="views-title" {
+            h2 #views-title { "Views" }
+            div.wide tabindex="0" role="group" aria-label="Views" { table.figures {
+                thead { tr { @for name in ["View", "Heading", "Pitch", "Roll", "Field", "Time of a frame"] {
+                    th scope="col" { (name) } } } }
+                tbody { @for ((name, run), machine) in runs.iter().zip(&figures.machines) { tr {
+                    th scope="row" { a href=(format!("{name}/index.html")) { (name) } }
+                    @for angle in run.channel.iter().flat_map(|of| [of.heading_deg, of.pitch_deg, of.roll_deg]) {
+                        td { (degrees(angle)) } }
+                    td { (run.view.field_of_view_deg.map(degrees).join(" × ")) }
+                    td { (time(machine)) }
+                } } }
+            } }
+        }
+    }
+}
+
 fn time(machine: &MachineFigures) -> String {
     let Some((time, seconds)) = machine.time.and_then(|time| Some((time, time.of_a_frame()?))) else {
         return "not kept".into();
@@ -112,8 +135,8 @@ fn time(machine: &MachineFigures) -> String {
     format!("{} ms, {} frames on {} {threads}", shortened(1e3 * seconds, 1), time.frames_drawn, time.threads)
 }
 
-/// Frames in columns; below each its difference from the reference.
-fn frames(folder: &Path, runs: &[(String, Run)], reference: &str) -> Result<Markup, ReportError> {
+/// Frames in columns; below each its difference from the reference, if there is one.
+fn frames(folder: &Path, runs: &[(String, Run)], reference: Option<&str>) -> Result<Markup, ReportError> {
     let (_, first) = runs.first().expect("runs stand side by side");
     let chosen = spread(0, first.frames.len() as u64, ROWS);
     let rows = chosen.into_iter().map(|at| {
@@ -128,7 +151,8 @@ fn frames(folder: &Path, runs: &[(String, Run)], reference: &str) -> Result<Mark
             h2 #frames-title { "Frames" }
             p.lead { (rows.len()) " of " (first.frames.len()) " frames, evenly spread. " @if first.view.columns as usize > COLUMNS {
                 "They are made smaller; a click leads to the whole one beside this page. " }
-                "Below each is its difference from " b { (reference) } ", " (FACTOR) " times enlarged: grey is equal, brighter is brighter." }
+                @if let Some(reference) = reference { "Below each is its difference from " b { (reference) } ", " (FACTOR)
+                    " times enlarged: grey is equal, brighter is brighter." } }
             @for (frame, time, cells) in &rows {
                 h3 { "Frame " (frame) ", " (shortened(*time, 2)) " s" }
                 div.side style=(style) { @for cell in cells { (cell) } }
@@ -140,7 +164,7 @@ fn frames(folder: &Path, runs: &[(String, Run)], reference: &str) -> Result<Mark
 fn cell(
     folder: &Path,
     (name, run): (&str, &Run),
-    reference: &str,
+    reference: Option<&str>,
     frame: u64,
 ) -> Result<Markup, ReportError> {
     let picture = picture_name(frame * run.showings());
@@ -148,14 +172,16 @@ fn cell(
     let Some(whole) = path.exists().then(|| read_any_png(&path, &Limits::default())).transpose()? else {
         return Ok(html! { div { p.whose { (name) ": not drawn" } } });
     };
-    let judge = folder.join(reference).join(&picture);
-    let difference = match name != reference && judge.exists() {
-        true => {
-            let judge = read_any_png(&judge, &Limits::default())?;
+    let judge =
+        reference.filter(|judge| *judge != name).map(|judge| (judge, folder.join(judge).join(&picture)));
+    let difference = match judge.filter(|(_, file)| file.exists()) {
+        Some((judge, file)) => {
+            let of_judge = read_any_png(&file, &Limits::default())?;
             let refused = |source| ReportError::Compare { path: path.clone(), source };
-            Some(shown(&path, &difference_any(&whole, &judge, FACTOR).map_err(refused)?, run)?)
+            let difference = difference_any(&whole, &of_judge, FACTOR).map_err(refused)?;
+            Some((judge, shown(&path, &difference, run)?))
         }
-        false => None,
+        None => None,
     };
     let shown = shown(&path, &whole.to_eight_bits(), run)?;
     Ok(html! {
@@ -163,7 +189,7 @@ fn cell(
             p.whose { (name) }
             a href=(format!("{name}/{picture}")) { img src=(shown) loading="lazy" alt=(format!("Frame {frame} by {name}"))
                 style=(format!("aspect-ratio:{:.6}", run.aspect())); }
-            @if let Some(url) = difference { img src=(url) loading="lazy" alt=(format!("Difference of {name} from {reference}"))
+            @if let Some((judge, url)) = difference { img src=(url) loading="lazy" alt=(format!("Difference of {name} from {judge}"))
                 style=(format!("aspect-ratio:{:.6}", run.aspect())); }
         }
     })

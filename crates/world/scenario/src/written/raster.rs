@@ -20,8 +20,8 @@ pub(super) fn wishes(table: &Reader) -> RasterWishes {
     }
 }
 
-/// Both angles, or the horizontal one and pixels that are square, whose lines must then be known.
-pub(super) fn field_of_view(table: &Reader) -> Option<FieldWish> {
+/// Both angles of `table`, or the horizontal one and pixels that are square, whose lines `raster` must then name.
+pub(super) fn field_of_view(table: &Reader, raster: &Reader) -> Option<FieldWish> {
     let angles = table
         .f64_or_pair("field_of_view_deg")
         .between(0.1, 170.0)
@@ -33,9 +33,9 @@ pub(super) fn field_of_view(table: &Reader) -> Option<FieldWish> {
             let field = FieldOfView { tan_half_width: tangent(width), tan_half_height: tangent(height) };
             Some(FieldWish::Both(field))
         }
-        _ if table.has("lines") => Some(FieldWish::Across(tangent(angles[0]))),
+        _ if raster.has("lines") => Some(FieldWish::Across(tangent(angles[0]))),
         _ => {
-            let [key, lines] = ["field_of_view_deg", "lines"].map(|key| table.path(key));
+            let (key, lines) = (table.path("field_of_view_deg"), raster.path("lines"));
             let title = format!("`{key}` is one angle, without `{lines}`: the height of the picture is open");
             let problem = table.problem("field_of_view_deg", title).expected("two angles, or lines as well");
             table.report(

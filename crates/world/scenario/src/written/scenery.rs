@@ -126,8 +126,13 @@ pub(super) fn report_twins<'t, 'r: 't>(
 
 /// Reads the key `id`.
 pub(super) fn id(table: &Reader) -> Id {
+    id_in(table, "id")
+}
+
+/// Reads `key` as an id.
+pub(super) fn id_in(table: &Reader, key: &str) -> Id {
     let is_id = |id: &String| id.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_');
-    table.string("id").must("letters, digits and dashes", is_id).placed().required()
+    table.string(key).must("letters, digits and dashes", is_id).placed().required()
 }
 
 fn object(

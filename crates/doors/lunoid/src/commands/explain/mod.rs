@@ -17,7 +17,7 @@ use crate::commands::of_run::stage_of;
 use crate::frame::FrameArgs;
 use crate::loading::{StageArgs, expect_machine};
 use crate::output::{print, print_json};
-use crate::values::pixel;
+use crate::values::{pixel, sampling_point};
 use crate::{Failure, Verdict};
 
 const AFTER: &str = "Examples:
@@ -25,6 +25,7 @@ const AFTER: &str = "Examples:
   lunoid explain scenarios/nominal-drive.toml --frame 45 --pixel 210,260 --json
   lunoid explain runs/first-light --frame 60 --pixel 500,300
   lunoid explain scenarios/lunsim-landing.toml --machine exact --frame 3 --pixel 100,200
+  lunoid explain scenarios/dust-curtain.toml --frame 40 --sample 500,300,2
   lunoid explain scenarios/nominal-drive.toml --machine pra-overloaded --frame 17 --late 500:12 --level coarse --pictures changed
 
 A run folder stands for the scenario and the options with which it was drawn. Of the hybrid machine the first lines say why, and the table has every signal at the sample. The last lines are commands that go on
@@ -43,6 +44,10 @@ pub struct Explain {
     /// Pixel: column and line, from 0 at the top left.
     #[arg(long, value_name = "X,Y", value_parser = pixel)]
     pixel: Option<[usize; 2]>,
+    /// Sampling point: column and line of its pixel, and its number within it, from 0. Everything that it holds is printed as JSON. Only of
+    /// generators that have sampling points.
+    #[arg(long, value_name = "X,Y,N", value_parser = sampling_point, conflicts_with_all = ["pixel", "late"])]
+    sample: Option<[usize; 3]>,
     #[command(flatten)]
     late: LateArgs,
     /// Leave the closed form out, and with it the error. Only of the hybrid machine.
@@ -59,6 +64,9 @@ impl Explain {
         let stage = stage_of(&self.chosen.stage)?;
         let opened = stage.load()?;
         self.chosen.expect_in(&opened)?;
+        if let Some(sample) = self.sample {
+            return self.of_a_sampling_point(&opened, sample);
+        }
         match (self.late.late, self.pixel) {
             (Some(place), _) => {
                 expect_machine(&opened, "it has no words that come late")?;
@@ -66,7 +74,9 @@ impl Explain {
             }
             (None, Some(pixel)) if opened.is_machine() => self.of_the_machine(opened, &stage, pixel),
             (None, Some(pixel)) => self.of_a_guest(&opened, pixel),
-            (None, None) => Err(Failure::usage("--pixel X,Y or --late SWEEP:PLACE: expected one of them")),
+            (None, None) => {
+                Err(Failure::usage("--pixel X,Y, --sample X,Y,N or --late SWEEP:PLACE: expected one of them"))
+            }
         }
     }
 
@@ -98,6 +108,34 @@ impl Explain {
             let rows: Vec<_> = told.into_iter().map(|fact| vec![fact.what, fact.value]).collect();
             print(&format!("frame {frame} ({time:.3} s), pixel {x},{y}, by {name}\n\n{}", table(&rows)))?;
         }
+        Ok(Verdict::Yes)
+    }
+
+    /// What one sampling point holds, as a document.
+    fn of_a_sampling_point(&self, opened: &Opened, [x, y, number]: [usize; 3]) -> Result<Verdict, Failure> {
+        let (frame, name) = (self.chosen.frame, opened.drawn_by());
+        let pool = self.chosen.threads.pool()?;
+        let found = pool.install(|| -> Result<_, Failure> {
+            let stage = opened.stage()?;
+            let (columns, lines) = (stage.view.columns, stage.view.lines);
+            if x >= columns as usize || y >= lines as usize {
+                let pixel = InquiryError::Pixel { x, y, columns, lines };
+                return Err(Failure::usage(format!("--sample: {pixel}")));
+            }
+            let pose = opened.poses(&stage, frame..frame + 1).map_err(Failure::input)?.rows()[0].pose;
+            let session = opened.generator.prepare(stage).map_err(Failure::input)?;
+            session.sampling_point(frame, &pose, [x, y], number).map_err(Failure::input)
+        })?;
+        let Some(mut document) = found else {
+            return Err(Failure::usage(format!(
+                "--sample {x},{y},{number}: {name} has no such sampling point; expected a generator with sampling points, and a number \
+                 below their count in a pixel"
+            )));
+        };
+        document["schema"] = "lunoid.sampling-point/1".into();
+        document["frame"] = frame.into();
+        document["sample"] = json!([x, y, number]);
+        print_json(&document)?;
         Ok(Verdict::Yes)
     }
 

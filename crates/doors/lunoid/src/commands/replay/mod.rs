@@ -42,7 +42,8 @@ const AFTER: &str = "Examples:
   lunoid replay scenarios/first-light.toml --machine ideal --machine pra-nominal --frames 0..4
 
 The same command again goes on where it was interrupted. Open index.html in the folder to look at the run.
-Several machines draw into sub-folders of one folder, exact among them, and one page holds them against it.";
+Several machines draw into sub-folders of one folder, exact among them, and one page holds them against it.
+The channels of a scenario draw into sub-folders too, unless --channel names one of them.";
 
 /// Draw a scenario into a folder of frames.
 #[derive(Debug, Args)]
@@ -62,7 +63,8 @@ pub struct Replay {
     /// Frames to draw, counted at the update rate: A..B without B. All if left out.
     #[arg(long, value_name = "A..B")]
     frames: Option<Span>,
-    /// Folder of the run; runs/NAME-OF-THE-SCENARIO if left out, of several machines with -side-by-side behind.
+    /// Folder of the run; runs/NAME-OF-THE-SCENARIO if left out, of several machines with -side-by-side behind, of all channels with -channels, of one with its
+    /// name.
     #[arg(short, long, value_name = "FOLDER")]
     out: Option<PathBuf>,
     /// One file for each showing of the display, with noise and lines of its own, instead of one for each frame that the machine
@@ -126,22 +128,31 @@ impl Replay {
         let mut phases = Phases::since(start);
         phases.mark("start");
         match self.machine.as_slice() {
-            [] => self.alone(None, phases),
-            [machine] => self.alone(Some(machine.clone()), phases),
-            machines => self.several(machines, &phases),
+            [] => self.one(None, phases),
+            [machine] => self.one(Some(machine.clone()), phases),
+            machines => self.machines(machines, &phases),
         }
     }
 
-    fn alone(&self, machine: Option<String>, mut phases: Phases) -> Result<Verdict, Failure> {
-        self.expect_one_on_stdout()?;
+    /// One machine: the channel that is asked for, or all that the scenario has.
+    fn one(&self, machine: Option<String>, phases: Phases) -> Result<Verdict, Failure> {
         let mut stage = self.stage(machine);
         stage.options.preview = self.preview.is_asked();
-        let out = self.out("");
-        self.expect_apart(&stage, &out)?;
-        let opened = stage.load()?;
-        let frames = choose_frames(&opened, self.frames)?;
+        let opened = stage.load_any_view()?;
+        match self.options.channel.is_none() && !opened.scenario.channels.is_empty() {
+            true => self.channels(&stage, &opened, &phases),
+            false => self.alone(&stage, &opened, phases),
+        }
+    }
+
+    fn alone(&self, stage: &StageArgs, opened: &Opened, mut phases: Phases) -> Result<Verdict, Failure> {
+        self.expect_one_on_stdout()?;
+        let of_channel = self.options.channel.as_ref().map_or_else(String::new, |name| format!("-{name}"));
+        let out = self.out(&of_channel);
+        self.expect_apart(stage, &out)?;
+        let frames = choose_frames(opened, self.frames)?;
         let generator = &*opened.generator;
-        self.expect_sweeps(&opened)?;
+        self.expect_sweeps(opened)?;
         let lines = generator.scan(&opened.settings.view()).map_or(0, |scan| scan.timebase.sweeps);
         check(&self.probe, &frames, lines, generator)?;
         let pool = self.threads.pool()?;
@@ -150,9 +161,9 @@ impl Replay {
         phases.mark("read");
         let built = pool.install(|| opened.stage())?;
         phases.mark("landscape");
-        let job = self.job(&opened, built, frames);
-        let (outcome, truth) = self.draw(&stage, &opened, &job, &folder, (&pool, &mut phases))?;
-        self.tell(&opened, &folder, (outcome, truth), phases)
+        let job = self.job(opened, built, frames);
+        let (outcome, truth) = self.draw(stage, opened, &job, &folder, (&pool, &mut phases))?;
+        self.tell(opened, &folder, (outcome, truth), phases)
     }
 
     /// The run folder, with room for the run's page where one is to be written.

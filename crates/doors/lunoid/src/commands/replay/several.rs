@@ -1,4 +1,4 @@
-//! Several machines on one scenario: a run of each in a folder of its own, and one page beside them.
+//! Several machines on one scenario, or several channels of one: a run of each in a folder of its own, and one page beside them.
 
 use std::fs;
 use std::path::Path;
@@ -13,15 +13,15 @@ use serde_json::{Value, json};
 use super::summary::{Summary, losses};
 use super::{Replay, ended, interrupted};
 use crate::interrupt;
-use crate::loading::{StageArgs, choose_frames};
+use crate::loading::{StageArgs, channel_names, choose_frames};
 use crate::output::{print, print_json, tell};
 use crate::{Failure, Verdict};
-use front_door::{Decides, Opened, decides};
+use front_door::{Decides, Opened, decides, open};
 
 /// Name of the phase in which the command works for other machines than the one whose times are told.
 const OTHERS: &str = "others";
 
-/// One machine of a side-by-side replay.
+/// One machine or one channel of a side-by-side replay.
 struct Entry {
     /// Its folder below that of the page.
     name: String,
@@ -32,13 +32,48 @@ struct Entry {
 }
 
 impl Replay {
-    /// Draws `machines`, and what they are held against, one after the other. `phases` are those before.
-    pub(super) fn several(&self, machines: &[String], phases: &Phases) -> Result<Verdict, Failure> {
-        self.expect_no_option_of_one()?;
-        let mut entries = self.entries(machines, phases)?;
-        let out = self.out("-side-by-side");
-        entries.iter().try_for_each(|entry| self.expect_apart(&entry.stage, &out.join(&entry.name)))?;
+    /// Draws `machines`, and what they are held against. `phases` are those before.
+    pub(super) fn machines(&self, machines: &[String], phases: &Phases) -> Result<Verdict, Failure> {
+        self.expect_no_option_of_one("--machine MODEL --out FOLDER/MODEL")?;
+        let entries = self.entries(machines, phases)?;
         expect_one_raster(&entries)?;
+        let first = &entries[0].opened;
+        if self.options.channel.is_none() && !first.scenario.channels.is_empty() {
+            return Err(Failure::usage(format!(
+                "{}: several machines stand side by side in one view; expected --channel with one of {}",
+                first.scenario_file(),
+                channel_names(first)
+            )));
+        }
+        self.several(entries, "-side-by-side", Some(registry::judge().name))
+    }
+
+    /// Draws all channels of `stage`, which is read as `opened` without any.
+    pub(super) fn channels(
+        &self,
+        stage: &StageArgs,
+        opened: &Opened,
+        phases: &Phases,
+    ) -> Result<Verdict, Failure> {
+        self.expect_no_option_of_one("--channel NAME --out FOLDER/NAME")?;
+        let entry = |name: &String| {
+            let mut phases = phases.clone();
+            let mut stage = stage.clone();
+            stage.options.channel = Some(name.clone());
+            let opened = open(&stage.scenario, &stage.wishes())?;
+            phases.mark("read");
+            choose_frames(&opened, self.frames)?;
+            Ok(Entry { name: name.clone(), stage, opened, phases })
+        };
+        let names = opened.scenario.channels.iter().map(|channel| &channel.name);
+        let entries = names.map(entry).collect::<Result<Vec<_>, Failure>>()?;
+        self.several(entries, "-channels", None)
+    }
+
+    /// Draws `entries` one after the other below a folder whose name ends in `of`, and holds them against the one called `judge`.
+    fn several(&self, mut entries: Vec<Entry>, of: &str, judge: Option<&str>) -> Result<Verdict, Failure> {
+        let out = self.out(of);
+        entries.iter().try_for_each(|entry| self.expect_apart(&entry.stage, &out.join(&entry.name)))?;
         expect_no_run(&out)?;
         let pool = self.threads.pool()?;
         interrupt::listen();
@@ -78,7 +113,7 @@ impl Replay {
             }
         }
         let names: Vec<String> = entries.iter().map(|entry| entry.name.clone()).collect();
-        let (figures, page) = pool.install(|| write_side_by_side(&out, &names, registry::judge().name))?;
+        let (figures, page) = pool.install(|| write_side_by_side(&out, &names, judge))?;
         let (documents, texts): (Vec<Value>, Vec<String>) = summaries.into_iter().unzip();
         match (self.saying.json, self.saying.quiet) {
             (true, _) => print_json(&json!({
@@ -96,11 +131,12 @@ impl Replay {
 
     /// What `entry` is to draw, if its machine can draw all of it: none begins what another cannot do.
     fn drawable<'a>(&self, entry: &'a Entry, stage: Stage, pool: &ThreadPool) -> Result<Job<'a>, Failure> {
-        let Entry { name, opened, .. } = entry;
+        let Entry { name, stage: asked, opened, .. } = entry;
+        let option = if asked.options.channel.as_ref() == Some(name) { "--channel" } else { "--machine" };
         let job = self.job(opened, stage, choose_frames(opened, self.frames)?);
         let refused = |error: ReplayError| match error {
             ReplayError::Prepare(_) | ReplayError::Frame(_) => {
-                Failure::input(format!("{}: --machine {name}: {error}", opened.scenario_file()))
+                Failure::input(format!("{}: {option} {name}: {error}", opened.scenario_file()))
             }
             other => other.into(),
         };
@@ -108,8 +144,8 @@ impl Replay {
         Ok(job)
     }
 
-    /// What belongs to the run of one machine.
-    fn expect_no_option_of_one(&self) -> Result<(), Failure> {
+    /// What belongs to one run; `one` are the words that ask for it.
+    fn expect_no_option_of_one(&self, one: &str) -> Result<(), Failure> {
         let given = [
             (self.y4m.is_some(), "--y4m"),
             (self.truth.is_some(), "--truth"),
@@ -119,8 +155,8 @@ impl Replay {
         ];
         match given.iter().find(|(is_given, _)| *is_given) {
             Some((_, option)) => Err(Failure::usage(format!(
-                "{option}: this belongs to one machine, and several are given; draw them first, then ask one of them: \
-                 --machine MODEL --out FOLDER/MODEL {option} ..."
+                "{option}: this belongs to one run, and several are asked for; draw them first, then ask one of them: \
+                 {one} {option} ..."
             ))),
             None => Ok(()),
         }
