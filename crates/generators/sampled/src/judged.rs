@@ -35,15 +35,15 @@ pub fn faces(scene: Scene, run: &Parameters) -> FaceScene {
     let mut faces = Vec::new();
     let mut sources = Vec::new();
     for (number, triangle) in (0..).zip(&scene.faces.triangles) {
-        let (plane, surface) = &scene.faces.looks[number as usize];
+        let Some((plane, surface)) = scene.faces.seen(number, &scene.camera) else { continue };
         let (priority, id) = match surface {
             Surface::Ready(feature) => (feature.priority(), feature.id()),
             Surface::Dust(sheet) => {
-                let (sheet, id) = &scene.dust[*sheet as usize];
+                let (sheet, id) = &scene.dust[sheet as usize];
                 (i32::from(sheet.priority), *id)
             }
         };
-        faces.push(ScreenFace { corners: triangle.corners().to_vec(), q: of_plane(plane), priority, id });
+        faces.push(ScreenFace { corners: triangle.corners().to_vec(), q: of_plane(&plane), priority, id });
         sources.push(Source::Triangle(number));
     }
     for point in scene.lights.points.iter().filter(|point| !point.is_calligraphic) {
@@ -117,10 +117,11 @@ fn look(scene: &Scene, source: Source, place: [f64; 2]) -> Look {
                 disc.light(ray).or_else(|| disc.light((ray + 0.05 * (disc.direction - ray)).normalize()));
             Look { light: light.unwrap_or_default(), translucency: 0.0 }
         }
-        Source::Triangle(number) => match &scene.faces.looks[number as usize].1 {
-            Surface::Ready(feature) => of_feature(feature, place),
-            Surface::Dust(sheet) => {
-                let sheet = &scene.dust[*sheet as usize].0;
+        Source::Triangle(number) => match scene.faces.seen(number, &scene.camera) {
+            None => Look { light: [0.0; 3], translucency: 1.0 },
+            Some((_, Surface::Ready(feature))) => of_feature(&feature, place),
+            Some((_, Surface::Dust(sheet))) => {
+                let sheet = &scene.dust[sheet as usize].0;
                 let share = sheet.translucency(scene.camera.ray(place).normalize().dot(sheet.normal()));
                 Look { light: sheet.colour.map(|channel| (1.0 - share) * channel), translucency: share }
             }
