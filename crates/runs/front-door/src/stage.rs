@@ -60,7 +60,10 @@ pub fn over(bank: Bank, scenario: &Scenario, settings: Settings) -> Result<Machi
 /// # Errors
 /// If the path does not suit the settings.
 pub fn under(stage: &Stage, scenario: &Scenario, settings: Settings) -> Result<MachineStage, StageError> {
-    joined(stage.landscape.clone(), (*stage.scenery).clone(), scenario, settings)
+    // What is chosen by frame 0 is chosen by the scenario's own, through its own channel.
+    let first = PoseTable::resolve(scenario, &stage.landscape, settings.timebase.update, None, 0..1)?;
+    let scenery = (*stage.scenery).clone().with_start(first.rows().first().map(|row| row.pose));
+    joined(stage.landscape.clone(), scenery, scenario, settings)
 }
 
 fn joined(
