@@ -109,8 +109,11 @@ pub fn hold(
         let [clearance, rise] = over_all_triangles(ground, &ends, parts);
         let tolerance = if parts == 1 { 1e-9 } else { 1e-7 } * distance;
         let rise = (rise + height).max(0.0);
+        // Samples of curved ground miss its top by a little, most near the observer; never the other way.
+        let missed = if parts == 1 { tolerance } else { 1e-4 };
         if parts == 1 || rise > 0.01 {
-            assert!((least[post] - rise).abs() <= 1e-6 + tolerance, "{post}: {} {rise}", least[post]);
+            let above = least[post] - rise;
+            assert!(above >= -tolerance && above <= missed, "{post}: {} {rise}", least[post]);
         }
         if clearance.abs() <= tolerance {
             counts.undecided += 1;
