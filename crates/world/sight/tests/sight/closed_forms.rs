@@ -38,6 +38,7 @@ fn touching_ground_is_seen() {
     let eye = Point::above_ground([-1.0, 0.0], 4.0);
     let seen = ridge.line_of_sight(&eye, &Point::above_ground([-1.0, 8.0], 0.0), Curvature::FLAT).unwrap();
     assert_eq!((seen.sight, seen.clearance, seen.blocker), (Sight::Visible, 0.0, None));
+    assert_eq!(ridge.viewshed(&eye, 0.0, Curvature::FLAT).unwrap()[9 + 8], Sight::Visible);
     let lower = Point::above_ground([-1.0, 0.0], 3.999);
     let hidden =
         ridge.line_of_sight(&lower, &Point::above_ground([-1.0, 8.0], 0.0), Curvature::FLAT).unwrap();
