@@ -61,6 +61,20 @@ fn the_first_blocker_is_where_the_line_meets_the_slope() {
     assert!((line.clearance + 5.5).abs() < 1e-12);
 }
 
+/// Over one cell of smooth ground of radius R the ground stands L^2 / 8R above the chord, in the middle of the cell.
+#[test]
+fn ground_bulges_between_two_neighbouring_posts() {
+    let curvature = Curvature::parabolic(1000.0, 0.0).unwrap();
+    let flat = posts([2, 3], 100.0, |_, _| 0.0);
+    let bulge = 100.0 * 100.0 / 8000.0;
+    for (height, sight) in [(bulge - 0.25, Sight::Hidden), (bulge + 0.25, Sight::Visible)] {
+        let eye = Point::above_ground([0.0, 0.0], height);
+        let seen = flat.line_of_sight(&eye, &Point::above_ground([0.0, 100.0], height), curvature).unwrap();
+        assert_eq!(seen.sight, sight, "{height}");
+        assert!((seen.clearance - (height - bulge)).abs() < 1e-9, "{}", seen.clearance);
+    }
+}
+
 #[test]
 fn the_horizon_of_a_smooth_body_is_at_the_root_of_twice_radius_times_height() {
     for (refraction, height) in [(0.0, 2.0), (0.0, 50.0), (0.13, 20.0)] {
