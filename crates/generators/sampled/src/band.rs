@@ -3,7 +3,6 @@
 use generator::Label;
 use raster::{Screen, SubArea};
 
-use crate::picture::Picture;
 use crate::tile::Tile;
 
 /// Rows of pixels that have not all their sampling points yet.
@@ -12,7 +11,7 @@ pub struct Band {
     height: usize,
     /// How many pixels a sub-area reaches beyond its own: 0 or 1.
     reach: usize,
-    /// The first row.
+    /// Row of pixels at which it begins.
     first: usize,
     /// The row after the last sub-area that was added.
     end: usize,
@@ -50,14 +49,14 @@ impl Band {
         }
     }
 
-    /// Hands over the rows that no later sub-area reaches.
-    pub fn hand_over(&mut self, picture: &mut Picture) {
+    /// Hands over the rows that no later sub-area reaches: their colours and nearest surfaces, row by row.
+    pub fn hand_over(&mut self, colours: &mut Vec<[f32; 3]>, surfaces: &mut Vec<(f32, Label)>) {
         let end = if self.end == self.height { self.height } else { self.end - self.reach };
         let pixels = (end - self.first) * self.width;
         // Beyond the border of the screen there are no sampling points: the others weigh more.
         let mean = |(sum, weight): ([f64; 3], f64)| sum.map(|channel| (channel / weight) as f32);
-        picture.colours.extend(self.sums.drain(..pixels).map(mean));
-        picture.surfaces.extend(self.surfaces.drain(..pixels));
+        colours.extend(self.sums.drain(..pixels).map(mean));
+        surfaces.extend(self.surfaces.drain(..pixels));
         self.first = end;
     }
 
@@ -113,20 +112,21 @@ mod tests {
         let [columns, rows] = screen.counts().map(|count| count as usize);
         for reach in [0, 1] {
             for band_rows in [1, 2, rows] {
-                let (mut band, mut picture) = (Band::new(&screen, reach), Picture::default());
+                let (mut band, mut colours, mut surfaces) =
+                    (Band::new(&screen, reach), Vec::new(), Vec::new());
                 for number in 0..screen.sub_areas() {
                     let area = screen.sub_area(number);
                     band.add(&tile(&area, reach), &area);
                     if (number + 1).is_multiple_of(band_rows * columns) {
-                        band.hand_over(&mut picture);
+                        band.hand_over(&mut colours, &mut surfaces);
                     }
                 }
                 let places = (0..45).flat_map(|y| (0..19).map(move |x| [x, y]));
                 let expected: Vec<[f32; 3]> = places.map(|place| colour(&screen, reach, place)).collect();
-                assert_eq!(picture.colours, expected, "reach {reach}, {band_rows} rows");
+                assert_eq!(colours, expected, "reach {reach}, {band_rows} rows");
                 // The second pixel of the sub-area at 8, 8.
-                assert_eq!(picture.surfaces[8 * 19 + 9], ((8 * 7 + 8 * 3 + 1) as f32, Label::Rock));
-                assert_eq!(picture.surfaces.len(), 19 * 45);
+                assert_eq!(surfaces[8 * 19 + 9], ((8 * 7 + 8 * 3 + 1) as f32, Label::Rock));
+                assert_eq!(surfaces.len(), 19 * 45);
             }
         }
     }

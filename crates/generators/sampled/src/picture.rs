@@ -85,7 +85,7 @@ pub fn draw(
             picture.readings.extend(reading);
             shares.extend(tile.shares.into_iter().map(|(point, share)| (number as u32, point, share)));
         }
-        band.hand_over(&mut picture);
+        band.hand_over(&mut picture.colours, &mut picture.surfaces);
     }
     let points = &scene.lights.points;
     picture.beam = Beam::new(points, shares, run, hardware, (1e9 / view.update.hertz()) as u64);

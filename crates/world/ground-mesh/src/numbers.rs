@@ -14,7 +14,7 @@ pub(crate) struct Numbers {
 }
 
 impl Numbers {
-    /// Forgets all rings.
+    /// Forgets the numbers of all rings.
     pub fn clear(&mut self) {
         self.ring.numbers.clear();
         self.inner.numbers.clear();

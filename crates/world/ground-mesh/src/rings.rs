@@ -90,7 +90,7 @@ impl Square {
 pub(crate) struct Ring {
     /// Side of a cell, in steps of the grid.
     pub step: i64,
-    /// Its outer border.
+    /// Square that is its outer border.
     pub square: Square,
     inner: Option<Square>,
 }
