@@ -89,6 +89,38 @@ pub fn set_line(key: &str, value: &str, problems: &Problems) -> Option<TomlFile>
     TomlFile::parse("--set", &format!("{key} = {value}"), problems)
 }
 
+/// Format of an overlay over a generator.
+const OVERLAY_FORMAT: u64 = 1;
+
+/// Reads `text` as an overlay over run parameters and gear of `row`: `format`, and differences in its tables. `name` is how messages
+/// call it.
+///
+/// # Errors
+/// Every fault of the overlay.
+pub fn overlay(row: &Row, name: &str, text: &str) -> Result<TomlFile, ProblemList> {
+    let problems = Problems::new();
+    let parse = || TomlFile::parse(name, text, &problems);
+    if let Some(file) = parse() {
+        let gear = row.gear.and_then(|gear| TomlFile::parse(gear.file, gear.text, &problems));
+        let layers = Layers::new(gear.into_iter().chain([file]));
+        let root = layers.root(&problems);
+        root.format_version(OVERLAY_FORMAT);
+        drop((row.configure)(&root));
+        row.tables().for_each(|table| drop(root.table_or_empty(table)));
+        root.finish();
+    }
+    problems.into_result()?;
+    let again = parse();
+    problems.resolve(again)
+}
+
+/// The row that `file` is an overlay of, by its tables.
+pub fn overlay_owner(file: &TomlFile) -> Option<&'static Row> {
+    let silent = Problems::new();
+    let root = file.root(&silent);
+    ROWS.iter().copied().find(|row| row.tables().any(|table| root.has(table)))
+}
+
 /// Reads `text` as the whole gear file of `row`; `name` is the path as the user gave it.
 ///
 /// # Errors

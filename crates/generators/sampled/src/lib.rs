@@ -109,9 +109,13 @@
 mod beam;
 mod camera;
 mod faces;
+mod faults;
+mod fields;
 mod hardware;
 mod inputs;
+mod judged;
 mod lights;
+mod map;
 mod overload;
 mod parameters;
 mod picture;
@@ -123,6 +127,8 @@ mod scene;
 #[cfg(test)]
 mod scenes;
 mod session;
+mod shown;
+mod sizing;
 mod store;
 mod tile;
 mod timed;

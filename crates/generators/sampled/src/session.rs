@@ -10,6 +10,7 @@ use serde_json::{Value, json};
 use signal::{Probe, Signal, Wire};
 use translucency::{FeatureError, Losses};
 
+use crate::fields::Fields;
 use crate::hardware::Hardware;
 use crate::lights::Point;
 use crate::overload::LostEntry;
@@ -21,7 +22,7 @@ use crate::rows::{self, Rows};
 use crate::scene::Scene;
 use crate::tile::{SIDE, Sampler};
 use crate::timed::Clocked;
-use crate::{overload, store};
+use crate::{map, overload, store};
 
 /// The sampled generator; see the crate's data sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,7 +38,7 @@ const fn counter(name: &'static str) -> Counter {
 }
 
 /// What a frame took and lost.
-const COUNTERS: [Counter; 11] = [
+const COUNTERS: [Counter; 13] = [
     counter("faces"),
     counter("triangles"),
     counter("entries"),
@@ -48,6 +49,8 @@ const COUNTERS: [Counter; 11] = [
     counter("lost_entries"),
     counter("lost_points"),
     counter("beam_dropped"),
+    counter("late_sub_areas"),
+    counter("repeated"),
     Counter { name: "loss_bound_ppm", joined: Joined::Largest },
 ];
 
@@ -82,9 +85,17 @@ impl Generator for Sampled {
         stage.is_colourful()
     }
 
+    fn remembers_frames(&self) -> bool {
+        self.parameters.overload.shows_earlier_frames()
+    }
+
+    fn has_deadlines(&self) -> bool {
+        true
+    }
+
     fn record(&self) -> Value {
         let Self { parameters: run, hardware: Hardware { memory, beam, .. } } = self;
-        json!({
+        let mut record = json!({
             "pattern": run.pattern.name(),
             "rotate": run.rotate,
             "filter": format!("{:?}", run.filter).to_lowercase(),
@@ -106,7 +117,11 @@ impl Generator for Sampled {
             "points": memory.points,
             "jump_us": beam.jump_ns as f64 / 1e3,
             "dwell_us": beam.dwell_ns as f64 / 1e3,
-        })
+        });
+        if self.remembers_frames() {
+            record["sampler"] = self.hardware.sampler_record();
+        }
+        record
     }
 
     fn prepare(&self, stage: Stage) -> Result<Box<dyn GeneratorSession>, PrepareError> {
@@ -124,6 +139,7 @@ pub(crate) struct Session {
     pub screen: Screen,
     pub parameters: Parameters,
     pub hardware: Hardware,
+    pub fields: Fields,
 }
 
 /// The scene of a frame, within the limits of the light point store.
@@ -146,7 +162,15 @@ impl Session {
             remedy: "ask for a smaller raster".into(),
         })?;
         let Sampled { parameters, hardware } = *generator;
-        Ok(Self { stage, screen, parameters, hardware })
+        let frames = stage.scenery.course().len();
+        if generator.remembers_frames() && frames == 0 {
+            return Err(PrepareError::Unsupported {
+                generator: NAME,
+                what: format!("overload `{}` without the frames before", parameters.overload.word()),
+                remedy: "give the stage the course of its mission".into(),
+            });
+        }
+        Ok(Self { stage, screen, parameters, hardware, fields: Fields::of(frames) })
     }
 
     /// Gathers frame `frame` from `pose`.
@@ -160,7 +184,11 @@ impl Session {
         Ok(Gathered { scene, lost_points })
     }
 
-    /// Draws a scene, and reads its sub-areas off if `is_read`.
+    fn remembers_frames(&self) -> bool {
+        self.parameters.overload.shows_earlier_frames()
+    }
+
+    /// Draws a scene as if everything were in time, and reads its sub-areas off if `is_read`. The beam's spots are not yet in it.
     ///
     /// # Errors
     /// If a light is no number.
@@ -193,11 +221,22 @@ impl GeneratorSession for Session {
         planes: &mut Planes,
         probe: &mut Probe,
     ) -> Result<FrameCounts, FrameError> {
-        let gathered = self.gather(frame, pose)?;
+        let shown = self.shown(frame, pose)?;
+        let gathered = self.gather(shown.frame, &shown.pose)?;
         let scene = &gathered.scene;
-        let picture = self.picture(scene, frame, probe.is_on())?;
+        let wants_map = planes.get(PlaneKind::Overload).is_some();
+        let is_read = probe.is_on() || wants_map || self.remembers_frames();
+        let mut picture = self.picture(scene, shown.frame, is_read)?;
+        let late = self.show_late(&mut picture, scene, shown.frame)?;
+        let Self { screen, hardware, parameters, .. } = self;
+        picture.beam.draw(&scene.lights.points, parameters, screen, &mut picture.colours);
         picture::fill(&picture, scene, planes);
-        let Self { screen, hardware, .. } = self;
+        if let Some(plane) = planes.get_mut(PlaneKind::Overload) {
+            map::fill(plane, &picture, &gathered, screen, &self.late(&picture.readings));
+        }
+        if shown.is_dark {
+            planes.fill_sky();
+        }
         Rows { screen, camera: &scene.camera, hardware, readings: &picture.readings }.record(frame, probe);
         let calligraphic = scene.lights.points.iter().filter(|point| point.is_calligraphic).count() as u64;
         Ok(FrameCounts::of([
@@ -211,6 +250,8 @@ impl GeneratorSession for Session {
             ("lost_entries", picture.lost.len() as u64),
             ("lost_points", gathered.lost_points.len() as u64),
             ("beam_dropped", picture.beam.dropped.len() as u64),
+            ("late_sub_areas", late),
+            ("repeated", u64::from(shown.is_dark || shown.frame != frame)),
             ("loss_bound_ppm", largest_loss_ppm(&picture.losses)),
         ]))
     }

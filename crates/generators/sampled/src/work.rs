@@ -41,8 +41,19 @@ pub fn due(row: u32, rows: u32, frame: u64) -> u64 {
     (u128::from(frame) * (u128::from(row) + 1) / u128::from(rows)) as u64
 }
 
+/// Row of each sub-area in raster order, and the tick at which it is due in a frame of `frame` ticks.
+pub fn dues(screen: &Screen, frame: u64) -> impl Iterator<Item = (u32, u64)> + use<> {
+    let [columns, rows] = screen.counts();
+    (0..rows).flat_map(move |row| (0..columns).map(move |_| (row, due(row, rows, frame))))
+}
+
+/// Fields that a frame takes whose last sub-area is read out at tick `end`: whole ones of `ticks`, at least 1.
+pub fn fields(end: u64, ticks: u64) -> u64 {
+    end.div_ceil(ticks).max(1)
+}
+
 /// The course of a frame through sampler and pixel writer.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Course {
     /// Tick at which each sub-area is read out and its pixels are written, from when the frame begins.
     pub read_out: Vec<u64>,
