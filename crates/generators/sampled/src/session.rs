@@ -251,7 +251,7 @@ impl GeneratorSession for Session {
             ("lost_points", gathered.lost_points.len() as u64),
             ("beam_dropped", picture.beam.dropped.len() as u64),
             ("late_sub_areas", late),
-            ("repeated", u64::from(shown.is_dark || shown.frame != frame)),
+            ("repeated", u64::from(!shown.is_new)),
             ("loss_bound_ppm", largest_loss_ppm(&picture.losses)),
         ]))
     }

@@ -18,6 +18,8 @@ pub struct Shown {
     pub frame: u64,
     /// Its pose.
     pub pose: Pose,
+    /// Whether no picture has shown it before.
+    pub is_new: bool,
     /// Whether nothing is complete yet: the picture is dark.
     pub is_dark: bool,
 }
@@ -29,12 +31,13 @@ impl Session {
     /// If a frame before cannot be drawn.
     pub fn shown(&self, frame: u64, pose: &Pose) -> Result<Shown, FrameError> {
         if self.parameters.overload != Overload::Extend {
-            return Ok(Shown { frame, pose: *pose, is_dark: false });
+            return Ok(Shown { frame, pose: *pose, is_new: true, is_dark: false });
         }
         let field = self.field(frame)?;
         let shown = field.shown();
         let frame = shown.unwrap_or(field.frame);
-        Ok(Shown { frame, pose: self.pose(frame)?, is_dark: shown.is_none() })
+        let (is_new, is_dark) = (field.is_complete, shown.is_none());
+        Ok(Shown { frame, pose: self.pose(frame)?, is_new, is_dark })
     }
 
     /// What the machine does in field `number` where frames may take several.
@@ -105,5 +108,112 @@ impl Session {
         let course = Course::of(readings, &self.hardware);
         let dues = work::dues(&self.screen, self.field_ticks());
         course.read_out.iter().zip(dues).map(|(came, (_, due))| *came > due).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use generator::{Generator, PlaneKind, Planes, Session as _};
+    use scenario::Effects;
+    use signal::Probe;
+
+    use super::*;
+    use crate::{BeamLayer, Hardware, Parameters, Sampled, scenes};
+
+    const KINDS: [PlaneKind; 4] =
+        [PlaneKind::Red, PlaneKind::Label, PlaneKind::Distance, PlaneKind::Overload];
+
+    /// The pane and two stars of the raster, seen from poses that nod: each frame shows the stars elsewhere.
+    fn effects() -> Effects {
+        let lights = vec![scenes::star(0, [0.5, -0.5], 0.0, false), scenes::star(1, [0.5, 0.5], 0.0, false)];
+        Effects { lights, overlays: vec![scenes::pane()], ..Effects::default() }
+    }
+
+    /// Frames of a policy at 166 frames a second: six ticks, of which rows are due at 3 and 6. Read out is at 3, 4, 6 and 7.
+    fn drawn(overload: Overload, frames: &[u64]) -> Vec<(Planes, u64, u64)> {
+        let (generator, update) = scenes::slow(166);
+        let parameters = Parameters { overload, beam_layer: BeamLayer::Raster, ..generator.parameters };
+        let stage = scenes::moving(effects(), update, 6);
+        let course = stage.scenery.course().to_vec();
+        let session = Sampled { parameters, ..generator }.prepare(stage).unwrap();
+        let draw = |frame: &u64| {
+            let mut planes = Planes::new(16, 16, &KINDS);
+            let pose = &course[*frame as usize];
+            let counts = session.frame(*frame, pose, &mut planes, &mut Probe::off()).unwrap();
+            (planes, counts["late_sub_areas"], counts["repeated"])
+        };
+        frames.iter().map(draw).collect()
+    }
+
+    /// Values of a plane in a sub-area of the 2 x 2.
+    fn tile(planes: &Planes, kind: PlaneKind, number: usize) -> Vec<f32> {
+        let values = planes.get(kind).unwrap();
+        (0..256).filter(|at| crate::picture::area_of(*at, 16) == number).map(|at| values[at]).collect()
+    }
+
+    #[test]
+    fn a_late_sub_area_shows_the_frame_before_and_black_in_the_first() {
+        let [before, now] = &drawn(Overload::DropSmallest, &[2, 3])[..] else { unreachable!() };
+        let [first, late] = &drawn(Overload::Late, &[0, 3])[..] else { unreachable!() };
+        assert_eq!(((now.1, late.1, first.1), late.2), ((0, 2, 2), 0));
+        for (number, shown) in [(0, now), (1, before), (2, now), (3, before)] {
+            for kind in &KINDS[..3] {
+                assert_eq!(tile(&late.0, *kind, number), tile(&shown.0, *kind, number), "{number}");
+            }
+        }
+        assert_ne!(tile(&before.0, PlaneKind::Red, 1), tile(&now.0, PlaneKind::Red, 1));
+        assert!(tile(&first.0, PlaneKind::Red, 1).iter().all(|red| *red == 0.0));
+        let marked = |number| tile(&late.0, PlaneKind::Overload, number);
+        assert_eq!([0, 1, 2, 3].map(|number| marked(number)[0]), [0.0, 4.0, 0.0, 4.0]);
+        assert_eq!(now.0.get(PlaneKind::Overload), late.0.get(PlaneKind::Overload));
+    }
+
+    /// Each frame takes two fields: the odd ones are never begun.
+    #[test]
+    fn a_frame_that_takes_another_field_is_shown_when_it_is_complete() {
+        let own = drawn(Overload::DropSmallest, &[0, 1, 2, 3, 4]);
+        let long = drawn(Overload::Extend, &[0, 1, 2, 3, 4]);
+        let red = |(planes, ..): &(Planes, u64, u64)| planes.get(PlaneKind::Red).unwrap().to_vec();
+        assert!(red(&long[0]).iter().all(|red| *red == 0.0));
+        assert_ne!(red(&own[0]), red(&own[2]));
+        for (field, frame) in [(1, 0), (2, 0), (3, 2), (4, 2)] {
+            assert_eq!(red(&long[field]), red(&own[frame]), "field {field}");
+        }
+        assert_eq!(long.iter().map(|(.., repeated)| *repeated).collect::<Vec<_>>(), [1, 0, 1, 0, 1]);
+    }
+
+    #[test]
+    fn a_frame_alone_is_as_in_sequence() {
+        for overload in [Overload::Late, Overload::Extend] {
+            let sequence = drawn(overload, &[0, 1, 2, 3, 4, 5]);
+            for (frame, shown) in (0..).zip(&sequence) {
+                assert_eq!(&drawn(overload, &[frame])[0], shown, "{overload:?}, frame {frame}");
+            }
+        }
+    }
+
+    /// Where insertions take time, fields are counted with the depth of stacks: the pane takes two ticks more, twice.
+    #[test]
+    fn insertions_count_for_the_fields_of_a_frame() {
+        let (generator, update) = scenes::slow(100);
+        let fields = |insert_ticks: u64| {
+            let parameters = Parameters { overload: Overload::Extend, ..generator.parameters };
+            let hardware = Hardware { insert_ticks, ..generator.hardware };
+            let stage = scenes::moving(effects(), update, 2);
+            let session = Session::new(stage, &Sampled { parameters, hardware }).unwrap();
+            session.field(0).unwrap().is_complete
+        };
+        assert!(fields(1) && !fields(3));
+    }
+
+    #[test]
+    fn a_stage_without_the_frames_before_is_refused() {
+        for overload in [Overload::Late, Overload::Extend] {
+            let (generator, update) = scenes::slow(10);
+            let parameters = Parameters { overload, ..generator.parameters };
+            let stage = scenes::stage(effects(), update);
+            let error = Sampled { parameters, ..generator }.prepare(stage).err().unwrap().to_string();
+            assert!(error.contains(overload.word()) && error.contains("course"), "{error}");
+        }
     }
 }

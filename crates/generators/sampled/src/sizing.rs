@@ -77,3 +77,32 @@ fn pieces(frame: &FrameTiming, unit: &str, task: &str) -> u64 {
     let is_it = |known: &&Task| (known.unit.as_str(), known.task.as_str()) == (unit, task);
     frame.tasks.iter().find(is_it).map_or(0, |task| task.pieces)
 }
+
+#[cfg(test)]
+mod tests {
+    use generator::{SizedFigure, Timed};
+
+    use crate::{Clocked, scenes};
+
+    /// At 10 frames a second and 1 kHz a frame has 100 ticks, 25 a sub-area. The pane and two stars have lists of 2, 1, 2 and 0
+    /// entries, six corners, three features of the sky and one point for the beam.
+    #[test]
+    fn figures_are_the_works_of_the_frames() {
+        let (generator, update) = scenes::slow(10);
+        let clocked = Clocked::new(scenes::stage(scenes::pane_and_stars(), update), &generator).unwrap();
+        let frame = Timed::frame(&clocked, 0, &scenes::pose()).unwrap();
+        let before = frame.tasks.iter().filter(|task| ["geometry", "lists"].contains(&task.unit.as_str()));
+        let before = before.map(|task| task.ticks).sum::<u64>() as f64;
+        let told = |figure: SizedFigure| (figure.key, figure.measured, figure.formula);
+        let figures: Vec<_> = clocked.sizing(&[frame]).into_iter().map(told).collect();
+        let expected = [
+            ("sampler_ticks", Some(7.0), Some(100.0)),
+            ("sampler_ticks_most", Some(7.0), Some(100.0)),
+            ("entries", Some(1.25), Some(25.0)),
+            ("frame_tasks_ticks", Some(before), Some(100.0)),
+            ("pixel_ticks", Some(4.0), Some(4.0)),
+            ("beam_points", Some(1.0), Some(10_000.0)),
+        ];
+        assert_eq!(figures, expected);
+    }
+}

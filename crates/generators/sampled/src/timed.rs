@@ -130,7 +130,8 @@ mod tests {
 
     use super::Clocked;
     use crate::hardware::Hardware;
-    use crate::scenes;
+    use crate::overload::Overload;
+    use crate::{Parameters, scenes};
 
     /// Frame 0 of the pane and two stars at `update` frames a second, on hardware that `change` makes of the slow one.
     fn timed(update: u64, change: impl Fn(Hardware) -> Hardware) -> FrameTiming {
@@ -208,6 +209,57 @@ mod tests {
         assert_eq!(slack(&timing, "beam"), Some((1, 1, Some(-100))));
         let missed = timing.misses.iter().find(|missed| missed.deadline.word() == "beam").unwrap();
         assert_eq!((missed.part.as_deref(), missed.came, missed.due), (Some("light.1"), None, 200.0));
+    }
+
+    /// The pane covers sub-areas 0 and 2, and there is no slot for it: each of 64 pixels loses it at 4 sampling points.
+    #[test]
+    fn full_stacks_are_misses_of_their_sub_areas() {
+        let (generator, rate) = scenes::slow(10);
+        let parameters = Parameters { translucent: Some(0), ..generator.parameters };
+        let generator = crate::Sampled { parameters, ..generator };
+        let clocked = Clocked::new(scenes::stage(scenes::pane_and_stars(), rate), &generator).unwrap();
+        let timing = Timed::frame(&clocked, 0, &scenes::pose()).unwrap();
+        assert_eq!(slack(&timing, "stack"), Some((4, 2, Some(-256))));
+        let told: Vec<_> =
+            timing.misses.iter().map(|missed| (missed.sweep, missed.part.as_deref())).collect();
+        assert_eq!(told, [(0, Some("sub-area.0")), (1, Some("sub-area.2"))]);
+        // Without limits there is no such deadline.
+        let parameters = Parameters { translucent: None, lights: None, ..generator.parameters };
+        let generator = crate::Sampled { parameters, ..generator };
+        let clocked = Clocked::new(scenes::stage(scenes::pane_and_stars(), rate), &generator).unwrap();
+        assert_eq!(slack(&Timed::frame(&clocked, 0, &scenes::pose()).unwrap(), "stack"), None);
+    }
+
+    /// Six ticks a field; the last sub-area is read out at 8, so the frame takes two fields and the next is never begun. The beam of
+    /// the frame waits for the third field.
+    #[test]
+    fn a_frame_that_is_extended_misses_its_update() {
+        let (generator, rate) = scenes::slow(166);
+        let parameters = Parameters { overload: Overload::Extend, ..generator.parameters };
+        let beam = BeamBudget { jump_ns: 2_000_000, dwell_ns: 0 };
+        let hardware = Hardware { beam, ..generator.hardware };
+        let stage = scenes::moving(scenes::pane_and_stars(), rate, 2);
+        let poses = stage.scenery.course().to_vec();
+        let clocked = Clocked::new(stage, &crate::Sampled { parameters, hardware }).unwrap();
+        let [long, never] =
+            [0, 1].map(|frame| Timed::frame(&clocked, frame, &poses[frame as usize]).unwrap());
+        assert_eq!(slack(&long, "update"), Some((1, 1, Some(-2))));
+        let missed = |timing: &FrameTiming| {
+            let missed = timing.misses.iter().find(|missed| missed.deadline.word() == "update").unwrap();
+            (missed.due, missed.came, missed.cause)
+        };
+        assert_eq!(missed(&long), (6.0, Some(8.0), Cause::Queue));
+        assert_eq!(slack(&long, "beam"), Some((1, 0, Some(18 - 12 - 2))));
+        assert_eq!((long.ticks, never.ticks), (6, 6));
+        assert_eq!(slack(&never, "update"), Some((1, 1, Some(-6))));
+        assert_eq!(missed(&never), (6.0, None, Cause::Queue));
+        assert!(never.tasks.is_empty() && never.units.iter().all(|unit| unit.busy == 0) && never.events == 0);
+        assert_eq!(slack(&never, "sub-area"), Some((0, 0, None)));
+        // A session of its own says the same of the later frame.
+        let parameters = Parameters { overload: Overload::Extend, ..Parameters::default() };
+        let stage = scenes::moving(scenes::pane_and_stars(), rate, 2);
+        let alone = Clocked::new(stage, &crate::Sampled { parameters, hardware }).unwrap();
+        assert_eq!(Timed::frame(&alone, 1, &poses[1]).unwrap(), never);
     }
 
     /// A bound on a kind of deadline that a frame has no cause to count is met all the same.

@@ -220,8 +220,8 @@ mod tests {
             .map(|task| (task.unit.as_str(), task.task.as_str(), task.pieces, task.ticks))
             .collect();
         let expected = [
-            ("geometry", "features", 7, 28),
-            ("geometry", "corners", 11, 22),
+            ("geometry", "features", 7, 7),
+            ("geometry", "corners", 11, 11),
             ("lists", "pairs", 37, 37),
             ("sampler", "entries", 33, 33),
             ("sampler", "short-lists", 1, 5),
@@ -231,9 +231,9 @@ mod tests {
             ("beam", "points", 2, 800),
         ];
         assert_eq!(told, expected);
-        assert_eq!(work.before_frame(&hardware), 28 + 22 + 37);
+        assert_eq!(work.before_frame(&hardware), 7 + 11 + 37);
         let units = work.units(&tasks, &Course::of(&readings, &hardware));
-        assert_eq!(units.iter().map(|unit| unit.busy).sum::<u64>(), 965);
+        assert_eq!(units.iter().map(|unit| unit.busy).sum::<u64>(), 933);
         assert_eq!(units.last().map(|unit| unit.longest_queue), Some(3));
     }
 
