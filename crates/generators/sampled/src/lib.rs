@@ -114,12 +114,12 @@
 
 mod beam;
 mod camera;
+mod deadlines;
 mod faces;
 mod faults;
 mod fields;
 mod hardware;
 mod inputs;
-mod judged;
 mod lights;
 mod map;
 mod overload;

@@ -193,7 +193,7 @@ impl Session {
     /// # Errors
     /// If a light is no number.
     pub fn picture(&self, scene: &Scene, frame: u64, is_read: bool) -> Result<Picture, FrameError> {
-        let Self { stage, screen, parameters, hardware } = self;
+        let Self { stage, screen, parameters, hardware, .. } = self;
         picture::draw(scene, screen, parameters, hardware, &stage.view, frame, is_read)
     }
 }

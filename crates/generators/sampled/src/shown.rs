@@ -113,7 +113,7 @@ impl Session {
 
 #[cfg(test)]
 mod tests {
-    use generator::{Generator, PlaneKind, Planes, Session as _};
+    use generator::{Generator, PlaneKind, Planes};
     use scenario::Effects;
     use signal::Probe;
 

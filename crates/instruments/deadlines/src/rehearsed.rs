@@ -114,14 +114,15 @@ impl Other {
         misses::lines_text(record, lines, line, 1e9 / self.timed.master().hertz())
     }
 
-    /// A table of how long each frame of `record` takes, unit by unit and in all: seconds, or milliseconds where no frame is as long.
+    /// A table of how long each frame of `record` takes, unit by unit and in all: in seconds, or in milliseconds where it has
+    /// deadlines.
     pub fn times_text(&self, record: &TimingRecord) -> String {
         times_text(record, self.timed.master().hertz())
     }
 }
 
 fn times_text(record: &TimingRecord, master_hz: f64) -> String {
-    let is_short = record.frames.iter().all(|frame| (frame.ticks as f64) < master_hz);
+    let is_short = record.frames.iter().any(|frame| !frame.deadlines.is_empty());
     let (scale, unit_of_time) = if is_short { (1e3, "ms") } else { (1.0, "s") };
     let time = |ticks: u64| format!("{:.2}", scale * ticks as f64 / master_hz);
     let head = |frame: &FrameTiming| -> Vec<String> {

@@ -104,8 +104,9 @@ fn slow_sampler_comes_late_as_its_ticks_say() {
         let rows = misses.into_iter().filter(|missed| missed.deadline.word() == "sub-area");
         rows.map(|missed| missed.sweep).collect::<Vec<_>>()
     });
-    let is_late = |number: &u32, frame: u32| 8 * (number + 1) + 8 > frame * (number / 8 + 1) / 8;
-    let expected = [1000, 250].map(|frame| (0..64).filter(|number| is_late(number, frame)).map(|n| n / 8));
+    let is_late = move |number: &u32, frame: u32| 8 * (number + 1) + 8 > frame * (number / 8 + 1) / 8;
+    let expected =
+        [1000, 250].map(|frame| (0..64).filter(move |number| is_late(number, frame)).map(|n| n / 8));
     assert_eq!(late, expected.map(Iterator::collect::<Vec<u32>>));
     assert!(late[0].is_empty() && late[1].iter().filter(|row| **row == 7).count() == 8);
 }
@@ -118,7 +119,7 @@ fn off_centre_shifts_every_edge() {
         let covered = |step: u32| {
             let edge = 8.0 + (f64::from(step) + 0.5) / 64.0;
             let corners = [[-2.0, -2.0], [edge, -2.0], [edge, 18.0], [-2.0, 18.0]];
-            shot.effects.sheets = vec![shot.sheet(0, &corners, 50.0, [1.0; 3], 0.0)];
+            shot.effects.sheets = vec![shot.sheet(0, &corners, 10.0, [1.0; 3], 0.0)];
             shot.draw_by(generator).sum(PlaneKind::Red) / 16.0 - edge
         };
         (0..64).map(covered).sum::<f64>() / 64.0
