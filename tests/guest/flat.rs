@@ -37,7 +37,7 @@ pub static ROW: Row = Row {
     timed: true,
     parameters: Some("flat"),
     gear: None,
-    ladder: None,
+    ladders: &[],
     configure,
 };
 

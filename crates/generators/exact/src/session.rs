@@ -31,7 +31,7 @@ pub static ROW: Row = Row {
     timed: false,
     parameters: None,
     gear: None,
-    ladder: None,
+    ladders: &[],
     configure: |_| Some(Arc::new(Exact)),
 };
 

@@ -16,6 +16,7 @@ mod beam_list;
 mod colours;
 mod counts;
 mod error;
+mod faces;
 mod fact;
 mod omission;
 mod planes;
@@ -34,10 +35,11 @@ use std::ops::Range;
 pub use beam_list::BeamEntry;
 pub use counts::{Counter, FrameCounts, Joined};
 pub use error::{FrameError, PrepareError, check_eye};
+pub use faces::{FaceScene, Look, Looks, ScreenFace};
 pub use fact::Fact;
 pub use omission::{Omission, Weight};
 pub use planes::{Label, Loss, Plane, PlaneKind, Planes, Shade};
-pub use row::{ErrorLadder, Gear, Role, Row};
+pub use row::{Against, ErrorLadder, Gear, Role, Row};
 pub use timed::{SizedFigure, Timed};
 
 /// The world and the view: everything that generators share but the pose.
@@ -251,6 +253,15 @@ pub trait Session: Send + Sync {
         _pixel: [usize; 2],
         _number: usize,
     ) -> Result<Option<Value>, FrameError> {
+        Ok(None)
+    }
+
+    /// The faces of frame `frame` on the screen without any limit of the generator, for a judge that draws them by area; `None` if it draws
+    /// no faces, or something that is no face.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn.
+    fn faces(&self, _frame: u64, _pose: &Pose) -> Result<Option<FaceScene>, FrameError> {
         Ok(None)
     }
 

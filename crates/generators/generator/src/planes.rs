@@ -40,8 +40,8 @@ pub enum PlaneKind {
 }
 
 impl PlaneKind {
-    /// All kinds of planes, beginning with the intensity.
-    pub const ALL: [Self; 14] = [
+    /// All kinds of what a pixel shows, beginning with the intensity. What was lost, [`Overload`](Self::Overload), is apart.
+    pub const ALL: [Self; 13] = [
         Self::Intensity,
         Self::Range,
         Self::Height,
@@ -55,7 +55,6 @@ impl PlaneKind {
         Self::Green,
         Self::Blue,
         Self::Distance,
-        Self::Overload,
     ];
 
     /// The planes of a picture in colour, in the order of its codes.
@@ -336,7 +335,6 @@ mod tests {
             "green",
             "blue",
             "distance",
-            "overload",
         ];
         assert_eq!(PlaneKind::ALL.map(PlaneKind::name), names);
         let places = PlaneKind::ALL.map(|kind| kind as usize);

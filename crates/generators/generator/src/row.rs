@@ -38,14 +38,25 @@ pub struct ErrorLadder {
     pub what: &'static str,
     /// Dotted key of the parameter.
     pub key: &'static str,
-    /// Its values, the coarsest first; steps are their inverses.
-    pub rungs: &'static [u32],
+    /// Its values with how fine each is, the coarsest first; steps are the inverses of that.
+    pub rungs: &'static [(&'static str, f64)],
     /// Other keys, each with the value that it has on all rungs.
     pub fixed: &'static [(&'static str, &'static str)],
-    /// Order at which the mean error falls, as theory says.
-    pub order: f64,
-    /// Why it falls at this order.
-    pub why: &'static str,
+    /// What the pictures are held against.
+    pub against: Against,
+    /// Order at which the mean error falls, as theory says, and why; `None` where it says nothing.
+    pub order: Option<(f64, &'static str)>,
+}
+
+/// What the error of a picture is told against.
+#[derive(Debug, Clone, Copy)]
+pub enum Against {
+    /// The judge, over its own landscape: the whole error.
+    Judge,
+    /// The generator's own faces, drawn by area: what sampling alone does.
+    OwnFaces,
+    /// The generator itself with these keys set: what its limits alone do.
+    Itself(&'static [(&'static str, &'static str)]),
 }
 
 /// A generator that is chosen by its own name. The hybrid machine has none: the name of a hardware model chooses it.
@@ -65,8 +76,8 @@ pub struct Row {
     pub parameters: Option<&'static str>,
     /// What it ran on, where that has figures.
     pub gear: Option<Gear>,
-    /// The run parameter that a study of errors varies, where there is one.
-    pub ladder: Option<ErrorLadder>,
+    /// The run parameters that a study of errors varies, ladder by ladder.
+    pub ladders: &'static [ErrorLadder],
     /// Reads run parameters and gear, both as tables of one root, into a generator. A missing table is an empty one;
     /// faults are reported to the reader.
     pub configure: fn(&Reader) -> Option<Arc<dyn Generator>>,

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use diagnostics::Reader;
-use generator::{ErrorLadder, Gear, Generator, Role, Row};
+use generator::{Against, ErrorLadder, Gear, Generator, Role, Row};
 
 use crate::hardware::SHIPPED;
 use crate::rows::SIGNALS;
@@ -23,16 +23,16 @@ pub static ROW: Row = Row {
         text: SHIPPED,
         faults: &[],
     }),
-    ladder: Some(ErrorLadder {
+    ladders: &[ErrorLadder {
         name: "grid",
         what: "points a side of LUNSIM's grid, 256 codes",
         key: "lunsim.grid",
-        rungs: &[64, 128, 256, 512, 1024],
+        rungs: &[("64", 64.0), ("128", 128.0), ("256", 256.0), ("512", 512.0), ("1024", 1024.0)],
         // So many that the steps of the recorder's codes do not hide those of the grid.
         fixed: &[("lunsim.intensity_codes", "256")],
-        order: 1.0,
-        why: "a position shows a point up to one step away",
-    }),
+        against: Against::Judge,
+        order: Some((1.0, "a position shows a point up to one step away")),
+    }],
     configure,
 };
 

@@ -69,6 +69,20 @@ impl Triangle {
         })
     }
 
+    /// Its corners (pixels, exact multiples of 1/256), clockwise as the screen shows them.
+    pub fn corners(&self) -> [[f64; 2]; 3] {
+        let doubled = i128::from(self.doubled_area());
+        let line = |k: usize| {
+            let edge = &self.edges[k];
+            [i128::from(edge.a), i128::from(edge.b), i128::from(edge.c + i64::from(!edge.keeps_its_points()))]
+        };
+        // Two edges meet in a corner; the determinant of their slopes is twice the area.
+        [(2, 0), (0, 1), (1, 2)].map(|(before, after)| {
+            let ([a, b, c], [d, e, f]) = (line(before), line(after));
+            [(b * f - e * c) / doubled, (c * d - f * a) / doubled].map(|at| at as f64 / 256.0)
+        })
+    }
+
     /// Twice its area (1/256 pixel squared), above 0.
     pub fn doubled_area(&self) -> i64 {
         // It is the sum of the three edge functions at any point, here at the origin, without the top-left rule.
@@ -97,6 +111,14 @@ mod tests {
         assert_eq!(keeps, [false, false, true], "only the left edge keeps its points");
         let constants = edges.map(|edge| (edge.c + 1).div_euclid(256 * 256));
         assert_eq!(constants, [-300, 2600, -400]);
+    }
+
+    #[test]
+    fn corners_come_back_exactly() {
+        let corners = [[10.25, 10.0], [50.0, 20.5], [20.0, 60.00390625]];
+        assert_eq!(triangle(corners).corners(), corners);
+        let [p, q, r] = corners;
+        assert_eq!(triangle([p, r, q]).corners(), corners, "clockwise, whichever way it was made");
     }
 
     #[test]

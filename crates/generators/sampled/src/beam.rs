@@ -9,7 +9,6 @@ use raster::Screen;
 use crate::hardware::Hardware;
 use crate::lights::Point;
 use crate::parameters::{BeamLayer, BeamOrder, Parameters};
-use crate::tile::Tile;
 
 /// What a beam does in a field.
 #[derive(Debug, Default)]
@@ -23,19 +22,15 @@ pub struct Beam {
 }
 
 impl Beam {
-    /// Adds up what the sub-areas say of `points`, and takes out what a field (ns) has no time for. What nobody sees is not sent.
+    /// Adds up the `shares` of sub-areas (number of the sub-area, number of the point, share) of `points`, and takes out what a field (ns) has no time for. What nobody sees is not sent.
     pub fn new(
         points: &[Point],
-        tiles: &[Tile],
+        shares: Vec<(u32, u32, Share)>,
         run: &Parameters,
         hardware: &Hardware,
         field_ns: u64,
     ) -> Self {
-        let of_area = |(tile, area): (&Tile, u32)| {
-            let shares = tile.shares.iter().map(move |&(point, share)| (area, point, share));
-            shares.collect::<Vec<_>>()
-        };
-        let shares = add_up(tiles.iter().zip(0..).flat_map(of_area).collect(), points.len());
+        let shares = add_up(shares, points.len());
         let lit = points.iter().zip(&shares).filter_map(|(point, share)| {
             let intensity = share.display(point.disc.intensity).filter(|_| point.is_calligraphic)?;
             (intensity > 0.0).then(|| point.of_beam(intensity * point.disc.area()))
@@ -49,7 +44,7 @@ impl Beam {
     }
 
     /// Adds the spots to `colours`, row by row, as the layers ask for: black below them where the beam stands alone.
-    pub fn draw(&self, points: &[Point], run: &Parameters, screen: &Screen, colours: &mut [[f64; 3]]) {
+    pub fn draw(&self, points: &[Point], run: &Parameters, screen: &Screen, colours: &mut [[f32; 3]]) {
         match run.beam_layer {
             BeamLayer::Raster => return,
             BeamLayer::Beam => colours.fill([0.0; 3]),
@@ -62,7 +57,8 @@ impl Beam {
             let colour = known[&beam.id];
             spot.draw(beam.place, beam.light, screen.size(), |[x, y], light| {
                 let pixel = &mut colours[y as usize * width + x as usize];
-                *pixel = std::array::from_fn(|channel| pixel[channel] + light * colour[channel]);
+                let lit = |channel: usize| f64::from(pixel[channel]) + light * colour[channel];
+                *pixel = [lit(0), lit(1), lit(2)].map(|value| value as f32);
             });
         }
     }

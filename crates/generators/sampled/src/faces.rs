@@ -21,11 +21,20 @@ pub enum FaceError {
     Feature(#[from] FeatureError),
 }
 
+/// A corner of opaque faces.
+#[derive(Debug, Clone, Copy)]
+pub struct Corner {
+    /// Place in camera axes (m).
+    pub place: DVec3,
+    /// Its colour (linear red, green, blue).
+    pub colour: [f64; 3],
+}
+
 /// How a triangle looks.
 #[derive(Debug, Clone, Copy)]
 pub enum Paint {
-    /// Opaque, with a colour at each corner.
-    Corners([[f64; 3]; 3]),
+    /// Opaque, with the colours of three corners of the frame.
+    Corners([u32; 3]),
     /// One colour and translucency all over.
     Flat(Feature),
     /// Dust: translucency follows from the path; number of the sheet in the frame.
@@ -43,8 +52,6 @@ pub struct Face {
     pub priority: i32,
     /// Which sides are seen.
     pub sides: Sides,
-    /// How the triangle looks all over.
-    pub paint: Paint,
 }
 
 /// Which sides of a face are seen.
@@ -54,6 +61,22 @@ pub enum Sides {
     Front,
     /// Both of its sides are seen.
     Both,
+}
+
+/// Where the distance and the look of a triangle come from. There are as many as triangles, so each is short.
+#[derive(Debug, Clone, Copy)]
+pub enum Look {
+    /// From three corners of the frame.
+    Corners {
+        /// Numbers of the corners.
+        corners: [u32; 3],
+        /// Number of its feature.
+        id: u32,
+        /// Priority of its feature.
+        priority: i32,
+    },
+    /// From the plane of this number.
+    Plane(u32),
 }
 
 /// What a triangle of the list is.
@@ -71,7 +94,11 @@ pub struct Faces {
     /// Edge functions of each triangle.
     pub triangles: Vec<Triangle>,
     /// Distance and look of each triangle.
-    pub looks: Vec<(DistancePlane, Surface)>,
+    pub looks: Vec<Look>,
+    /// Corners of opaque faces.
+    pub corners: Vec<Corner>,
+    /// Planes of faces that look the same all over.
+    pub planes: Vec<(DistancePlane, Surface)>,
     /// What the features of each number are, by number.
     pub labels: Vec<Label>,
     /// Features that were transformed, and corners of what was left of them.
@@ -96,7 +123,7 @@ impl Faces {
         self.labels.len() as u32 - 1
     }
 
-    /// Adds the triangles of a part of the frame behind its own; the part has no numbers of its own.
+    /// Adds the triangles of a part of the frame behind its own; the part has no numbers, corners or planes of its own.
     pub fn append(&mut self, part: Self) {
         self.triangles.extend(part.triangles);
         self.looks.extend(part.looks);
@@ -108,7 +135,13 @@ impl Faces {
     /// Clips and adds a face; one that is not seen adds nothing.
     ///
     /// # Errors If a corner is no number, or so near that the raster cannot hold it.
-    pub fn add(&mut self, face: &Face, camera: &Camera, screen: &Screen) -> Result<(), FaceError> {
+    pub fn add(
+        &mut self,
+        face: &Face,
+        paint: Paint,
+        camera: &Camera,
+        screen: &Screen,
+    ) -> Result<(), FaceError> {
         self.work.faces += 1;
         let fan = clip(face.corners, &camera.projection, screen, NEAR)?;
         if fan.is_empty() {
@@ -119,25 +152,78 @@ impl Faces {
             Sides::Both => true,
             Sides::Front => doubled_area(*corners) < 0,
         };
-        let surface = surface(face, plane, camera);
         self.work.corners += fan.len() as u64 + 2;
-        for triangle in fan.into_iter().filter(is_seen).filter_map(Triangle::new) {
-            self.triangles.push(triangle);
-            self.looks.push((plane, surface));
-            self.work.triangles += 1;
+        let before = self.triangles.len();
+        self.triangles.extend(fan.into_iter().filter(is_seen).filter_map(Triangle::new));
+        let count = self.triangles.len() - before;
+        if count > 0 {
+            let look = self.look(face, paint, plane);
+            self.looks.resize(self.triangles.len(), look);
+            self.work.triangles += count as u64;
         }
         Ok(())
     }
-}
 
-fn surface(face: &Face, plane: DistancePlane, camera: &Camera) -> Surface {
-    match face.paint {
-        Paint::Flat(feature) => Surface::Ready(feature),
-        Paint::Dust(sheet) => Surface::Dust(sheet),
-        Paint::Corners(colours) => {
-            let channel =
-                |k: usize| Attribute::new(face.corners, colours.map(|colour| colour[k]), &camera.projection);
-            Surface::Ready(Feature::shaded(face.id, face.priority, [0, 1, 2].map(channel), plane))
+    /// The same of an opaque face whose corners have `colours` (linear red, green, blue) of its own.
+    ///
+    /// # Errors As [`Faces::add`].
+    pub fn add_opaque(
+        &mut self,
+        face: &Face,
+        colours: [[f64; 3]; 3],
+        camera: &Camera,
+        screen: &Screen,
+    ) -> Result<(), FaceError> {
+        let (before, first) = (self.looks.len(), self.corners.len() as u32);
+        self.add(face, Paint::Corners([first, first + 1, first + 2]), camera, screen)?;
+        if self.looks.len() > before {
+            let corner = |k: usize| Corner { place: face.corners[k], colour: colours[k] };
+            self.corners.extend([0, 1, 2].map(corner));
+        }
+        Ok(())
+    }
+
+    /// Distance of a triangle of the list.
+    pub fn plane(&self, triangle: u32, camera: &Camera) -> Option<DistancePlane> {
+        match self.looks[triangle as usize] {
+            Look::Plane(plane) => Some(self.planes[plane as usize].0),
+            Look::Corners { corners, .. } => {
+                let places = corners.map(|corner| self.corners[corner as usize].place);
+                DistancePlane::new(places, &camera.projection)
+            }
         }
     }
+
+    /// Distance and look of a triangle of the list.
+    pub fn seen(&self, triangle: u32, camera: &Camera) -> Option<(DistancePlane, Surface)> {
+        match self.looks[triangle as usize] {
+            Look::Plane(plane) => Some(self.planes[plane as usize]),
+            Look::Corners { corners, id, priority } => {
+                let plane = self.plane(triangle, camera)?;
+                let corners = corners.map(|corner| self.corners[corner as usize]);
+                Some((plane, Surface::Ready(shaded(corners, id, priority, plane, camera))))
+            }
+        }
+    }
+
+    /// How a face looks that is on the screen.
+    fn look(&mut self, face: &Face, paint: Paint, plane: DistancePlane) -> Look {
+        let surface = match paint {
+            Paint::Corners(corners) => {
+                return Look::Corners { corners, id: face.id, priority: face.priority };
+            }
+            Paint::Flat(feature) => Surface::Ready(feature),
+            Paint::Dust(sheet) => Surface::Dust(sheet),
+        };
+        self.planes.push((plane, surface));
+        Look::Plane(self.planes.len() as u32 - 1)
+    }
+}
+
+/// The feature of a triangle whose corners have colours.
+fn shaded(corners: [Corner; 3], id: u32, priority: i32, plane: DistancePlane, camera: &Camera) -> Feature {
+    let places = corners.map(|corner| corner.place);
+    let channel =
+        |k: usize| Attribute::new(places, corners.map(|corner| corner.colour[k]), &camera.projection);
+    Feature::shaded(id, priority, [0, 1, 2].map(channel), plane)
 }

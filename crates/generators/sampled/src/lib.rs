@@ -11,7 +11,9 @@
 //! # Law
 //!
 //! - **Ground** is a mesh about the eye, with its colours at the corners (`ground-mesh`), of all levels of the bank. Between
-//!   corners colours are linear over the triangle. Light is the scene's law of reflection without remote shadow.
+//!   corners colours are linear over the triangle. Light is the scene's law of reflection without remote shadow. Craters smaller
+//!   than a cell are left out. Rings are chosen once for a mission, from the view of frame 0: they have 8, 16, ... cells until the
+//!   error is within `ground_error_px`.
 //! - **Bodies** are the triangles of their faces, lit at their corners.
 //! - **Coverage, distance**: `raster`. **Stacks, colour, losses**: `translucency`. **Light points, beam**: `light-points`.
 //! - **Colour in a pixel**: a surface has the colour of its pixel's middle at all sampling points of the pixel. Dust has the
@@ -36,7 +38,8 @@
 //! | `sampled.veil` | `points`, `stack-only` | `points` | whether calligraphic points dim those behind them |
 //! | `sampled.spot_px` | 0.05 to 100 | 0.6 | deviation of the beam's spot |
 //! | `sampled.ground_half_side_m` | 0.1 to 100000 | 32 | half the side of the innermost square of ground |
-//! | `sampled.ground_cells` | 8 to 16384, a multiple of 4 | 128 | cells along half the side of every square of ground |
+//! | `sampled.ground_cells` | 8 to 16384, a multiple of 4 | 128 | most cells along half the side of every square of ground |
+//! | `sampled.ground_error_px` | 0 to 100 | 0.5 | error of the ground in frame 0 that is allowed, in pixels; 0 always takes most cells |
 //! | `sampled.overload` | `drop-smallest`, `drop-farthest`, `late`, `extend` | `drop-smallest` | which triangles lose their places in a full list, and what is shown when time runs out |
 //!
 //! # Timing
@@ -112,14 +115,18 @@
 //! Remote shadow, texture, far silhouettes and vehicle tracks are listed as omissions. Insertions that a nearer feature undoes
 //! take no time, and discs of the sky take no place in lists.
 
+mod band;
 mod beam;
 mod camera;
 mod deadlines;
 mod faces;
 mod faults;
 mod fields;
+mod ground;
 mod hardware;
 mod inputs;
+mod judged;
+mod ladders;
 mod lights;
 mod map;
 mod overload;

@@ -124,7 +124,7 @@ fn worth(scene: &Scene, screen: &Screen, overload: Overload, sub_area: usize, tr
         Overload::DropFarthest => {
             let area = screen.sub_area(sub_area);
             let middle = [area.columns(), area.rows()].map(|range| f64::from(range.start + range.end) / 2.0);
-            scene.faces.looks[triangle as usize].0.at(middle)
+            scene.faces.plane(triangle, &scene.camera).map_or(0.0, |plane| plane.at(middle))
         }
     }
 }

@@ -38,8 +38,10 @@ pub struct Parameters {
     pub beam_layer: BeamLayer,
     /// Half the side of the innermost square of ground (m).
     pub ground_half_side: f64,
-    /// Cells along half the side of every square of ground.
+    /// Most cells along half the side of every square of ground.
     pub ground_cells: u32,
+    /// Error of the ground in the view of frame 0 (pixels) up to which it has fewer cells; 0 for never.
+    pub ground_error: f64,
     /// Which features lose their places where a list is full.
     pub overload: Overload,
 }
@@ -65,7 +67,8 @@ pub enum BeamLayer {
 }
 
 impl Default for Parameters {
-    /// One light and four translucent surfaces a sampling point: the claims name one light (6); all other figures are chosen.
+    /// One light and four translucent surfaces a sampling point: the claims name one light (6); all other figures are chosen. An
+    /// error of the ground of half a pixel is as much as the points of the pattern `4` are apart.
     fn default() -> Self {
         Self {
             pattern: Pattern::Four,
@@ -83,6 +86,7 @@ impl Default for Parameters {
             beam_layer: BeamLayer::Both,
             ground_half_side: 32.0,
             ground_cells: 128,
+            ground_error: 0.5,
             overload: Overload::DropSmallest,
         }
     }
@@ -125,6 +129,8 @@ impl Parameters {
             .between(ground_mesh::FEWEST_CELLS, ground_mesh::MOST_CELLS)
             .must(rule, |cells| cells.is_multiple_of(4))
             .default(usual.ground_cells);
+        let ground_error =
+            table.f64("ground_error_px").between(0.0, 100.0).unit("pixels").default(usual.ground_error);
         let overload = table.one_of("overload", &Overload::WORDS).default(usual.overload);
         let read = Self {
             pattern: pattern?,
@@ -142,6 +148,7 @@ impl Parameters {
             beam_layer: beam_layer?,
             ground_half_side: ground_half_side?,
             ground_cells: ground_cells?,
+            ground_error: ground_error?,
             overload: overload?,
         };
         read.check(table)

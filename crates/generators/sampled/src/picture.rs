@@ -8,6 +8,7 @@ use rayon::prelude::*;
 use scenario::View;
 use translucency::{FeatureError, Losses};
 
+use crate::band::Band;
 use crate::beam::Beam;
 use crate::camera::Camera;
 use crate::hardware::Hardware;
@@ -17,13 +18,16 @@ use crate::reading::Reading;
 use crate::scene::Scene;
 use crate::tile::{SIDE, Sampler, Tile};
 
+/// Rows of sub-areas that are drawn before they are put into the picture. Chosen: enough work for all threads, and little memory.
+const ROWS: usize = 8;
+
 /// A picture in linear light, and what it took.
 #[derive(Default)]
 pub struct Picture {
-    /// Colour of each pixel (linear red, green, blue), row by row.
-    pub colours: Vec<[f64; 3]>,
+    /// Colour of each pixel (linear red, green, blue), row by row, as exact as planes.
+    pub colours: Vec<[f32; 3]>,
     /// Nearest opaque surface of each pixel: how near (1/m), and what it is.
-    pub surfaces: Vec<(f64, Label)>,
+    pub surfaces: Vec<(f32, Label)>,
     /// What the limits of the stacks lost.
     pub losses: Losses,
     /// What the beam draws.
@@ -96,60 +100,39 @@ pub fn draw(
         let area = screen.sub_area(number);
         is_read.then(|| Reading::of(sampler.stack(), scene, &lists, &area, number))
     };
-    let drawn: Result<Vec<(Tile, Option<Reading>)>, FeatureError> = (0..screen.sub_areas())
-        .into_par_iter()
-        .map_init(
-            || Sampler::new(run),
-            |sampler, number| match sampler {
-                Ok(sampler) => {
-                    let tile = sampler.draw(scene, &lists, screen, number)?;
-                    Ok((tile, reading(sampler, number)))
-                }
-                Err(error) => Err(*error),
-            },
-        )
-        .collect();
-    let (tiles, readings): (Vec<Tile>, Vec<Option<Reading>>) = drawn.map_err(refused)?.into_iter().unzip();
-    let mut picture = join(&tiles, screen, usize::from(run.filter != raster::Filter::Box));
-    picture.entries = lists.entries() as u64;
-    picture.lost = lost;
-    picture.readings = readings.into_iter().flatten().collect();
-    let points = &scene.lights.points;
-    picture.beam = Beam::new(points, &tiles, run, hardware, (1e9 / view.update.hertz()) as u64);
-    Ok(picture)
-}
-
-/// Puts sub-areas together, in their order.
-fn join(tiles: &[Tile], screen: &Screen, reach: usize) -> Picture {
-    let [width, height] = screen.size().map(|pixels| pixels as usize);
-    let mut sums = vec![([0.0; 3], 0.0); width * height];
-    let mut surfaces = vec![(0.0, Label::Sky); width * height];
-    let mut losses = Losses::default();
-    for (number, tile) in tiles.iter().enumerate() {
-        let area = screen.sub_area(number);
-        let (columns, rows) = (area.columns(), area.rows());
-        for (k, surface) in tile.surfaces.iter().enumerate() {
-            let [row, column] = [k / columns.len(), k % columns.len()];
-            surfaces[(rows.start as usize + row) * width + columns.start as usize + column] = *surface;
+    let drawn = |sampler: &mut Result<Sampler, FeatureError>, number: usize| match sampler {
+        Ok(sampler) => {
+            let tile = sampler.draw(scene, &lists, screen, number)?;
+            Ok((tile, reading(sampler, number)))
         }
-        let across = columns.len() + 2 * reach;
-        for (k, (colour, weight)) in tile.colours.iter().enumerate() {
-            let x = (columns.start as usize + k % across).wrapping_sub(reach);
-            let y = (rows.start as usize + k / across).wrapping_sub(reach);
-            if x < width && y < height {
-                let (sum, weights) = &mut sums[y * width + x];
-                *sum = [sum[0] + colour[0], sum[1] + colour[1], sum[2] + colour[2]];
-                *weights += weight;
-            }
+        Err(error) => Err(*error),
+    };
+    let pixels = screen.size().iter().map(|pixels| *pixels as usize).product();
+    let mut picture = Picture {
+        colours: Vec::with_capacity(pixels),
+        surfaces: Vec::with_capacity(pixels),
+        entries: lists.entries() as u64,
+        lost,
+        ..Picture::default()
+    };
+    let mut band = Band::new(screen, usize::from(run.filter != raster::Filter::Box));
+    let mut shares = Vec::new();
+    let [columns, rows] = screen.counts().map(|count| count as usize);
+    for row in (0..rows).step_by(ROWS) {
+        let numbers = row * columns..(row + ROWS).min(rows) * columns;
+        let tiles: Result<Vec<(Tile, Option<Reading>)>, FeatureError> =
+            numbers.clone().into_par_iter().map_init(|| Sampler::new(run), drawn).collect();
+        for (number, (tile, reading)) in numbers.zip(tiles.map_err(refused)?) {
+            band.add(&tile, &screen.sub_area(number));
+            picture.losses = picture.losses.and(tile.losses);
+            picture.readings.extend(reading);
+            shares.extend(tile.shares.into_iter().map(|(point, share)| (number as u32, point, share)));
         }
-        losses = losses.and(tile.losses);
+        band.hand_over(&mut picture);
     }
-    // Beyond the border of the screen there are no sampling points: the others weigh more.
-    let colours = sums
-        .into_iter()
-        .map(|([red, green, blue], weight)| [red / weight, green / weight, blue / weight])
-        .collect();
-    Picture { colours, surfaces, losses, ..Picture::default() }
+    let points = &scene.lights.points;
+    picture.beam = Beam::new(points, shares, run, hardware, (1e9 / view.update.hertz()) as u64);
+    Ok(picture)
 }
 
 /// Fills the planes that a caller wants, except for the overload map.
@@ -159,13 +142,13 @@ pub fn fill(picture: &Picture, scene: &Scene, planes: &mut Planes) {
         let Some(values) = planes.get_mut(kind) else { continue };
         values.par_iter_mut().enumerate().for_each(|(at, value)| {
             *value = match kind {
-                PlaneKind::Red => picture.colours[at][0] as f32,
-                PlaneKind::Green => picture.colours[at][1] as f32,
-                PlaneKind::Blue => picture.colours[at][2] as f32,
+                PlaneKind::Red => picture.colours[at][0],
+                PlaneKind::Green => picture.colours[at][1],
+                PlaneKind::Blue => picture.colours[at][2],
                 PlaneKind::Label => f32::from(picture.surfaces[at].1.code()),
                 PlaneKind::Range => range(picture.surfaces[at].0, picture.ray(scene, at, columns)),
                 PlaneKind::Distance => distance(picture.surfaces[at].0, picture.ray(scene, at, columns)),
-                _ => luminance(picture.colours[at]) as f32,
+                _ => luminance(picture.colours[at].map(f64::from)) as f32,
             };
         });
     }
@@ -184,11 +167,11 @@ pub const PLANES: &[PlaneKind] = &[
 ];
 
 /// Ground range (m) of a surface that is as near as `q` (1/m).
-fn range(q: f64, ray: DVec3) -> f32 {
-    if q > 0.0 { (ray.truncate().length() / q) as f32 } else { PlaneKind::Range.sky() }
+fn range(q: f32, ray: DVec3) -> f32 {
+    if q > 0.0 { (ray.truncate().length() / f64::from(q)) as f32 } else { PlaneKind::Range.sky() }
 }
 
 /// Distance (m) of the same.
-fn distance(q: f64, ray: DVec3) -> f32 {
-    if q > 0.0 { (ray.length() / q) as f32 } else { PlaneKind::Distance.sky() }
+fn distance(q: f32, ray: DVec3) -> f32 {
+    if q > 0.0 { (ray.length() / f64::from(q)) as f32 } else { PlaneKind::Distance.sky() }
 }

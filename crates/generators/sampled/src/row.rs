@@ -7,6 +7,7 @@ use generator::{Gear, Generator, Role, Row};
 
 use crate::faults::FAULTS;
 use crate::hardware::SHIPPED;
+use crate::ladders::LADDERS;
 use crate::rows::SIGNALS;
 use crate::{Hardware, Parameters, Sampled};
 
@@ -27,7 +28,7 @@ pub static ROW: Row = Row {
         text: SHIPPED,
         faults: &FAULTS,
     }),
-    ladder: None,
+    ladders: &LADDERS,
     configure,
 };
 

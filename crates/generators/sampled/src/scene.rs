@@ -2,7 +2,7 @@
 
 use generator::{FrameError, Label, Stage};
 use glam::DVec3;
-use ground_mesh::{GroundMesh, MeshError, Rings, Vertex, body_triangles};
+use ground_mesh::{MeshError, Rings, Vertex, body_triangles};
 use landscape::Sun;
 use raster::Screen;
 use rayon::prelude::*;
@@ -11,10 +11,10 @@ use solids::{Body, Kind};
 use translucency::{Feature, FeatureError};
 
 use crate::camera::Camera;
-use crate::faces::{Face, FaceError, Faces, Paint, Sides};
+use crate::faces::{Corner, Face, FaceError, Faces, Paint, Sides};
+use crate::ground;
 use crate::lights::{Lights, Optics, Point};
 use crate::parameters::Parameters;
-use crate::wedge::Wedge;
 
 /// Everything of one frame, ready for the sub-areas.
 pub struct Scene {
@@ -36,16 +36,20 @@ pub const DISC_PRIORITY: i32 = 1000;
 /// Triangles that a thread clips at a time. Chosen: the order of the list does not depend on it.
 const CHUNK: usize = 1024;
 
+/// Chunks that are clipped before they are put into the list. Chosen: few enough that they take little memory.
+const CHUNKS: usize = 32;
+
 /// Distance (m) of the plane on which overlays lie: any would do.
 const OVERLAY_DEPTH: f64 = 1.0;
 
 impl Scene {
-    /// Gathers frame `frame` from `pose`.
+    /// Gathers frame `frame` from `pose`, with ground on `rings`.
     ///
     /// # Errors If the mesh cannot be made, or a corner is no number.
     pub fn new(
         stage: &Stage,
         run: &Parameters,
+        rings: Rings,
         screen: &Screen,
         frame: u64,
         pose: &Pose,
@@ -58,7 +62,7 @@ impl Scene {
             faces: Faces::default(),
             dust: Vec::new(),
         };
-        gathering.ground(run, &stage.scenery.sun(pose.time)).map_err(|error| refused(error.to_string()))?;
+        gathering.ground(rings, &stage.scenery.sun(pose.time)).map_err(|error| refused(error.to_string()))?;
         gathering.bodies(pose.time).map_err(|error| refused(error.to_string()))?;
         let effects = by_number(stage.scenery.effects(pose.time));
         gathering.sheets(&effects.sheets).map_err(|error| refused(error.to_string()))?;
@@ -100,34 +104,33 @@ struct Gathering<'a> {
 }
 
 impl Gathering<'_> {
-    /// The ground as triangles, shaded at their corners.
-    fn ground(&mut self, run: &Parameters, sun: &Sun) -> Result<(), GatherError> {
-        let landscape = &self.stage.landscape;
-        let wedge = Wedge::new(&self.camera, &self.stage.view);
-        let mut mesh = GroundMesh::default();
-        let rings = Rings { half_side: run.ground_half_side, cells: run.ground_cells };
-        mesh.fill_where(landscape, self.camera.eye, rings, |area| wedge.may_show(area))?;
-        let camera = self.camera;
+    /// The ground as triangles, shaded at their corners. It comes before all else: numbers of corners are those of its vertices.
+    fn ground(&mut self, rings: Rings, sun: &Sun) -> Result<(), GatherError> {
+        let (camera, law) = (self.camera, *self.stage.landscape.photometry());
+        let mesh = ground::mesh(self.stage, rings, &camera)?;
         let shaded = |vertex: &Vertex| {
             let to_eye = (camera.eye - vertex.place).normalize_or_zero().to_array();
-            let light = sun.shade(vertex.slopes, to_eye, *landscape.photometry());
-            (camera.place(vertex.place), vertex.albedo.map(|albedo| (albedo * light).clamp(0.0, 1.0)))
+            let light = sun.shade(vertex.slopes, to_eye, law);
+            let colour = vertex.albedo.map(|albedo| (albedo * light).clamp(0.0, 1.0));
+            Corner { place: camera.place(vertex.place), colour }
         };
-        let corners: Vec<(DVec3, [f64; 3])> = mesh.vertices().par_iter().map(shaded).collect();
+        let corners: Vec<Corner> = mesh.vertices().par_iter().map(shaded).collect();
         let id = self.faces.number(Label::Terrain);
-        let face = |triangle: &[u32; 3]| {
-            let [a, b, c] = triangle.map(|corner| corners[corner as usize]);
-            let paint = Paint::Corners([a.1, b.1, c.1]);
-            Face { corners: [a.0, b.0, c.0], id, priority: 0, sides: Sides::Front, paint }
-        };
         let screen = self.screen;
         let clipped = |triangles: &[[u32; 3]]| {
             let mut faces = Faces::default();
-            triangles.iter().try_for_each(|triangle| faces.add(&face(triangle), &camera, screen))?;
+            for triangle in triangles {
+                let places = triangle.map(|corner| corners[corner as usize].place);
+                let face = Face { corners: places, id, priority: 0, sides: Sides::Front };
+                faces.add(&face, Paint::Corners(*triangle), &camera, screen)?;
+            }
             Ok(faces)
         };
-        let parts: Result<Vec<Faces>, FaceError> = mesh.triangles().par_chunks(CHUNK).map(clipped).collect();
-        parts?.into_iter().for_each(|part| self.faces.append(part));
+        for triangles in mesh.triangles().chunks(CHUNKS * CHUNK) {
+            let parts: Result<Vec<Faces>, FaceError> = triangles.par_chunks(CHUNK).map(clipped).collect();
+            parts?.into_iter().for_each(|part| self.faces.append(part));
+        }
+        self.faces.corners = corners;
         Ok(())
     }
 
@@ -171,9 +174,8 @@ impl Gathering<'_> {
                 id,
                 priority: i32::from(body.priority),
                 sides: if is_open { Sides::Both } else { Sides::Front },
-                paint: Paint::Corners(triangle.normals.map(colour)),
             };
-            self.faces.add(&face, &self.camera, self.screen)?;
+            self.faces.add_opaque(&face, triangle.normals.map(colour), &self.camera, self.screen)?;
         }
         Ok(())
     }
@@ -216,9 +218,9 @@ impl Gathering<'_> {
             let feature = Feature::surface(id, priority, overlay.colour, overlay.share)?;
             let corner = |at: &[f64; 2]| DVec3::new(at[0] * x, at[1] * y, 1.0) * OVERLAY_DEPTH;
             let corners: Vec<DVec3> = overlay.corners.iter().map(corner).collect();
-            let first = self.faces.looks.len();
+            let first = self.faces.planes.len();
             self.polygon(&corners, id, priority, Paint::Flat(feature))?;
-            for (plane, _) in &mut self.faces.looks[first..] {
+            for (plane, _) in &mut self.faces.planes[first..] {
                 (plane.slope, plane.origin) = ([0.0; 2], f64::INFINITY);
             }
         }
@@ -228,9 +230,8 @@ impl Gathering<'_> {
     /// A convex polygon as a fan, seen from both sides.
     fn polygon(&mut self, corners: &[DVec3], id: u32, priority: i32, paint: Paint) -> Result<(), FaceError> {
         for pair in corners[1..].windows(2) {
-            let face =
-                Face { corners: [corners[0], pair[0], pair[1]], id, priority, sides: Sides::Both, paint };
-            self.faces.add(&face, &self.camera, self.screen)?;
+            let face = Face { corners: [corners[0], pair[0], pair[1]], id, priority, sides: Sides::Both };
+            self.faces.add(&face, paint, &self.camera, self.screen)?;
         }
         Ok(())
     }

@@ -1,9 +1,10 @@
 //! The generator and its sessions.
 
 use generator::{
-    BeamEntry, Counter, Fact, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes,
-    PrepareError, Scan, Session as GeneratorSession, Stage, Timed, Weight, check_eye,
+    BeamEntry, Counter, FaceScene, Fact, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind,
+    Planes, PrepareError, Scan, Session as GeneratorSession, Stage, Timed, Weight, check_eye,
 };
+use ground_mesh::Rings;
 use raster::{Lists, Screen};
 use scenario::{Pose, View};
 use serde_json::{Value, json};
@@ -22,7 +23,7 @@ use crate::rows::{self, Rows};
 use crate::scene::Scene;
 use crate::tile::{SIDE, Sampler};
 use crate::timed::Clocked;
-use crate::{map, overload, store};
+use crate::{ground, judged, map, overload, store};
 
 /// The sampled generator; see the crate's data sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,7 +39,8 @@ const fn counter(name: &'static str) -> Counter {
 }
 
 /// What a frame took and lost.
-const COUNTERS: [Counter; 13] = [
+const COUNTERS: [Counter; 14] = [
+    Counter { name: "ground_cells", joined: Joined::Largest },
     counter("faces"),
     counter("triangles"),
     counter("entries"),
@@ -111,6 +113,7 @@ impl Generator for Sampled {
             "beam_layer": format!("{:?}", run.beam_layer).to_lowercase(),
             "ground_half_side_m": run.ground_half_side,
             "ground_cells": run.ground_cells,
+            "ground_error_px": run.ground_error,
             "overload": run.overload.word(),
             "list_entries": memory.list_entries,
             "list_depth": memory.list_depth,
@@ -140,6 +143,8 @@ pub(crate) struct Session {
     pub parameters: Parameters,
     pub hardware: Hardware,
     pub fields: Fields,
+    /// Rings of the ground in all frames.
+    rings: Rings,
 }
 
 /// The scene of a frame, within the limits of the light point store.
@@ -170,7 +175,8 @@ impl Session {
                 remedy: "give the stage the course of its mission".into(),
             });
         }
-        Ok(Self { stage, screen, parameters, hardware, fields: Fields::of(frames) })
+        let rings = ground::rings(&stage, &parameters);
+        Ok(Self { stage, screen, parameters, hardware, fields: Fields::of(frames), rings })
     }
 
     /// Gathers frame `frame` from `pose`.
@@ -179,7 +185,7 @@ impl Session {
     /// If the pose cannot be drawn.
     pub fn gather(&self, frame: u64, pose: &Pose) -> Result<Gathered, FrameError> {
         self.check(frame, pose)?;
-        let mut scene = Scene::new(&self.stage, &self.parameters, &self.screen, frame, pose)?;
+        let mut scene = Scene::new(&self.stage, &self.parameters, self.rings, &self.screen, frame, pose)?;
         let lost_points = store::limit(&mut scene.lights, self.hardware.memory.points, &self.screen);
         Ok(Gathered { scene, lost_points })
     }
@@ -240,6 +246,7 @@ impl GeneratorSession for Session {
         Rows { screen, camera: &scene.camera, hardware, readings: &picture.readings }.record(frame, probe);
         let calligraphic = scene.lights.points.iter().filter(|point| point.is_calligraphic).count() as u64;
         Ok(FrameCounts::of([
+            ("ground_cells", u64::from(self.rings.cells)),
             ("faces", scene.faces.work.faces),
             ("triangles", scene.faces.work.triangles),
             ("entries", picture.entries),
@@ -281,14 +288,19 @@ impl GeneratorSession for Session {
         rows::wires(&self.stage, &self.screen, &self.parameters, &self.hardware)
     }
 
-    /// Lists and stacks of every sampling point of the pixel.
+    /// The ground mesh of the frame with its error; lists and stacks of every sampling point of the pixel.
     fn explain(&self, frame: u64, pose: &Pose, pixel: [usize; 2]) -> Result<Vec<Fact>, FrameError> {
         let filled = self.filled(frame, pose, pixel)?;
         let Filled { scene, lists, lost, number, .. } = &filled;
         let entries = lists.of(*number).len() + scene.lights.of(*number).len();
         let lost = lost.iter().filter(|lost| lost.sub_area as usize == *number).count();
         let without = if lost > 0 { format!(", {lost} without a place") } else { String::new() };
-        let mut facts = vec![Fact::new("sub-area", format!("{number}: {entries} entries{without}"))];
+        let ground = ground::told(&self.stage, self.rings, &scene.camera);
+        let ground = ground.map_err(|error| FrameError::Refused { frame, reason: error.to_string() })?;
+        let mut facts = vec![
+            Fact::new("ground mesh", ground),
+            Fact::new("sub-area", format!("{number}: {entries} entries{without}")),
+        ];
         let stack = filled.sampler.stack();
         let first = (pixel[1] % SIDE * SIDE + pixel[0] % SIDE) * stack.samples();
         for point in 0..stack.samples() {
@@ -319,6 +331,12 @@ impl GeneratorSession for Session {
             number,
         };
         Ok((number < stack.samples()).then(|| point.document()))
+    }
+
+    fn faces(&self, frame: u64, pose: &Pose) -> Result<Option<FaceScene>, FrameError> {
+        self.check(frame, pose)?;
+        let scene = Scene::new(&self.stage, &self.parameters, self.rings, &self.screen, frame, pose)?;
+        Ok(Some(judged::faces(scene, &self.parameters)))
     }
 
     fn beam_list(&self, frame: u64, pose: &Pose) -> Result<Option<Vec<BeamEntry>>, FrameError> {

@@ -94,12 +94,16 @@ impl Sampler {
         self.stack.start(area);
         for &face in lists.of(number) {
             self.coverage.find(&scene.faces.triangles[face as usize], area, &self.sampling);
-            let (plane, surface) = &scene.faces.looks[face as usize];
+            // Most far triangles lie between the sampling points.
+            if self.coverage.pixels().next().is_none() {
+                continue;
+            }
+            let Some((plane, surface)) = scene.faces.seen(face, &scene.camera) else { continue };
             match surface {
-                Surface::Ready(feature) => self.stack.add(*feature, plane, self.coverage.pixels()),
+                Surface::Ready(feature) => self.stack.add(feature, &plane, self.coverage.pixels()),
                 Surface::Dust(sheet) => {
-                    let (sheet, id) = &scene.dust[*sheet as usize];
-                    dust(&mut self.stack, &self.coverage, plane, sheet, *id, area, &scene.camera)?;
+                    let (sheet, id) = &scene.dust[sheet as usize];
+                    dust(&mut self.stack, &self.coverage, &plane, sheet, *id, area, &scene.camera)?;
                 }
             }
         }

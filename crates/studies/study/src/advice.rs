@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use crate::ladder::{LadderOutcome, RungOutcome};
+use crate::ladder::{EXACT, LadderOutcome, RungOutcome};
 use crate::work::spread;
 
 /// Errors of the picture for which a setting is named.
@@ -90,7 +90,7 @@ pub(crate) fn measured(
     ladders: &[LadderOutcome],
     error: impl Fn(&RungOutcome) -> Option<f64>,
 ) -> Vec<Measured> {
-    let of_frames = ladders.iter().filter(|ladder| ladder.unit_of_work == "frame");
+    let of_frames = ladders.iter().filter(|ladder| ladder.unit_of_work == "frame" && ladder.against == EXACT);
     let rungs = of_frames.flat_map(|ladder| ladder.rungs.iter().map(move |rung| (ladder, rung)));
     let one = |(ladder, rung): (&LadderOutcome, &RungOutcome)| {
         let setting = Setting::Rung([ladder.name.to_owned(), rung.label.clone()]);

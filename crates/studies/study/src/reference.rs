@@ -116,7 +116,7 @@ impl ExactPictures {
         let picture = match read {
             Some(picture) => picture,
             None => {
-                let drawn = drawn(&Exact, stage, (frame, pose), [columns, lines])?;
+                let drawn = picture(&Exact, stage, (frame, pose), [columns, lines])?;
                 if let Some(file) = &file {
                     write(file, &drawn, [columns, lines])?;
                 }
@@ -139,7 +139,7 @@ impl ExactPictures {
         for (frame, pose) in frames {
             let usual = self.picture(stage, (*frame, pose), size)?;
             let finer = ExactWithin(Fineness::USUAL.halved(2));
-            let finer = drawn(&finer, stage, (*frame, pose), size)?;
+            let finer = picture(&finer, stage, (*frame, pose), size)?;
             let pairs = usual.intensity.iter().zip(&finer.intensity);
             pairs.for_each(|(usual, finer)| sum.add(f64::from(*usual) - f64::from(*finer)));
         }
@@ -158,7 +158,11 @@ impl ExactPictures {
     }
 }
 
-fn drawn(
+/// A frame of a generator on a raster of its own.
+///
+/// # Errors
+/// If it cannot be drawn.
+pub(crate) fn picture(
     generator: &dyn Generator,
     stage: &Stage,
     (frame, pose): (u64, &Pose),

@@ -15,6 +15,9 @@ pub enum StudyError {
     /// A variant does not fit together.
     #[error(transparent)]
     Settings(#[from] SettingsError),
+    /// A generator cannot have the settings of a ladder.
+    #[error("{0}")]
+    Ladder(String),
     /// Its stage cannot be built.
     #[error(transparent)]
     Stage(#[from] StageError),

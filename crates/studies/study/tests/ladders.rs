@@ -157,7 +157,7 @@ fn lunsim(restrictions: bool) -> LadderOutcome {
             [("lunsim.restrictions", restrictions.as_str())].iter().chain(sets).copied().collect();
         registry::configure_with(row, &sets).map_err(|error| error.to_string())
     };
-    let own = (&row.ladder.unwrap(), &configure as &Configure<'_>);
+    let own = (&row.ladders[0], &configure as &Configure<'_>);
     parameter_ladder(own, &subject, &mut exact, Effort { repetitions: 1 }, Extent::Quick).unwrap()
 }
 
@@ -177,6 +177,59 @@ fn what_lunsim_cannot_do_is_told_rung_by_rung() {
     let told =
         |rung: &study::ladder::RungOutcome| rung.refused.as_ref().is_some_and(|why| why.contains("relief"));
     assert!(ladder.rungs.iter().all(told), "{ladder:?}");
+}
+
+/// Three panes over a picture of small facets, drawn by sampling points.
+const PANES: &str = "
+[[overlay]]
+id = 'first'
+corners = [[-2, -2], [2, -2], [2, 2], [-2, 2]]
+colour = [0.9, 0.1, 0.1]
+tau = 0.8
+priority = 3
+[[overlay]]
+id = 'second'
+corners = [[-2, -2], [2, -2], [0.3, 2], [-2, 2]]
+colour = [0.1, 0.9, 0.1]
+tau = 0.7
+priority = 2
+[[overlay]]
+id = 'third'
+corners = [[-0.3, -2], [2, -2], [2, 2], [-2, 2]]
+colour = [0.1, 0.1, 0.9]
+tau = 0.6
+priority = 1
+";
+
+/// The ladder of this name of the generator of sampling points, under the panes.
+fn of_sampling_points(name: &str) -> LadderOutcome {
+    let row = registry::find("sampled").unwrap();
+    let subject = subject_of(&(SMOOTH.replace("\"ideal\"", "\"sampled\"") + PANES));
+    let mut exact = ExactPictures::new("test", &subject.scenario, &subject.stage.stage(), None).unwrap();
+    let configure =
+        |sets: &[(&str, &str)]| registry::configure_with(row, sets).map_err(|error| error.to_string());
+    let ladder = row.ladders.iter().find(|ladder| ladder.name == name).unwrap();
+    let own = (ladder, &configure as &Configure<'_>);
+    parameter_ladder(own, &subject, &mut exact, Effort { repetitions: 1 }, Extent::Whole).unwrap()
+}
+
+fn means(ladder: &LadderOutcome) -> Vec<f64> {
+    ladder.rungs.iter().map(|rung| rung.error("picture mean").unwrap()).collect()
+}
+
+#[test]
+fn more_sampling_points_are_nearer_to_the_areas_of_the_faces() {
+    let ladder = of_sampling_points("sampling");
+    let means = means(&ladder);
+    assert!(means.len() == 5 && means.windows(2).all(|pair| pair[1] < 0.95 * pair[0]), "{means:?}");
+    assert!(means[4] < 0.15 * means[0] && ladder.against == "its own faces by area", "{means:?}");
+}
+
+#[test]
+fn a_stack_that_keeps_all_panes_loses_nothing() {
+    let means = means(&of_sampling_points("stack"));
+    assert!(means[0] > means[1] && means[1] > means[2] && means[2] > 0.0, "{means:?}");
+    assert_eq!(means[3..], [0.0, 0.0], "four and eight places for three panes");
 }
 
 /// Rungs in preview are drawn in preview, and change what they name.

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::Crater;
 use crate::Craters;
+use crate::fade::{gone_to, kept_share};
 use crate::fan::Fan;
 use crate::index::Index;
 use crate::tier::Tier;
@@ -118,9 +119,23 @@ impl Features {
 
     /// What the features add at (x, y) (m): heights and slopes summed in ascending order of index.
     pub fn at(&self, x: f64, y: f64) -> Rise {
+        self.sum(self.index.near_box([x, y], [x, y]), [x, y], |_| 1.0)
+    }
+
+    /// The same as samples of the ground `spacing` (m) apart can show it: each crater times [`kept_share`](crate::kept_share). At a
+    /// spacing of 0 nothing is lost.
+    pub fn at_spacing(&self, x: f64, y: f64, spacing: f64) -> Rise {
+        let near = self.index.near_box_above(gone_to(spacing), [x, y], [x, y]);
+        self.sum(near, [x, y], |outer| kept_share(outer / spacing))
+    }
+
+    /// Sum of what craters add at a point, each times the share that its outer radius (m) has. `near` has all whose circles hold the
+    /// point, and others.
+    #[inline]
+    fn sum(&self, near: impl Iterator<Item = u32>, [x, y]: [f64; 2], share: impl Fn(f64) -> f64) -> Rise {
         let mut rise = Rise::default();
         let mut around = Around::default();
-        for index in self.index.near_box([x, y], [x, y]) {
+        for index in near {
             let crater = self.crater(index);
             let [dx, dy] = [x - crater.centre()[0], y - crater.centre()[1]];
             // Not yet the decision: a comfortable margin over the rounding of the root below.
@@ -128,7 +143,10 @@ impl Features {
                 around.push(index);
             }
         }
-        around.ascending().iter().for_each(|&index| add(&self.crater(index), [x, y], &mut rise));
+        for &index in around.ascending() {
+            let crater = self.crater(index);
+            add(&crater, [x, y], share(crater.outer()), &mut rise);
+        }
         rise
     }
 
@@ -143,12 +161,13 @@ impl Features {
     }
 }
 
-/// Adds what one crater does at a point.
-fn add(crater: &Crater, [x, y]: [f64; 2], rise: &mut Rise) {
+/// Adds a share of what one crater does at a point.
+#[inline]
+fn add(crater: &Crater, [x, y]: [f64; 2], share: f64, rise: &mut Rise) {
     let [dx, dy] = [x - crater.centre()[0], y - crater.centre()[1]];
     let rho = (dx * dx + dy * dy).sqrt();
     if rho < crater.outer() {
-        let [height, slope] = crater.profile(rho);
+        let [height, slope] = crater.profile(rho).map(|value| share * value);
         rise.height += height;
         rise.present = true;
         if rho > 0.0 {
@@ -189,14 +208,23 @@ impl Around {
 #[cfg(test)]
 mod tests {
     use super::{Features, Rise, add};
-    use crate::{Crater, Shape};
-    use proptest::prelude::{Strategy, prop_assert_eq, proptest};
+    use crate::{Crater, Shape, kept_share};
+    use proptest::prelude::{Strategy, prop_assert, prop_assert_eq, proptest};
 
     /// Without an index: every crater is asked.
     fn at_by_force(craters: &[Crater], at: [f64; 2]) -> Rise {
         let mut rise = Rise::default();
-        craters.iter().for_each(|crater| add(crater, at, &mut rise));
+        craters.iter().for_each(|crater| add(crater, at, 1.0, &mut rise));
         rise
+    }
+
+    /// The same at a spacing: each crater is asked alone, and its whole rise is scaled.
+    fn at_spacing_by_force(craters: &[Crater], at: [f64; 2], spacing: f64) -> [f64; 3] {
+        craters.iter().fold([0.0; 3], |sum, crater| {
+            let share = kept_share(crater.outer() / spacing);
+            let Rise { height, slopes: [north, east], .. } = at_by_force(&[*crater], at);
+            [sum[0] + share * height, sum[1] + share * north, sum[2] + share * east]
+        })
     }
 
     fn in_box_by_force(craters: &[Crater], low: [f64; 2], high: [f64; 2]) -> Vec<u32> {
@@ -253,6 +281,14 @@ mod tests {
             for point in [at, [10.0, -20.0], [10.0, at[1]]] {
                 prop_assert_eq!(features.at(point[0], point[1]), at_by_force(&craters, point));
             }
+            for spacing in [0.01, 0.1, 0.4].map(|share| share * size[0] + 1e-9) {
+                let Rise { height, slopes: [north, east], .. } = features.at_spacing(at[0], at[1], spacing);
+                let expected = at_spacing_by_force(&craters, at, spacing);
+                let off = |found: f64, expected: f64| (found - expected).abs();
+                let off = off(height, expected[0]).max(off(north, expected[1])).max(off(east, expected[2]));
+                prop_assert!(off < 1e-10, "{:?}", expected);
+            }
+            prop_assert_eq!(features.at_spacing(at[0], at[1], 0.0), features.at(at[0], at[1]));
             let high = [at[0] + size[0], at[1] + size[1]];
             features.in_box(at, high, &mut found);
             prop_assert_eq!(&found, &in_box_by_force(&craters, at, high));

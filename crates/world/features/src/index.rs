@@ -26,6 +26,14 @@ impl Index {
         self.tiers.iter().flat_map(move |tier| tier.near_box(low, high))
     }
 
+    /// The same of craters whose outer radius may exceed `outer` (m); smaller ones may be among them.
+    pub fn near_box_above(&self, outer: f64, low: [f64; 2], high: [f64; 2]) -> impl Iterator<Item = u32> {
+        self.tiers
+            .iter()
+            .filter(move |tier| tier.outer() > outer)
+            .flat_map(move |tier| tier.near_box(low, high))
+    }
+
     /// Indices of craters that may meet the stretch of a length (m) from a point on along a unit vector, in no useful
     /// order.
     pub fn near_stretch(

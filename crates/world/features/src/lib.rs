@@ -6,11 +6,13 @@
 //! - [`Craters`]: any number of them, in as few numbers as they take.
 //! - [`Features`]: all craters of a problem area; queries look only at what is near.
 //! - [`Outlook`]: which of them are large enough to be told from where they are seen.
+//! - [`kept_share`]: how much of a crater samples of the ground can show.
 //! - [`list`]: craters from a CSV file.
 //! - [`population`]: craters from a seed and a size-frequency law.
 
 mod crater;
 mod craters;
+mod fade;
 mod fan;
 mod field;
 mod index;
@@ -22,6 +24,7 @@ mod tier;
 
 pub use crater::{Crater, CraterError, Shape};
 pub use craters::Craters;
+pub use fade::kept_share;
 pub use field::{Features, Rise};
 pub use outlook::{LeftOut, Outlook};
 pub use spot::MOST_CRATERS;

@@ -35,14 +35,4 @@ pub enum MeshError {
         /// The value that was found.
         found: f64,
     },
-    /// The limit on triangles is below the coarsest mesh.
-    #[error(
-        "limit of {limit} triangles: the coarsest mesh has {needed}; expected at least as many, or a larger half side"
-    )]
-    Triangles {
-        /// The limit that was given.
-        limit: usize,
-        /// Triangles of the coarsest mesh.
-        needed: usize,
-    },
 }

@@ -4,21 +4,20 @@ use glam::DVec3;
 use landscape::Landscape;
 
 use crate::error::MeshError;
-use crate::height_error::HeightError;
 use crate::mesh::GroundMesh;
-use crate::rings::{FEWEST_CELLS, MOST_CELLS, Rings};
+use crate::rings::{FEWEST_CELLS, Rings};
 
 /// What is asked of a mesh.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wish {
     /// Half the side of the innermost square (m); see [`Rings`].
     pub half_side: f64,
+    /// Most cells along half the side of every square; see [`Rings`].
+    pub most_cells: u32,
     /// Focal length of the picture (pixels), above 0.
     pub focal: f64,
     /// Error in the picture that is allowed (pixels), above 0.
     pub tolerance: f64,
-    /// Most triangles of the mesh.
-    pub most_triangles: usize,
 }
 
 /// The rings that were chosen.
@@ -26,46 +25,36 @@ pub struct Wish {
 pub struct Fitted {
     /// Rings of the mesh, for the frames that follow.
     pub rings: Rings,
-    /// Its error from this eye.
-    pub error: HeightError,
-    /// Whether the error is within the tolerance; if not, the limit on triangles came first.
+    /// Whether the error is within the tolerance; if not, the limit on cells came first.
     pub is_met: bool,
 }
 
 impl GroundMesh {
-    /// Makes the mesh for an eye (north, east, up; m), with cells halved until its error is within the tolerance or half of them would
-    /// exceed the limit on triangles.
+    /// Makes the mesh for an eye (north, east, up; m) of those blocks alone of which `is_wanted` holds, as
+    /// [`GroundMesh::fill_where`] does. Its cells are halved until its error is within the tolerance, or as many as are allowed.
     ///
-    /// # Errors If a figure or the eye is out of range, or the coarsest mesh exceeds the limit.
-    pub fn fit(&mut self, landscape: &Landscape, eye: DVec3, wish: &Wish) -> Result<Fitted, MeshError> {
+    /// # Errors If a figure or the eye is out of range.
+    pub fn fit_where(
+        &mut self,
+        landscape: &Landscape,
+        eye: DVec3,
+        wish: &Wish,
+        is_wanted: impl Fn([[f64; 2]; 2]) -> bool,
+    ) -> Result<Fitted, MeshError> {
         for (what, found) in [("tolerance (pixels)", wish.tolerance), ("focal length (pixels)", wish.focal)] {
             if !(found > 0.0 && found.is_finite()) {
                 return Err(MeshError::Figure { what, found });
             }
         }
-        let mut fitted = None::<Fitted>;
         let mut cells = FEWEST_CELLS;
-        while cells <= MOST_CELLS {
-            let rings = Rings { half_side: wish.half_side, cells };
-            self.lay_out(landscape, eye, rings, |_| true)?;
-            if self.triangles.len() > wish.most_triangles {
-                break;
-            }
-            self.raise(landscape);
-            let error = self.height_error(landscape, eye, wish.focal);
-            let is_met = error.pixels <= wish.tolerance;
-            fitted = Some(Fitted { rings, error, is_met });
-            if is_met {
-                break;
+        loop {
+            let rings = Rings { half_side: wish.half_side, cells: cells.min(wish.most_cells) };
+            self.fill_where(landscape, eye, rings, &is_wanted)?;
+            let is_met = self.is_within(landscape, eye, wish.focal, wish.tolerance);
+            if is_met || cells >= wish.most_cells {
+                return Ok(Fitted { rings, is_met });
             }
             cells *= 2;
         }
-        let Some(fitted) = fitted else {
-            return Err(MeshError::Triangles { limit: wish.most_triangles, needed: self.triangles.len() });
-        };
-        if !fitted.is_met {
-            self.fill(landscape, eye, fitted.rings)?;
-        }
-        Ok(fitted)
     }
 }

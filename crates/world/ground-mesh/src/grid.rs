@@ -7,7 +7,8 @@ use landscape::Bank;
 pub(crate) struct Grid {
     low: [f64; 2],
     high: [f64; 2],
-    step: f64,
+    /// Finest step (m).
+    pub step: f64,
     /// Number of the northern and the eastern border.
     pub last: [i64; 2],
 }

@@ -34,16 +34,31 @@ impl HeightError {
 impl GroundMesh {
     /// Error of the mesh against the landscape that it was made of, seen from `eye` (m) with a `focal` length (pixels).
     pub fn height_error(&self, landscape: &Landscape, eye: DVec3, focal: f64) -> HeightError {
-        let of_triangle = |near: &mut Vec<u32>, corners: &[u32; 3]| {
-            let corners = corners.map(|corner| self.vertices[corner as usize]);
-            let metres = measured(landscape, &corners) + between_points(landscape.features(), &corners, near);
-            let pixels = if metres == 0.0 { 0.0 } else { focal * metres / distance(&corners, eye, metres) };
-            HeightError { metres, pixels }
+        let error =
+            |near: &mut Vec<u32>, corners: &[u32; 3]| self.error_of(corners, landscape, eye, focal, near);
+        self.triangles.par_iter().map_init(Vec::new, error).reduce(HeightError::default, HeightError::or)
+    }
+
+    /// Whether the error in the picture is within a tolerance (pixels). It is known as soon as one triangle exceeds it.
+    pub(crate) fn is_within(&self, landscape: &Landscape, eye: DVec3, focal: f64, tolerance: f64) -> bool {
+        let pixels = |near: &mut Vec<u32>, corners: &[u32; 3]| {
+            self.error_of(corners, landscape, eye, focal, near).pixels
         };
-        self.triangles
-            .par_iter()
-            .map_init(Vec::new, of_triangle)
-            .reduce(HeightError::default, HeightError::or)
+        self.triangles.par_iter().map_init(Vec::new, pixels).all(|pixels| pixels <= tolerance)
+    }
+
+    fn error_of(
+        &self,
+        corners: &[u32; 3],
+        landscape: &Landscape,
+        eye: DVec3,
+        focal: f64,
+        near: &mut Vec<u32>,
+    ) -> HeightError {
+        let corners = corners.map(|corner| self.vertices[corner as usize]);
+        let metres = measured(landscape, &corners) + between_points(landscape.features(), &corners, near);
+        let pixels = if metres == 0.0 { 0.0 } else { focal * metres / distance(&corners, eye, metres) };
+        HeightError { metres, pixels }
     }
 }
 

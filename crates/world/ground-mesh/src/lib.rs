@@ -3,7 +3,7 @@
 //! ```text
 //!  eye, rings --> blocks of the world grid --> fans --> triangles
 //!                                                \--> vertices --> height, slopes, albedo (landscape, closed form)
-//!  triangles, landscape --> HeightError (metres, pixels) --> fit: finer rings until the tolerance or the limit
+//!  triangles, landscape --> HeightError (metres, pixels) --> fit_where: finer rings until the tolerance or the limit
 //! ```
 //!
 //! # Law
@@ -14,6 +14,9 @@
 //! - **No cracks.** A ring consists of blocks of 2 x 2 cells, each a fan around its middle. On a side that meets the coarser
 //!   ring, the fan leaves out the vertex in the middle of the side. So no vertex lies inside an edge of another triangle, and
 //!   both rings have the same vertices.
+//! - **Small features.** A vertex shows the ground as samples as far apart as its ring's cells can: craters smaller than a cell are left
+//!   out, those of twice its size are whole ([`landscape::Landscape::at_spacing`]). On the border of two rings the coarser one
+//!   rules. What is left out counts in the error.
 //! - **Borders.** The grid is cut at the northern and eastern border of the bank: its last row and column may be narrower. Where a bank
 //!   whose levels do not nest has no ground, there are no triangles.
 //! - **Error** is measured, not derived: see [`HeightError`].
@@ -36,6 +39,7 @@ mod fit;
 mod grid;
 mod height_error;
 mod mesh;
+mod numbers;
 mod rings;
 
 pub use body::{BodyTriangle, body_triangles};

@@ -1,24 +1,24 @@
 //! The ground around an eye as triangles.
 
-use std::collections::HashMap;
-
 use glam::DVec3;
 use landscape::Landscape;
 use rayon::prelude::*;
 
 use crate::error::MeshError;
 use crate::grid::{Grid, extent};
-use crate::rings::{Block, Rings, for_blocks};
+use crate::numbers::Numbers;
+use crate::rings::{Block, Ring, Rings, rings};
 
 /// Vertices and triangles of the ground in flat buffers, which are used for mesh after mesh.
 #[derive(Debug, Clone, Default)]
 pub struct GroundMesh {
     pub(crate) vertices: Vec<Vertex>,
     pub(crate) triangles: Vec<[u32; 3]>,
-    numbers: HashMap<[i64; 2], u32>,
+    numbers: Numbers,
 }
 
-/// A vertex of the ground, from the closed form of the landscape.
+/// A vertex of the ground, from the closed form of the landscape without what is too small for its `spacing`
+/// ([`Landscape::at_spacing`]).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Vertex {
     /// Place: north, east, up (m).
@@ -27,6 +27,8 @@ pub struct Vertex {
     pub slopes: [f64; 2],
     /// Share of red, green and blue light that is returned, 0..=1.
     pub albedo: [f64; 3],
+    /// Side of a cell (m) of the coarsest ring that has the vertex.
+    pub spacing: f64,
 }
 
 impl GroundMesh {
@@ -64,11 +66,11 @@ impl GroundMesh {
     }
 
     /// Places and triangles, without heights.
-    pub(crate) fn lay_out(
+    fn lay_out(
         &mut self,
         landscape: &Landscape,
         eye: DVec3,
-        rings: Rings,
+        wish: Rings,
         is_wanted: impl Fn([[f64; 2]; 2]) -> bool,
     ) -> Result<(), MeshError> {
         let extent = extent(landscape.bank());
@@ -77,24 +79,26 @@ impl GroundMesh {
         if !(is_over && eye.is_finite()) {
             return Err(MeshError::Eye { eye: eye.to_array(), extent });
         }
-        rings.check(landscape.bank())?;
-        let grid = Grid::new(landscape.bank(), rings.finest_step());
+        wish.check(landscape.bank())?;
+        let grid = Grid::new(landscape.bank(), wish.finest_step());
         self.vertices.clear();
         self.triangles.clear();
         self.numbers.clear();
         let eye = [grid.steps(0, eye.x), grid.steps(1, eye.y)];
-        for_blocks(&grid, eye, rings.cells, |block| {
-            let corner = |k: usize| [0, 1].map(|axis| grid.place(axis, block.lines[axis][k]));
-            if is_wanted([corner(0), corner(2)]) {
-                self.fan(&block, &grid);
+        for ring in rings(&grid, eye, wish.cells) {
+            self.numbers.start(&ring, &grid);
+            for block in ring.blocks(&grid) {
+                let corner = |k: usize| [0, 1].map(|axis| grid.place(axis, block.lines[axis][k]));
+                if is_wanted([corner(0), corner(2)]) {
+                    self.fan(&block, &ring, &grid);
+                }
             }
-        });
+        }
         Ok(())
     }
 
     /// The triangles of a block: a fan about its middle.
-    fn fan(&mut self, block: &Block, grid: &Grid) {
-        let [x, y] = block.lines;
+    fn fan(&mut self, block: &Block, ring: &Ring, grid: &Grid) {
         let [[south, north], [west, east]] = block.meets_coarser;
         // Round the block, each side with its middle; a middle that a coarser ring lacks is left out.
         let round = [
@@ -107,12 +111,12 @@ impl GroundMesh {
             (false, 2, 0),
             (west, 1, 0),
         ];
-        let middle = self.vertex([x[1], y[1]], grid);
+        let middle = self.vertex(block, [1, 1], ring, grid);
         let kept = round.into_iter().filter(|(is_left_out, ..)| !is_left_out);
         let mut corners = [0; 8];
         let mut count = 0;
         for (_, i, j) in kept {
-            corners[count] = self.vertex([x[i], y[j]], grid);
+            corners[count] = self.vertex(block, [i, j], ring, grid);
             count += 1;
         }
         for k in 0..count {
@@ -124,21 +128,24 @@ impl GroundMesh {
         }
     }
 
-    /// Number of the vertex at a place of the grid.
-    fn vertex(&mut self, at: [i64; 2], grid: &Grid) -> u32 {
+    /// Number of the vertex at the crossing of two lines of a block.
+    fn vertex(&mut self, block: &Block, line: [usize; 2], ring: &Ring, grid: &Grid) -> u32 {
+        let at = [0, 1].map(|axis| block.lines[axis][line[axis]]);
         let vertices = &mut self.vertices;
-        *self.numbers.entry(at).or_insert_with(|| {
+        self.numbers.of(at, || {
             let place = DVec3::new(grid.place(0, at[0]), grid.place(1, at[1]), f64::NAN);
-            vertices.push(Vertex { place, slopes: [0.0; 2], albedo: [0.0; 3] });
+            let cells = if block.is_shared(line) { 2 * ring.step } else { ring.step };
+            let spacing = cells as f64 * grid.step;
+            vertices.push(Vertex { place, slopes: [0.0; 2], albedo: [0.0; 3], spacing });
             vertices.len() as u32 - 1
         })
     }
 
     /// Heights, slopes and albedo of all vertices; triangles without ground go.
-    pub(crate) fn raise(&mut self, landscape: &Landscape) {
+    fn raise(&mut self, landscape: &Landscape) {
         self.vertices.par_iter_mut().for_each(|vertex| {
             let (x, y) = (vertex.place.x, vertex.place.y);
-            if let Some(ground) = landscape.at(x, y) {
+            if let Some(ground) = landscape.at_spacing(x, y, vertex.spacing) {
                 vertex.place.z = ground.height;
                 vertex.slopes = ground.slopes;
                 vertex.albedo = landscape.albedo_at(x, y);

@@ -50,11 +50,21 @@ pub(crate) struct Block {
     pub meets_coarser: [[bool; 2]; 2],
 }
 
+impl Block {
+    /// Whether the crossing of two of its lines, by axis, belongs to a coarser ring too.
+    pub fn is_shared(&self, line: [usize; 2]) -> bool {
+        (0..2).any(|axis| {
+            let [low, high] = self.meets_coarser[axis];
+            low && line[axis] == 0 || high && line[axis] == 2
+        })
+    }
+}
+
 /// A square around the eye: its low and high side by axis, in steps of the grid.
 #[derive(Debug, Clone, Copy)]
-struct Square {
-    low: [i64; 2],
-    high: [i64; 2],
+pub(crate) struct Square {
+    pub low: [i64; 2],
+    pub high: [i64; 2],
 }
 
 impl Square {
@@ -75,35 +85,48 @@ impl Square {
     }
 }
 
-/// Hands over all blocks, from the innermost ring outwards, until the bank is covered. `eye` is in steps of the grid.
-pub(crate) fn for_blocks(grid: &Grid, eye: [f64; 2], cells: u32, mut found: impl FnMut(Block)) {
-    let (mut step, mut inner) = (1, None::<Square>);
-    loop {
-        let square = Square::new(eye, i64::from(cells), step);
-        // Blocks beyond the bank are passed over.
-        let first = |axis: usize| square.low[axis].max(-2 * step).div_euclid(2 * step) * 2 * step;
-        let side =
-            |axis: usize| (first(axis)..square.high[axis].min(grid.last[axis])).step_by(2 * step as usize);
-        for x in side(0) {
-            for y in side(1).filter(|&y| !inner.is_some_and(|inner| inner.holds([x, y]))) {
-                if let Some(block) = block([x, y], step, &square, grid) {
-                    found(block);
-                }
-            }
-        }
-        if square.holds_all(grid.last) {
-            return;
-        }
-        (step, inner) = (2 * step, Some(square));
-    }
+/// A square without the one inside it: blocks of cells of one step.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Ring {
+    /// Side of a cell, in steps of the grid.
+    pub step: i64,
+    /// Its outer border.
+    pub square: Square,
+    inner: Option<Square>,
 }
 
-/// The block at a place; `None` if nothing of it is on the bank.
-fn block(at: [i64; 2], step: i64, square: &Square, grid: &Grid) -> Option<Block> {
-    let lines = [0, 1].map(|axis| [0, 1, 2].map(|k| (at[axis] + k * step).clamp(0, grid.last[axis])));
-    let meets_coarser = [0, 1].map(|axis| {
-        let [low, _, high] = lines[axis];
-        [low > 0 && low == square.low[axis], high < grid.last[axis] && high == square.high[axis]]
-    });
-    lines.iter().all(|[low, _, high]| low < high).then_some(Block { lines, meets_coarser })
+/// All rings, from the innermost outwards, until the bank is covered. `eye` is in steps of the grid.
+pub(crate) fn rings(grid: &Grid, eye: [f64; 2], cells: u32) -> impl Iterator<Item = Ring> {
+    let square = move |step| Square::new(eye, i64::from(cells), step);
+    let first = Ring { step: 1, square: square(1), inner: None };
+    let last = grid.last;
+    std::iter::successors(Some(first), move |ring| {
+        let next = || Ring { step: 2 * ring.step, square: square(2 * ring.step), inner: Some(ring.square) };
+        (!ring.square.holds_all(last)).then(next)
+    })
+}
+
+impl Ring {
+    /// Blocks of the ring that have something on the bank, row by row from the south-west.
+    pub fn blocks(self, grid: &Grid) -> impl Iterator<Item = Block> {
+        let (last, side) = (grid.last, 2 * self.step);
+        // Blocks beyond the bank are passed over.
+        let first = move |axis: usize| self.square.low[axis].max(-side).div_euclid(side) * side;
+        let along =
+            move |axis: usize| (first(axis)..self.square.high[axis].min(last[axis])).step_by(side as usize);
+        let places = along(0).flat_map(move |x| along(1).map(move |y| [x, y]));
+        let is_own = move |at: &[i64; 2]| !self.inner.is_some_and(|inner| inner.holds(*at));
+        places.filter(is_own).filter_map(move |at| self.block(at, last))
+    }
+
+    /// The block at a place; `None` if nothing of it is on the bank.
+    fn block(&self, at: [i64; 2], last: [i64; 2]) -> Option<Block> {
+        let Self { step, square, .. } = self;
+        let lines = [0, 1].map(|axis| [0, 1, 2].map(|k| (at[axis] + k * step).clamp(0, last[axis])));
+        let meets_coarser = [0, 1].map(|axis| {
+            let [low, _, high] = lines[axis];
+            [low > 0 && low == square.low[axis], high < last[axis] && high == square.high[axis]]
+        });
+        lines.iter().all(|[low, _, high]| low < high).then_some(Block { lines, meets_coarser })
+    }
 }

@@ -1,6 +1,6 @@
 //! The one query for height, slope and albedo.
 
-use features::Features;
+use features::{Features, Rise};
 use quantities::intensity;
 
 use crate::{AlbedoMap, Bank, Level, Photometry, Silhouette, Texture};
@@ -14,6 +14,14 @@ pub struct SurfacePoint {
     pub slopes: [f64; 2],
     /// Share of the light that is returned, 0..=1; of a colour its luminance.
     pub albedo: f64,
+}
+
+impl SurfacePoint {
+    /// The same with features on it.
+    fn raised(self, rise: &Rise) -> Self {
+        let slopes = std::array::from_fn(|axis| self.slopes[axis] + rise.slopes[axis]);
+        Self { height: self.height + rise.height, slopes, ..self }
+    }
 }
 
 /// Lunoid, terrain and features: what `exact`, truth, the vehicle, shadows and the machine's preparation ask.
@@ -108,10 +116,13 @@ impl Landscape {
 
     /// Terrain and features at (x, y) (m), from the finest level that has the place; `None` outside all.
     pub fn at(&self, x: f64, y: f64) -> Option<SurfacePoint> {
-        let terrain = self.terrain_at(x, y)?;
-        let rise = self.features.at(x, y);
-        let slopes = std::array::from_fn(|axis| terrain.slopes[axis] + rise.slopes[axis]);
-        Some(SurfacePoint { height: terrain.height + rise.height, slopes, ..terrain })
+        Some(self.terrain_at(x, y)?.raised(&self.features.at(x, y)))
+    }
+
+    /// The same as samples of the ground `spacing` (m) apart can show it: small features are faded
+    /// ([`Features::at_spacing`]). Terrain and albedo are whole.
+    pub fn at_spacing(&self, x: f64, y: f64, spacing: f64) -> Option<SurfacePoint> {
+        Some(self.terrain_at(x, y)?.raised(&self.features.at_spacing(x, y, spacing)))
     }
 
     /// The terrain alone at (x, y) (m), from the finest level that has the place; `None` outside all.
@@ -163,6 +174,25 @@ mod tests {
         assert_eq!(landscape.at(500.1, 0.0), None);
         assert_eq!(landscape.height(123.0, 456.0), Some(point.height));
         assert_eq!(landscape.height(0.0, -0.1), None);
+    }
+
+    /// A crater of radius 3 m on a slope: whole up to a spacing of 1.5 m, halved at 2 m, gone at 3 m.
+    #[test]
+    fn samples_far_apart_see_less_of_a_crater() {
+        let mut words = [[0.0; 9]; 4];
+        words.iter_mut().for_each(|corner| corner[3] = 1.0);
+        (words[2][0], words[3][0]) = (1.0, 1.0);
+        let level = Level::new(10.0, [0.0; 2], [2, 2], words.to_vec()).unwrap();
+        let terrain = Landscape::new(Bank::new("", vec![level], None).unwrap(), 0.25);
+        let crater = Crater::new([5.0, 5.0], Shape::Bowl { r1: 3.0 }, 1.0, 0.0).unwrap();
+        let landscape = terrain.clone().with_features(Features::new(vec![crater]));
+        let [whole, bare] = [&landscape, &terrain].map(|ground| ground.at(6.0, 5.0).unwrap());
+        let seen = |spacing| landscape.at_spacing(6.0, 5.0, spacing).unwrap();
+        assert_eq!((seen(0.0), seen(1.5), seen(3.0)), (whole, whole, bare));
+        let half = seen(2.0);
+        assert!((half.height - 0.5 * (whole.height + bare.height)).abs() < 1e-15);
+        assert!((half.slopes[0] - 0.5 * (whole.slopes[0] + bare.slopes[0])).abs() < 1e-15);
+        assert!(whole.height < bare.height - 0.8 && landscape.at_spacing(10.1, 0.0, 1.0).is_none());
     }
 
     #[test]

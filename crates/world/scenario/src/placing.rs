@@ -10,7 +10,9 @@ use solids::{Body, Kind, Solid};
 use crate::effect_placing;
 use crate::objects::{Event, Object, Stay, stays};
 use crate::rocks::Clear;
-use crate::{Frame, Guest, MoveStation, Scenario, Scenery, SceneryProblem, SceneryProblems, Standing};
+use crate::{
+    Frame, Guest, MoveStation, Pose, PoseTable, Scenario, Scenery, SceneryProblem, SceneryProblems, Standing,
+};
 
 impl Scenery {
     /// Light, bodies and tracks of `scenario` on its ground, at `update` frames a second. Objects have the numbers of their
@@ -48,8 +50,15 @@ impl Scenery {
             .with_effects(effects)
             .with_groups(scenario.groups.clone())
             .with_patches(patches)
+            .with_start(start(scenario, landscape, update))
             .with_vehicle(scenario.vehicle_shape.clone()))
     }
+}
+
+/// Pose of frame 0; `None` if it cannot be driven, which whoever draws it reports.
+fn start(scenario: &Scenario, landscape: &Landscape, update: Rate) -> Option<Pose> {
+    let table = PoseTable::resolve(scenario, landscape, update, None, 0..1).ok()?;
+    table.rows().first().map(|row| row.pose)
 }
 
 /// The events of each object, ascending in time.

@@ -37,6 +37,7 @@ pub struct Scenery {
     effects: Vec<Carried>,
     groups: Vec<Group>,
     patches: Vec<TrackPatch>,
+    start: Option<Pose>,
     course: Vec<Pose>,
     vehicle: Option<VehicleShape>,
     channel: Option<Channel>,
@@ -58,6 +59,7 @@ impl Scenery {
             effects: Vec::new(),
             groups: Vec::new(),
             patches: Vec::new(),
+            start: None,
             course: Vec::new(),
             vehicle: None,
             channel: None,
@@ -97,6 +99,17 @@ impl Scenery {
     /// The same with a vehicle that casts its own shadow, if there is one.
     pub fn with_vehicle(self, vehicle: Option<VehicleShape>) -> Self {
         Self { vehicle, ..self }
+    }
+
+    /// The same with the pose of frame 0, without a yoke, where there is one.
+    pub fn with_start(self, start: Option<Pose>) -> Self {
+        Self { start, ..self }
+    }
+
+    /// Pose of frame 0, without a yoke: what is chosen once for a mission may depend on it. None if nobody told it, or the path cannot be
+    /// driven there.
+    pub fn start(&self) -> Option<&Pose> {
+        self.start.as_ref()
     }
 
     /// The same as it is seen through a channel, if there is one.

@@ -43,6 +43,7 @@ fn each_fault_is_one_problem_that_says_what_to_do() {
         ("rotate = true\nfilter = \"tent\"", ["rotate", "filter = \"box\""]),
         ("rotate = true\npattern = \"off-centre16\"", ["rotate", "pattern"]),
         ("ground_cells = 30", ["sampled.ground_cells", "multiple of 4"]),
+        ("ground_error_px = -0.1", ["sampled.ground_error_px", "100"]),
         ("spot_px = 0.0", ["sampled.spot_px", "0.05"]),
         ("patern = \"4\"", ["patern", "pattern"]),
         ("pattern = \"5\"", ["sampled.pattern", "lattice32"]),

@@ -88,6 +88,9 @@ impl OrderOutcome {
     }
 }
 
+/// What the whole error is told against.
+pub const EXACT: &str = "exact";
+
 /// What came of a ladder.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct LadderOutcome {
@@ -97,6 +100,8 @@ pub struct LadderOutcome {
     pub what: &'static str,
     /// What a time is of: `frame`, `sample`.
     pub unit_of_work: &'static str,
+    /// What errors are against: [`EXACT`], or what leaves a part of the error out.
+    pub against: &'static str,
     /// Outcomes of the rungs, in their order.
     pub rungs: Vec<RungOutcome>,
     /// Orders of convergence, measured and expected.
@@ -117,7 +122,12 @@ impl LadderOutcome {
             OrderOutcome { expected: *expected, measured: fit(&points) }
         };
         let orders = expected.iter().map(order).collect();
-        Self { name, what, unit_of_work, rungs, orders }
+        Self { name, what, unit_of_work, against: EXACT, rungs, orders }
+    }
+
+    /// The same with errors against something else than `exact`: they are a part of the whole error.
+    pub fn against(self, against: &'static str) -> Self {
+        Self { against, ..self }
     }
 
     /// Errors that any rung has, in the order of the first that has them.

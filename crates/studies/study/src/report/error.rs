@@ -8,7 +8,7 @@ use super::folder::{ReportError, write};
 use super::ladder_plots::write_plots;
 use crate::advice::Advice;
 use crate::fronts::Front;
-use crate::ladder::{LadderOutcome, OrderOutcome};
+use crate::ladder::{EXACT, LadderOutcome, OrderOutcome};
 use crate::reference::SelfError;
 use crate::{csv, table};
 
@@ -77,7 +77,13 @@ impl ErrorReport {
     pub fn text(&self) -> String {
         let mut text = format!("{}\n{}\n", self.facts(), self.exact.sentence());
         for ladder in &self.ladders {
-            text += &format!("\n{}: {}\n{}", ladder.name, ladder.what, text::table(&table(ladder)));
+            text += &format!(
+                "\n{}: {}{}\n{}",
+                ladder.name,
+                ladder.what,
+                against(ladder),
+                text::table(&table(ladder))
+            );
             ladder.orders.iter().for_each(|order| text += &format!("  {}\n", order_words(order)));
         }
         text += "\n";
@@ -91,8 +97,8 @@ impl ErrorReport {
     fn page(&self) -> String {
         let mut text = format!("{}. {}\n", self.facts(), self.exact.sentence());
         for ladder in &self.ladders {
-            text +=
-                &format!("\n### {}\n\n![{} against time]({}.svg)\n\n", ladder.what, ladder.name, ladder.name);
+            let (name, what, against) = (ladder.name, ladder.what, against(ladder));
+            text += &format!("\n### {what}{against}\n\n![{name} against time]({name}.svg)\n\n");
             text += &text::markdown(&table(ladder));
             ladder.orders.iter().for_each(|order| text += &format!("\n{}\n", order_words(order)));
         }
@@ -102,6 +108,11 @@ impl ErrorReport {
         self.not_built.iter().for_each(|what| text += &format!("- {what}\n"));
         text
     }
+}
+
+/// What the errors of a ladder are against, if that is not `exact`.
+fn against(ladder: &LadderOutcome) -> String {
+    if ladder.against == EXACT { String::new() } else { format!(", against {}", ladder.against) }
 }
 
 fn order_words(order: &OrderOutcome) -> String {

@@ -7,17 +7,16 @@ use plots::{PointSeries, SlopeGuide, TraceLook, ladder_picture};
 use super::folder::{ReportError, save};
 use crate::advice::total_error;
 use crate::front;
-use crate::ladder::{LadderOutcome, OrderOutcome, RungOutcome};
+use crate::ladder::{EXACT, LadderOutcome, OrderOutcome, RungOutcome};
 
 const WIDTH: u32 = 860;
 const HEIGHT: u32 = 460;
 const TIME: &str = "time (ms a frame, median)";
-const PICTURE: &str = "RMSE of the picture against exact (1 = white)";
 
 /// `all.svg` and `all.png` of the ladders of frames, and a plot of each ladder under its own name.
 pub fn write_plots(folder: &Path, facts: &str, ladders: &[LadderOutcome]) -> Result<(), ReportError> {
-    let of_frames: Vec<&LadderOutcome> =
-        ladders.iter().filter(|ladder| ladder.unit_of_work == "frame").collect();
+    let is_of_frames = |ladder: &&LadderOutcome| ladder.unit_of_work == "frame" && ladder.against == EXACT;
+    let of_frames: Vec<&LadderOutcome> = ladders.iter().filter(is_of_frames).collect();
     draw_front(folder, "all", "Error against run time", facts, &of_frames)?;
     for ladder in ladders {
         draw_front(folder, ladder.name, ladder.what, facts, &[ladder])?;
@@ -63,8 +62,9 @@ fn draw_front(
     if all.is_empty() {
         return Ok(());
     }
+    let picture = format!("RMSE of the picture against {} (1 = white)", ladders[0].against);
     let best: Vec<[f64; 2]> = front(&all).into_iter().map(|index| all[index]).collect();
-    save(folder, name, ladder_picture([TIME, PICTURE], &series, &best, &[], &look(title, facts)))
+    save(folder, name, ladder_picture([TIME, &picture], &series, &best, &[], &look(title, facts)))
 }
 
 fn draw_order(

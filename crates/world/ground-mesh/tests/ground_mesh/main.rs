@@ -3,6 +3,7 @@
 mod bodies;
 mod closed;
 mod error;
+mod faded;
 mod fitting;
 mod refused;
 

@@ -36,6 +36,7 @@ const AFTER: &str = "Examples:
   lunoid study error scenarios/showpiece.toml --frame 0 --out studies/showpiece
   lunoid study error scenarios/first-light.toml --only samples --only scalar --json
   lunoid study error scenarios/lunsim-roving.toml --only grid
+  lunoid study error scenarios/dust-curtain.toml --quick --only sampling --only stack
 
 --out gets error.json, error.csv, error.md, a plot of error against time of all ladders and of every ladder by itself,
 exact/ and shadows/, where pictures of exact and boundaries of shadow are kept: the next study of the same ground takes
@@ -108,11 +109,11 @@ impl ErrorStudy {
             let mut hear = |label: &str| self.outputs.say(&format!("  {label}"));
             outcomes.push(climb(&mut study, ladder, effort, &mut hear).map_err(failure)?);
         }
-        if let Some(own) = own_ladder(opened).filter(|own| self.wants(own.name)) {
+        for own in own_ladders(opened).iter().filter(|own| self.wants(own.name)) {
             self.outputs.say(own.what);
             let configure =
                 |sets: &[(&str, &str)]| opened.configure_with(sets).map_err(|error| error.to_string());
-            let climbed = parameter_ladder((&own, &configure), subject, study.exact, effort, extent);
+            let climbed = parameter_ladder((own, &configure), subject, study.exact, effort, extent);
             outcomes.push(climbed.map_err(failure)?);
         }
         if REGION_LADDERS.into_iter().any(|name| self.wants(name)) {
@@ -153,7 +154,7 @@ impl ErrorStudy {
 
     fn chosen(&self, opened: &Opened, mut all: Vec<Ladder>) -> Result<Vec<Ladder>, Failure> {
         let known = all.iter().map(|ladder| ladder.name).chain(REGION_LADDERS).chain([POLYNOMIAL, SOLVER]);
-        let known: Vec<&str> = known.chain(own_ladder(opened).map(|own| own.name)).collect();
+        let known: Vec<&str> = known.chain(own_ladders(opened).iter().map(|own| own.name)).collect();
         if let Some(unknown) = self.only.iter().find(|name| !known.contains(&name.as_str())) {
             return Err(Failure::usage(format!(
                 "--only {unknown}: no such ladder for this scenario; known: {}",
@@ -169,9 +170,9 @@ impl ErrorStudy {
     }
 }
 
-/// The ladder of the generator that the scenario names, where that has one.
-fn own_ladder(opened: &Opened) -> Option<ErrorLadder> {
-    opened.row?.ladder
+/// The ladders of the generator that the scenario names.
+fn own_ladders(opened: &Opened) -> &'static [ErrorLadder] {
+    opened.row.map_or(&[], |row| row.ladders)
 }
 
 /// The frames asked for, of `all`; the middle one if there are none.
