@@ -31,7 +31,7 @@ pub struct Reader {
 }
 
 /// All readers that are given damaged files.
-pub const READERS: [Reader; 28] = [
+pub const READERS: [Reader; 29] = [
     Reader { name: "scenario", file: "scene.toml", read: |path| said(Scenario::read(path)) },
     Reader {
         name: "path-csv",
@@ -47,6 +47,7 @@ pub const READERS: [Reader; 28] = [
     Reader { name: "path-lon-lat", file: "path.csv", read: track },
     Reader { name: "model", file: "model.toml", read: model },
     Reader { name: "craters", file: "craters.csv", read: |path| said(features::list::read(path)) },
+    Reader { name: "stars", file: "stars.csv", read: |path| scene_of(path, STARS) },
     Reader { name: "obj", file: "shape.obj", read: shape },
     Reader { name: "stl", file: "shape.stl", read: shape },
     Reader { name: "ply", file: "shape.ply", read: shape },
@@ -174,7 +175,10 @@ fn track(path: &Path) -> Result<(), String> {
     said(Scenario::parse(&folder(path).join("scene.toml").display().to_string(), &text))
 }
 
-/// A whole scenario around a path file.
+/// Stars of a file over a vehicle that stands still.
+const STARS: &str = "[path]\nkeyframes = [{ t_s = 0, x_m = 200, y_m = 200 }]\n[stars]\nfile = \"stars.csv\"\nturn_deg = [10, 20, 30]\n";
+
+/// A whole scenario around a file that it names.
 fn scene_of(path: &Path, course: &str) -> Result<(), String> {
     let text = format!(
         "format = 1\ntitle = \"T\"\nshows = \"T.\"\nframes = 2\n[landscape.generated]\nseed = 1\nextent_m = [400, 400]\n\

@@ -85,6 +85,10 @@ pub fn seeds(name: &str) -> Vec<Vec<u8>> {
             "x_m,y_m,radius_m,depth_m,rim_m,type,outer_m,floor_m\n200,200,10,2,0,1,,\n210,190,8,1,0.2,2,12,\n\
                         150,150,20,2,0.5,3,30,9\n",
         ],
+        "stars" => &[
+            "name,right_ascension_deg,declination_deg,magnitude,b_v\nSirius,101.287,-16.716,-1.46,0.0\nVega,279.234,38.784,0.03,\n",
+            "right_ascension_deg;declination_deg;magnitude\r\n88,79;7,41;0,5\r\n",
+        ],
         "obj" => &[CUBE],
         "envi" => &[ENVI],
         "prj" => &[SYSTEM],

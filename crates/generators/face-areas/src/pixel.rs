@@ -25,6 +25,13 @@ struct Candidate {
     is_opaque: bool,
 }
 
+impl Candidate {
+    /// Whether a piece lies wholly beside the face.
+    fn is_beside(&self, piece: &Piece) -> bool {
+        self.edges.iter().any(|edge| piece.range(edge)[1] <= 0.0)
+    }
+}
+
 impl<'a> Pixel<'a> {
     /// The pixel at column and line `at`; `faces` are the numbers of those that reach its line.
     pub fn new(scene: &'a FaceScene, faces: &[u32], at: [usize; 2]) -> Self {
@@ -41,17 +48,17 @@ impl<'a> Pixel<'a> {
                 return None;
             }
             let edges: Vec<Linear> = edges(&face.corners).collect();
-            let is_beside = edges.iter().any(|edge| square.range(edge)[1] <= 0.0);
             let look = (scene.looks)(number as usize, middle);
             let is_invisible = look.translucency == 1.0 && look.light == [0.0; 3];
-            (!is_beside && !is_invisible).then(|| Candidate {
+            let candidate = Candidate {
                 number,
                 edges,
                 q: Linear(face.q),
                 // The higher priority, then the lower id, is nearer.
                 order: (-face.priority, face.id),
                 is_opaque: look.translucency == 0.0,
-            })
+            };
+            (!is_invisible && !candidate.is_beside(&square)).then_some(candidate)
         };
         let mut faces: Vec<Candidate> = faces.iter().filter_map(candidate).collect();
         // The nearer are taken first, so that what they hide falls away early.
@@ -74,7 +81,9 @@ impl<'a> Pixel<'a> {
         }
         let hidden = self.nearest_wall(piece, over);
         let is_hidden = |face: u32| hidden.is_some_and(|least| piece.range(&self.face(face).q)[1] < least);
-        let Some(at) = open.iter().position(|&face| !is_hidden(face)) else {
+        // A face beside the piece must not cut it: pieces would multiply.
+        let may_show = |face: u32| !is_hidden(face) && !self.face(face).is_beside(piece);
+        let Some(at) = open.iter().position(|&face| may_show(face)) else {
             let over: Vec<u32> = over.iter().copied().filter(|&face| !is_hidden(face)).collect();
             return self.covered(piece, &over);
         };

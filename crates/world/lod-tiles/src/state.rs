@@ -1,0 +1,91 @@
+//! Level and fraction of every tile of a frame.
+
+use crate::{Levels, Terrain, Tile};
+
+/// What a tile is drawn as.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TileState {
+    /// Its level, from 0, the finest.
+    pub level: usize,
+    /// How far it has become the next level, 0 to 1.
+    pub fraction: f64,
+}
+
+/// States of all tiles, in the order of the terrain.
+#[derive(Debug, Clone, PartialEq)]
+pub struct State {
+    tiles: Vec<TileState>,
+    visits: u64,
+}
+
+impl State {
+    /// The state for an eye (m): levels by distance, neighbours one level apart at most. A tile that is refined for a neighbour has fraction 1: it looks
+    /// like the level that it had.
+    pub fn new(terrain: &Terrain, levels: &Levels, eye: [f64; 3]) -> Self {
+        let tiles = terrain.tiles().map(|tile| {
+            let distance = distance(terrain.middle(tile), eye);
+            let level = levels.at(distance);
+            TileState { level, fraction: levels.fraction(level, distance) }
+        });
+        Self::of(terrain, tiles.collect())
+    }
+
+    /// Tiles of given states, refined where neighbours are more than a level apart.
+    pub fn of(terrain: &Terrain, tiles: Vec<TileState>) -> Self {
+        let mut state = Self { tiles, visits: 0 };
+        while state.refine(terrain) {}
+        state
+    }
+
+    /// The same without morphing: every tile is whole.
+    pub fn switched(&self) -> Self {
+        let tiles = self.tiles.iter().map(|tile| TileState { fraction: 0.0, ..*tile });
+        Self { tiles: tiles.collect(), visits: self.visits }
+    }
+
+    /// State of the tile with a number.
+    pub fn tile(&self, number: usize) -> TileState {
+        self.tiles[number]
+    }
+
+    /// States of all tiles, in their order.
+    pub fn tiles(&self) -> &[TileState] {
+        &self.tiles
+    }
+
+    /// Visits to tiles that the neighbour rule took.
+    pub fn visits(&self) -> u64 {
+        self.visits
+    }
+
+    /// One pass of the neighbour rule; whether it refined a tile.
+    fn refine(&mut self, terrain: &Terrain) -> bool {
+        let mut is_refined = false;
+        for tile in terrain.tiles() {
+            self.visits += 1;
+            let around = around(terrain, tile).map(|other| self.tiles[terrain.number(other)].level);
+            let most = around.min().map_or(usize::MAX, |finest| finest + 1);
+            let own = &mut self.tiles[terrain.number(tile)];
+            if own.level > most {
+                *own = TileState { level: most, fraction: 1.0 };
+                is_refined = true;
+            }
+        }
+        is_refined
+    }
+}
+
+/// Tiles that share a side with a tile.
+fn around(terrain: &Terrain, tile: Tile) -> impl Iterator<Item = Tile> + use<> {
+    let [columns, rows] = terrain.counts();
+    let Tile { column, row } = tile;
+    let left = (column > 0).then(|| Tile { column: column - 1, row });
+    let right = (column + 1 < columns).then_some(Tile { column: column + 1, row });
+    let bottom = (row > 0).then(|| Tile { column, row: row - 1 });
+    let top = (row + 1 < rows).then_some(Tile { column, row: row + 1 });
+    [left, right, bottom, top].into_iter().flatten()
+}
+
+fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (0..3).map(|axis| (a[axis] - b[axis]) * (a[axis] - b[axis])).sum::<f64>().sqrt()
+}
