@@ -216,6 +216,28 @@ impl Session {
         sampler.fill(&scene, &lists, &self.screen.sub_area(number), number).map_err(refused)?;
         Ok(Filled { scene, lists, lost, sampler, number })
     }
+
+    /// What a frame took and lost, with its late sub-areas, and whether its picture shows a new frame.
+    fn counted(&self, gathered: &Gathered, picture: &Picture, late: u64, is_new: bool) -> FrameCounts {
+        let scene = &gathered.scene;
+        let calligraphic = scene.lights.points.iter().filter(|point| point.is_calligraphic).count() as u64;
+        FrameCounts::of([
+            ("ground_cells", u64::from(self.rings.cells)),
+            ("faces", scene.faces.work.faces),
+            ("triangles", scene.faces.work.triangles),
+            ("entries", picture.entries),
+            ("lights", scene.lights.points.len() as u64),
+            ("calligraphic", calligraphic),
+            ("lost_surfaces", picture.losses.translucent),
+            ("lost_lights", picture.losses.lights),
+            ("lost_entries", picture.lost.len() as u64),
+            ("lost_points", gathered.lost_points.len() as u64),
+            ("beam_dropped", picture.beam.dropped.len() as u64),
+            ("late_sub_areas", late),
+            ("repeated", u64::from(!is_new)),
+            ("loss_bound_ppm", largest_loss_ppm(&picture.losses)),
+        ])
+    }
 }
 
 impl GeneratorSession for Session {
@@ -237,30 +259,14 @@ impl GeneratorSession for Session {
         let Self { screen, hardware, parameters, .. } = self;
         picture.beam.draw(&scene.lights.points, parameters, screen, &mut picture.colours);
         picture::fill(&picture, scene, planes);
-        if let Some(plane) = planes.get_mut(PlaneKind::Overload) {
-            map::fill(plane, &picture, &gathered, screen, &self.late(&picture.readings));
-        }
         if shown.is_dark {
             planes.fill_sky();
         }
+        if let Some(plane) = planes.get_mut(PlaneKind::Overload) {
+            map::fill(plane, &picture, &gathered, screen, &self.late(&picture.readings));
+        }
         Rows { screen, camera: &scene.camera, hardware, readings: &picture.readings }.record(frame, probe);
-        let calligraphic = scene.lights.points.iter().filter(|point| point.is_calligraphic).count() as u64;
-        Ok(FrameCounts::of([
-            ("ground_cells", u64::from(self.rings.cells)),
-            ("faces", scene.faces.work.faces),
-            ("triangles", scene.faces.work.triangles),
-            ("entries", picture.entries),
-            ("lights", scene.lights.points.len() as u64),
-            ("calligraphic", calligraphic),
-            ("lost_surfaces", picture.losses.translucent),
-            ("lost_lights", picture.losses.lights),
-            ("lost_entries", picture.lost.len() as u64),
-            ("lost_points", gathered.lost_points.len() as u64),
-            ("beam_dropped", picture.beam.dropped.len() as u64),
-            ("late_sub_areas", late),
-            ("repeated", u64::from(!shown.is_new)),
-            ("loss_bound_ppm", largest_loss_ppm(&picture.losses)),
-        ]))
+        Ok(self.counted(&gathered, &picture, late, shown.is_new))
     }
 
     fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
