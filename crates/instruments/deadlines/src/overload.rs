@@ -44,7 +44,7 @@ impl OverloadMap {
         let pixels = LAYERS
             .iter()
             .map(|(loss, _)| (*loss, losses.iter().filter(|bits| **bits & loss.bit() != 0).count()));
-        let picture = Picture::from_parts(size[0], size[1], Depth::Eight, codes);
+        let picture = Picture::new(size[0], size[1], Depth::Eight, codes)?;
         Ok(Self { picture, pixels: pixels.collect() })
     }
 

@@ -38,7 +38,7 @@ pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
     let asked = wishes.machine.as_deref();
     let row = registry::find(asked.unwrap_or(&scenario.machine));
     let model = model(path, &scenario, row, wishes)?;
-    overlays::expect_of(row, row.map_or(&model.model.name, |row| row.name), wishes)?;
+    overlays::expect_of(row, row.map_or(model.model.name.as_str(), |row| row.name), wishes)?;
     wish(&mut scenario, wishes);
     let settings = crate::settings(&scenario, &model.model).map_err(|error| unfit(path, &error))?;
     expect_pixels(path, &settings)?;

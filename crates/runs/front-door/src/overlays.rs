@@ -24,7 +24,7 @@ impl GeneratorOverlay {
     /// The overlay of a generator that a path or a name of the command line means; `None` if it is none of a generator.
     fn of(asked: &Path) -> Result<Option<Self>, OpenError> {
         let name = asked.to_string_lossy();
-        let of = |row: &'static Row, name: &str, text: &str| {
+        let of = |row: &'static Row, name: &str, text: &str| -> Result<Option<Self>, OpenError> {
             let file = registry::overlay(row, name, text)?;
             Ok(Some(Self { asked: asked.to_owned(), row, file, text: text.to_owned() }))
         };

@@ -57,7 +57,7 @@ impl Sizing {
         let report = match &rehearsal {
             Rehearsed::Machine(machine) => self.of_machine(machine, &frames)?,
             Rehearsed::Other(other) => {
-                self.of_other(other, record(!self.no_progress, |hear| rehearsal.record(&frames, hear))?)?
+                of_other(other, &record(!self.no_progress, |hear| rehearsal.record(&frames, hear))?)?
             }
         };
         match self.json {
@@ -79,14 +79,12 @@ impl Sizing {
         }
         Ok(report.with(sizing.search()?))
     }
+}
 
-    /// A generator has formulas, and no parts to search for.
-    fn of_other(&self, other: &Other, record: TimingRecord) -> Result<Report, Failure> {
-        Report::of(other, &record).ok_or_else(|| {
-            Failure::usage(format!(
-                "--machine {}: it has no formulas; expected a hardware model",
-                record.machine
-            ))
-        })
-    }
+/// A generator has formulas, and no parts to search for.
+fn of_other(other: &Other, record: &TimingRecord) -> Result<Report, Failure> {
+    Report::of(other, record).ok_or_else(|| {
+        let name = &record.machine;
+        Failure::usage(format!("--machine {name}: it has no formulas; expected a hardware model"))
+    })
 }
