@@ -75,8 +75,10 @@ fn write_counters(out: &mut String, totals: &Totals) -> fmt::Result {
         ("words late", totals.late_words),
         ("vertices asked", totals.vertices.asked),
         ("vertices ready", totals.vertices.ready),
-        ("events", totals.events),
     ];
+    // Of a generator that is no hybrid machine, what it counts are its tasks.
+    let is_hybrid = rows.iter().any(|(_, total)| *total > 0);
+    let rows = rows.into_iter().filter(|_| is_hybrid).chain([("events", totals.events)]);
     writeln!(out, "\n{:<16} {:>14} {:>14}", "counter", "total", "a frame")?;
     for (name, total) in rows {
         let mean = total as f64 / totals.frames.max(1) as f64;

@@ -34,6 +34,11 @@ fn warn_of_idle_delays(rehearsal: &Rehearsal, frames: &[u64]) -> Result<(), Fail
     Ok(())
 }
 
+/// Refuses a generator whose frames have no deadlines.
+pub fn expect_deadlines(opened: &Opened) -> Result<(), Failure> {
+    if opened.generator.has_deadlines() { Ok(()) } else { expect_machine(opened, LACK) }
+}
+
 /// The same on any generator whose frames take time.
 pub fn rehearse_timed(
     stage: &StageArgs,

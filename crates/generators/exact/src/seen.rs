@@ -56,6 +56,8 @@ impl Seen {
             PlaneKind::Reflectivity => intensity(self.reflectivity),
             PlaneKind::Shadow => f64::from(self.shade.code()),
             PlaneKind::Label => f64::from(self.label.code()),
+            // It has no limits.
+            PlaneKind::Overload => 0.0,
         }
     }
 }

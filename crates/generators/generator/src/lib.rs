@@ -38,9 +38,9 @@ pub use error::{FrameError, PrepareError, check_eye};
 pub use faces::{FaceScene, Look, Looks, ScreenFace};
 pub use fact::Fact;
 pub use omission::{Omission, Weight};
-pub use planes::{Label, Plane, PlaneKind, Planes, Shade};
+pub use planes::{Label, Loss, Plane, PlaneKind, Planes, Shade};
 pub use row::{Against, ErrorLadder, Gear, Role, Row};
-pub use timed::Timed;
+pub use timed::{SizedFigure, Timed};
 
 /// The world and the view: everything that generators share but the pose.
 #[derive(Debug, Clone)]
@@ -118,6 +118,12 @@ pub trait Generator: Send + Sync {
         None
     }
 
+    /// Whether a picture may show something of frames before its own: its stage must then have the course of the mission
+    /// ([`Scenery::course`](scenario::Scenery::course)).
+    fn remembers_frames(&self) -> bool {
+        false
+    }
+
     /// Its own settings, for the record of a run: everything that decides its pictures beside the stage, and that does
     /// not stand in the view.
     fn record(&self) -> Value {
@@ -129,6 +135,11 @@ pub trait Generator: Send + Sync {
     /// # Errors
     /// If the generator cannot draw what the stage asks for.
     fn prepare(&self, stage: Stage) -> Result<Box<dyn Session>, PrepareError>;
+
+    /// Whether its timing records have deadlines.
+    fn has_deadlines(&self) -> bool {
+        false
+    }
 
     /// The generator on `stage` as a job that takes time; `None` if its frames take none.
     ///

@@ -35,10 +35,12 @@ pub enum PlaneKind {
     /// axes of the tangent plane, and what is seen stands below that plane by the drop of the lunoid:
     /// `sqrt(range^2 + (eye - height + drop(range))^2)`, which is range over the cosine of the ray's elevation.
     Distance,
+    /// What the generator lost at a pixel to limits of memory and time: bits of [`Loss`], 0 for nothing.
+    Overload,
 }
 
 impl PlaneKind {
-    /// All kinds of planes, beginning with the intensity.
+    /// All kinds of what a pixel shows, beginning with the intensity. What was lost, [`Overload`](Self::Overload), is apart.
     pub const ALL: [Self; 13] = [
         Self::Intensity,
         Self::Range,
@@ -74,6 +76,7 @@ impl PlaneKind {
             Self::Green => "green",
             Self::Blue => "blue",
             Self::Distance => "distance",
+            Self::Overload => "overload",
         }
     }
 
@@ -87,6 +90,9 @@ impl PlaneKind {
 
     /// One of its values in words, with its unit; codes by their names.
     fn in_words(self, value: f32) -> String {
+        if self == Self::Overload {
+            return Loss::words(value as u8);
+        }
         let name = match self {
             Self::Shadow => Shade::of_code(value as u8).map(Shade::name),
             Self::Label => Label::of_code(value as u8).map(Label::name),
@@ -174,6 +180,34 @@ codes! {
     }
 }
 
+codes! {
+    /// What a generator lost at a place. In the plane [`PlaneKind::Overload`] each is the bit of its code.
+    Loss {
+        /// A list had no place for a feature.
+        List = "list full",
+        /// A sampling point of the pixel had no slot for a feature.
+        Stack = "stack full",
+        /// The sub-area was read out after its line was due.
+        Late = "late",
+        /// A light point stood here that had no place in a store, or for which the beam had no time.
+        Light = "light lost",
+    }
+}
+
+impl Loss {
+    /// Its bit in the plane.
+    pub fn bit(self) -> u8 {
+        1 << self.code()
+    }
+
+    /// The losses of a value of the plane, in words.
+    fn words(bits: u8) -> String {
+        let names = Self::ALL.iter().filter(|loss| bits & loss.bit() != 0).map(|loss| loss.name());
+        let names: Vec<&str> = names.collect();
+        if names.is_empty() { "none".into() } else { names.join(", ") }
+    }
+}
+
 /// One plane, row by row from the top left.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plane {
@@ -244,7 +278,7 @@ impl Planes {
 
 #[cfg(test)]
 mod tests {
-    use super::{Label, PlaneKind, Planes, Shade};
+    use super::{Label, Loss, PlaneKind, Planes, Shade};
 
     /// Codes are in files that others read: they never change.
     #[test]
@@ -307,6 +341,15 @@ mod tests {
         assert!(places.iter().enumerate().all(|(place, kind)| place == *kind));
         assert_eq!((PlaneKind::Distance.unit(), PlaneKind::Distance.sky()), ("m", f32::INFINITY));
         assert_eq!((PlaneKind::Red.unit(), PlaneKind::Red.sky()), ("1", 0.0));
+    }
+
+    #[test]
+    fn losses_are_bits() {
+        assert_eq!(Loss::ALL.iter().map(|loss| loss.bit()).collect::<Vec<_>>(), [1, 2, 4, 8]);
+        let mut planes = Planes::new(2, 1, &[PlaneKind::Overload]);
+        planes.get_mut(PlaneKind::Overload).unwrap()[1] = 5.0;
+        let told = |column| planes.facts([column, 0])[0].value.clone();
+        assert_eq!([told(0), told(1)], ["none", "list full, late"]);
     }
 
     #[test]

@@ -25,6 +25,8 @@ pub struct Gear {
     pub file: &'static str,
     /// Text of that file.
     pub text: &'static str,
+    /// Overlays of one fault each, over run parameters and figures: name and text.
+    pub faults: &'static [(&'static str, &'static str)],
 }
 
 /// A run parameter over which the error of a generator's pictures is measured, rung by rung.
@@ -95,6 +97,12 @@ impl Row {
     pub fn owns(&self, key: &str) -> bool {
         let Some((table, _)) = key.split_once('.') else { return false };
         self.tables().any(|own| own == table)
+    }
+
+    /// The text of the overlay of one fault that is called `name`.
+    pub fn fault(&self, name: &str) -> Option<&'static str> {
+        let faults = self.gear.map_or(&[][..], |gear| gear.faults);
+        faults.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
     }
 
     /// Tables of run parameters and gear.

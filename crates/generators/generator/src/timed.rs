@@ -6,6 +6,21 @@ use timing::{FrameTiming, Task};
 
 use crate::FrameError;
 
+/// A figure of a generator in time, measured and by formula.
+#[derive(Debug, Clone, PartialEq)]
+pub struct SizedFigure {
+    /// Key of the figure in documents, ending in its unit.
+    pub key: &'static str,
+    /// Meaning of the figure, in words.
+    pub meaning: &'static str,
+    /// Value over the measured frames.
+    pub measured: Option<f64>,
+    /// Value that the formula gives.
+    pub formula: Option<f64>,
+    /// The formula in symbols.
+    pub law: &'static str,
+}
+
 /// A generator on a stage, as a job that takes time.
 pub trait Timed: Sync {
     /// The clock whose ticks its records count.
@@ -26,7 +41,12 @@ pub trait Timed: Sync {
     /// If the pose cannot be drawn.
     fn frame(&self, frame: u64, pose: &Pose) -> Result<FrameTiming, FrameError>;
 
-    /// The same for totals, which no record keeps: the hash of its events may be left out, and is empty then.
+    /// What `frames`, at least one, took beside what the formulas of the generator say; nothing if it has none.
+    fn sizing(&self, _frames: &[FrameTiming]) -> Vec<SizedFigure> {
+        Vec::new()
+    }
+
+    /// A frame as [`frame`](Self::frame) tells it, for totals, which no record keeps: the hash of its events may be left out, and is empty then.
     ///
     /// # Errors
     /// If the pose cannot be drawn.

@@ -156,6 +156,8 @@ impl Film<'_> {
             PlaneKind::Reflectivity => lit.reflectivity,
             PlaneKind::Shadow => f64::from(lit.shade.code()),
             PlaneKind::Label => f64::from(label(self.grid.covers[point]).code()),
+            // A program takes the time and the memory that it takes.
+            PlaneKind::Overload => 0.0,
         }
     }
 }

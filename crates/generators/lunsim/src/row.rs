@@ -21,6 +21,7 @@ pub static ROW: Row = Row {
         tables: &["computer", "recorder"],
         file: "built-in programs/lunsim.toml",
         text: SHIPPED,
+        faults: &[],
     }),
     ladders: &[ErrorLadder {
         name: "grid",

@@ -89,6 +89,38 @@ pub fn set_line(key: &str, value: &str, problems: &Problems) -> Option<TomlFile>
     TomlFile::parse("--set", &format!("{key} = {value}"), problems)
 }
 
+/// Format of an overlay over a generator.
+const OVERLAY_FORMAT: u64 = 1;
+
+/// Reads `text` as an overlay over run parameters and gear of `row`: `format`, and differences in its tables. `name` is how messages
+/// call it.
+///
+/// # Errors
+/// Every fault of the overlay.
+pub fn overlay(row: &Row, name: &str, text: &str) -> Result<TomlFile, ProblemList> {
+    let problems = Problems::new();
+    let parse = || TomlFile::parse(name, text, &problems);
+    if let Some(file) = parse() {
+        let gear = row.gear.and_then(|gear| TomlFile::parse(gear.file, gear.text, &problems));
+        let layers = Layers::new(gear.into_iter().chain([file]));
+        let root = layers.root(&problems);
+        root.format_version(OVERLAY_FORMAT);
+        drop((row.configure)(&root));
+        row.tables().for_each(|table| drop(root.table_or_empty(table)));
+        root.finish();
+    }
+    problems.into_result()?;
+    let again = parse();
+    problems.resolve(again)
+}
+
+/// The row that `file` is an overlay of, by its tables.
+pub fn overlay_owner(file: &TomlFile) -> Option<&'static Row> {
+    let silent = Problems::new();
+    let root = file.root(&silent);
+    ROWS.iter().copied().find(|row| row.tables().any(|table| root.has(table)))
+}
+
 /// Reads `text` as the whole gear file of `row`; `name` is the path as the user gave it.
 ///
 /// # Errors
@@ -116,7 +148,7 @@ mod tests {
 
     use generator::{Role, Row};
 
-    use super::{ROWS, check_gear, configure_with, find, owner};
+    use super::{ROWS, check_gear, configure_with, find, overlay, overlay_owner, owner};
 
     #[test]
     fn names_and_tables_are_of_one_row_and_one_row_judges() {
@@ -139,6 +171,38 @@ mod tests {
             if let Some(gear) = row.gear {
                 check_gear(row, gear.file, gear.text).unwrap_or_else(|problems| panic!("{problems}"));
             }
+        }
+    }
+
+    /// What is carried is what is in the folder, and each overlay is known by its tables as one over its row.
+    #[test]
+    fn faults_of_a_row_are_overlays_over_it() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../hardware-models/faults");
+        for row in ROWS {
+            let faults = row.gear.map_or(&[][..], |gear| gear.faults);
+            let files = fs::read_dir(folder.join(row.name)).into_iter().flatten().flatten();
+            let names: BTreeSet<_> =
+                files.map(|entry| entry.path().file_stem().unwrap().to_string_lossy().into_owned()).collect();
+            assert_eq!(names, faults.iter().map(|(name, _)| (*name).to_owned()).collect());
+            for (name, text) in faults {
+                let file = overlay(row, name, text).unwrap_or_else(|problems| panic!("{problems}"));
+                assert_eq!(overlay_owner(&file), Some(*row));
+            }
+        }
+    }
+
+    #[test]
+    fn an_overlay_has_its_format_and_tables_of_its_generator_alone() {
+        let row = find("sampled").unwrap();
+        for (text, told) in [
+            ("[sampled]\nnormalise = false\n", "format"),
+            ("format = 2\n[sampled]\nnormalise = false\n", "format 2"),
+            ("format = 1\n[sampled]\ntwinkle = true\n", "twinkle"),
+            ("format = 1\n[sampled]\nnormalise = false\n[loader]\naccess_ns = 90\n", "loader"),
+            ("format = 1\n[sampler]\nsampler_hz = -1\n", "sampler_hz"),
+        ] {
+            let problems = overlay(row, "mine.toml", text).unwrap_err().to_string();
+            assert!(problems.contains(told), "{text}: {problems}");
         }
     }
 

@@ -2,6 +2,7 @@
 
 use diagnostics::{ProblemList, Problems, Reader, TomlFile};
 use light_points::BeamBudget;
+use serde_json::{Value, json};
 
 /// The file as the program carries it.
 pub(crate) const SHIPPED: &str = include_str!("../../../../hardware-models/programs/sampled.toml");
@@ -54,6 +55,16 @@ impl Hardware {
         let file = TomlFile::parse("built-in programs/sampled.toml", SHIPPED, &problems);
         let read = file.and_then(|file| Self::read(&file.root(&problems)));
         problems.resolve(read)
+    }
+
+    /// What decides when a sub-area is read out, for the record of a run whose pictures depend on it.
+    pub(crate) fn sampler_record(&self) -> Value {
+        json!({
+            "sampler_hz": self.sampler_hz,
+            "least_ticks": self.least_ticks,
+            "insert_ticks": self.insert_ticks,
+            "pixels_tick": self.pixels_tick,
+        })
     }
 
     /// The figures of the tables `sampler`, `memory` and `beam`; every key is needed.

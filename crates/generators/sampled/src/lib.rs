@@ -40,7 +40,7 @@
 //! | `sampled.ground_half_side_m` | 0.1 to 100000 | 32 | half the side of the innermost square of ground |
 //! | `sampled.ground_cells` | 8 to 16384, a multiple of 4 | 128 | most cells along half the side of every square of ground |
 //! | `sampled.ground_error_px` | 0 to 100 | 0.5 | error of the ground in frame 0 that is allowed, in pixels; 0 always takes most cells |
-//! | `sampled.overload` | `drop-smallest`, `drop-farthest` | `drop-smallest` | which triangles lose their places in a full list |
+//! | `sampled.overload` | `drop-smallest`, `drop-farthest`, `late`, `extend` | `drop-smallest` | which triangles lose their places in a full list, and what is shown when time runs out |
 //!
 //! # Timing
 //!
@@ -69,21 +69,22 @@
 //! | `light-store` | a place in the light point store, where that is limited | `occupied` |
 //! | `sub-area` | a sub-area of row j of n is read out when (j + 1) / n of the frame has gone by | `queue` |
 //! | `beam` | a point is drawn before the field after the frame ends | `queue` |
+//! | `stack` | the features of a sub-area have slots at all its sampling points, where stacks are limited | `occupied` |
+//! | `update` | the picture is complete when its field ends, under `extend` | `queue` |
 //!
-//! Events are the sub-areas as they are read out, each with its entries, then the points of the beam. A picture shows late
-//! sub-areas as if they were in time. Sub-areas are drawn by the threads of the current rayon pool, and put together in their
+//! Events are the sub-areas as they are read out, each with its entries, then the points of the beam. Sub-areas are drawn by the threads of the current rayon pool, and put together in their
 //! order: the bits do not depend on the number of threads.
 //!
 //! # Gear
 //!
 //! The keys stand in `hardware-models/programs/sampled.toml`. Memories and beam decide what a picture loses; the sampler
-//! decides its timing alone.
+//! decides its timing alone, and under `late` and `extend` the picture too.
 //!
 //! | key | range | shipped | what it is |
 //! |---|---|---|---|
 //! | `sampler.sampler_hz` | 1000 to 10^12, whole | 40e6 | ticks in a second |
-//! | `sampler.feature_ticks` | 0 to 1000000 | 4 | ticks of a feature |
-//! | `sampler.corner_ticks` | 0 to 1000000 | 2 | ticks of a corner |
+//! | `sampler.feature_ticks` | 0 to 1000000 | 1 | ticks of a feature |
+//! | `sampler.corner_ticks` | 0 to 1000000 | 1 | ticks of a corner |
 //! | `sampler.least_ticks` | 0 to 1000000 | 8 | least ticks of a sub-area |
 //! | `sampler.insert_ticks` | 1 to 1000000 | 1 | ticks of an insertion, the entry's with it |
 //! | `sampler.pixels_tick` | 1 to 1000000 | 8 | pixels that are written in a tick |
@@ -99,6 +100,11 @@
 //! sub-area. Of equals the smaller numbers stay. A list memory that is full drops entries of all sub-areas by the same order. A
 //! full light point store keeps the brightest points. What is lost is counted: `lost_entries`, `lost_points`, `beam_dropped`.
 //!
+//! `late` and `extend` keep the largest triangles, and show earlier frames (`shown.rs`): a late sub-area shows the frame before
+//! as if that were in time, black in frame 0; a frame that needs more than a field is shown when it is complete, and the last complete
+//! picture until then. Both are functions of the mission and the number of the frame, whose course the stage must have. The plane
+//! `overload` marks every loss.
+//!
 //! # Signals
 //!
 //! Rows of sub-areas stand for sweeps (`rows.rs`): place across the view, ground range, entries, ticks, deepest stack, largest
@@ -112,13 +118,17 @@
 mod band;
 mod beam;
 mod camera;
+mod deadlines;
 mod faces;
+mod faults;
+mod fields;
 mod ground;
 mod hardware;
 mod inputs;
 mod judged;
 mod ladders;
 mod lights;
+mod map;
 mod overload;
 mod parameters;
 mod picture;
@@ -130,6 +140,8 @@ mod scene;
 #[cfg(test)]
 mod scenes;
 mod session;
+mod shown;
+mod sizing;
 mod store;
 mod tile;
 mod timed;

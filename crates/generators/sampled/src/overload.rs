@@ -7,26 +7,36 @@ use raster::{Lists, Screen};
 use crate::hardware::Memory;
 use crate::scene::Scene;
 
-/// Which features lose their places where there are not enough.
+/// Which features lose their places where there are not enough, and what is shown where there is not enough time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Overload {
     /// Those that are smallest on the screen.
     DropSmallest,
     /// Those that are farthest in the middle of the sub-area.
     DropFarthest,
+    /// Those that are smallest; a sub-area that is not read out in time is shown as it was in the frame before.
+    Late,
+    /// Those that are smallest; a frame that is not read out in its field takes whole fields more.
+    Extend,
 }
 
 impl Overload {
     /// Words of the run parameter, with what they mean.
-    pub const WORDS: [(&str, Self); 2] =
-        [("drop-smallest", Self::DropSmallest), ("drop-farthest", Self::DropFarthest)];
+    pub const WORDS: [(&str, Self); 4] = [
+        ("drop-smallest", Self::DropSmallest),
+        ("drop-farthest", Self::DropFarthest),
+        ("late", Self::Late),
+        ("extend", Self::Extend),
+    ];
 
     /// Its word in scenarios and records.
     pub fn word(self) -> &'static str {
-        match self {
-            Self::DropSmallest => Self::WORDS[0].0,
-            Self::DropFarthest => Self::WORDS[1].0,
-        }
+        Self::WORDS[self as usize].0
+    }
+
+    /// Whether a picture may show a frame before its own: it is then a function of the sampler too.
+    pub fn shows_earlier_frames(self) -> bool {
+        matches!(self, Self::Late | Self::Extend)
     }
 }
 
@@ -108,7 +118,9 @@ fn place(lost: &LostEntry) -> (u32, u32) {
 /// What a triangle is worth: more is kept longer.
 fn worth(scene: &Scene, screen: &Screen, overload: Overload, sub_area: usize, triangle: u32) -> f64 {
     match overload {
-        Overload::DropSmallest => scene.faces.triangles[triangle as usize].doubled_area() as f64,
+        Overload::DropSmallest | Overload::Late | Overload::Extend => {
+            scene.faces.triangles[triangle as usize].doubled_area() as f64
+        }
         Overload::DropFarthest => {
             let area = screen.sub_area(sub_area);
             let middle = [area.columns(), area.rows()].map(|range| f64::from(range.start + range.end) / 2.0);

@@ -175,6 +175,14 @@ impl Parameters {
         if self.rotate { Sampling::turned(self.pattern).unwrap_or_else(straight) } else { straight() }
     }
 
+    /// Whether a sampling point can run out of slots.
+    pub fn has_limited_stacks(&self) -> bool {
+        match self.capacity() {
+            Capacity::Separate { translucent, lights } => translucent.or(lights).is_some(),
+            Capacity::Shared(slots) => slots.is_some(),
+        }
+    }
+
     /// Slots of every sampling point.
     pub fn capacity(&self) -> Capacity {
         let Self { translucent, lights, .. } = *self;

@@ -10,12 +10,13 @@ use translucency::{FeatureError, Losses};
 
 use crate::band::Band;
 use crate::beam::Beam;
+use crate::camera::Camera;
 use crate::hardware::Hardware;
 use crate::overload::{self, LostEntry};
 use crate::parameters::Parameters;
 use crate::reading::Reading;
 use crate::scene::Scene;
-use crate::tile::{Sampler, Tile};
+use crate::tile::{SIDE, Sampler, Tile};
 
 /// Rows of sub-areas that are drawn before they are put into the picture. Chosen: enough work for all threads, and little memory.
 const ROWS: usize = 8;
@@ -37,9 +38,51 @@ pub struct Picture {
     pub lost: Vec<LostEntry>,
     /// Readings of all sub-areas, where they are asked for.
     pub readings: Vec<Reading>,
+    /// Sub-areas that show an earlier frame, where there are any.
+    pub earlier: Option<Earlier>,
 }
 
-/// Draws every sub-area of a scene, and the calligraphic points over them; reads the sub-areas off if `is_read`.
+/// Sub-areas of a picture that show an earlier frame.
+pub struct Earlier {
+    /// Camera of the earlier frame.
+    camera: Camera,
+    /// Whether each sub-area shows it, in raster order.
+    areas: Vec<bool>,
+}
+
+impl Picture {
+    /// Shows `earlier`, seen by `camera`, in the sub-areas that are told; black without a picture.
+    pub fn show_earlier(
+        &mut self,
+        earlier: Option<&Picture>,
+        camera: Camera,
+        areas: Vec<bool>,
+        screen: &Screen,
+    ) {
+        let [width, _] = screen.size().map(|pixels| pixels as usize);
+        for at in 0..self.colours.len() {
+            if areas[area_of(at, width)] {
+                self.colours[at] = earlier.map_or([0.0; 3], |earlier| earlier.colours[at]);
+                self.surfaces[at] = earlier.map_or((0.0, Label::Sky), |earlier| earlier.surfaces[at]);
+            }
+        }
+        self.earlier = Some(Earlier { camera, areas });
+    }
+
+    /// Ray (1 long along the view axis) of a pixel, by the camera of the frame that is shown there.
+    fn ray(&self, scene: &Scene, at: usize, columns: usize) -> DVec3 {
+        let earlier = self.earlier.as_ref().filter(|earlier| earlier.areas[area_of(at, columns)]);
+        let camera = earlier.map_or(&scene.camera, |earlier| &earlier.camera);
+        camera.ray([(at % columns) as f64 + 0.5, (at / columns) as f64 + 0.5])
+    }
+}
+
+/// Number of the sub-area that holds a pixel of a picture of `columns`.
+pub fn area_of(at: usize, columns: usize) -> usize {
+    (at / columns / SIDE) * columns.div_ceil(SIDE) + at % columns / SIDE
+}
+
+/// Draws every sub-area of a scene, and decides what the beam draws over them; reads the sub-areas off if `is_read`.
 ///
 /// # Errors If a light is no number.
 pub fn draw(
@@ -89,13 +132,12 @@ pub fn draw(
     }
     let points = &scene.lights.points;
     picture.beam = Beam::new(points, shares, run, hardware, (1e9 / view.update.hertz()) as u64);
-    picture.beam.draw(points, run, screen, &mut picture.colours);
     Ok(picture)
 }
 
-/// Fills the planes that a caller wants.
+/// Fills the planes that a caller wants, except for the overload map.
 pub fn fill(picture: &Picture, scene: &Scene, planes: &mut Planes) {
-    for kind in PLANES.iter().copied() {
+    for kind in PLANES.iter().copied().filter(|kind| *kind != PlaneKind::Overload) {
         let columns = planes.columns();
         let Some(values) = planes.get_mut(kind) else { continue };
         values.par_iter_mut().enumerate().for_each(|(at, value)| {
@@ -104,8 +146,8 @@ pub fn fill(picture: &Picture, scene: &Scene, planes: &mut Planes) {
                 PlaneKind::Green => picture.colours[at][1],
                 PlaneKind::Blue => picture.colours[at][2],
                 PlaneKind::Label => f32::from(picture.surfaces[at].1.code()),
-                PlaneKind::Range => range(picture.surfaces[at].0, ray(scene, at, columns)),
-                PlaneKind::Distance => distance(picture.surfaces[at].0, ray(scene, at, columns)),
+                PlaneKind::Range => range(picture.surfaces[at].0, picture.ray(scene, at, columns)),
+                PlaneKind::Distance => distance(picture.surfaces[at].0, picture.ray(scene, at, columns)),
                 _ => luminance(picture.colours[at].map(f64::from)) as f32,
             };
         });
@@ -121,11 +163,8 @@ pub const PLANES: &[PlaneKind] = &[
     PlaneKind::Green,
     PlaneKind::Blue,
     PlaneKind::Distance,
+    PlaneKind::Overload,
 ];
-
-fn ray(scene: &Scene, at: usize, columns: usize) -> DVec3 {
-    scene.camera.ray([(at % columns) as f64 + 0.5, (at / columns) as f64 + 0.5])
-}
 
 /// Ground range (m) of a surface that is as near as `q` (1/m).
 fn range(q: f32, ray: DVec3) -> f32 {

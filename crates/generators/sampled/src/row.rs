@@ -5,6 +5,7 @@ use std::sync::Arc;
 use diagnostics::Reader;
 use generator::{Gear, Generator, Role, Row};
 
+use crate::faults::FAULTS;
 use crate::hardware::SHIPPED;
 use crate::ladders::LADDERS;
 use crate::rows::SIGNALS;
@@ -25,6 +26,7 @@ pub static ROW: Row = Row {
         tables: &["sampler", "memory", "beam"],
         file: "built-in programs/sampled.toml",
         text: SHIPPED,
+        faults: &FAULTS,
     }),
     ladders: &LADDERS,
     configure,

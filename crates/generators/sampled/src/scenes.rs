@@ -54,6 +54,17 @@ pub fn stage(effects: Effects, update: Rate) -> Stage {
     }
 }
 
+/// The same with a course of `frames` poses that nod: each looks 0.02 rad higher than the one before.
+pub fn moving(effects: Effects, update: Rate, frames: u32) -> Stage {
+    let nod = |frame: u32| {
+        let attitude = Attitude { pitch: pose().attitude.pitch + 0.02 * f64::from(frame), ..pose().attitude };
+        Pose { attitude, ..pose() }
+    };
+    let still = stage(effects, update);
+    let scenery = (*still.scenery).clone().with_course((0..frames).map(nod).collect());
+    Stage { scenery: Arc::new(scenery), ..still }
+}
+
 /// The pose from which the ground is out of view.
 pub fn pose() -> Pose {
     let attitude = Attitude { roll: 0.0, pitch: radians(PITCH), heading: 0.0 };

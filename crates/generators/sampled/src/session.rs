@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 use signal::{Probe, Signal, Wire};
 use translucency::{FeatureError, Losses};
 
+use crate::fields::Fields;
 use crate::hardware::Hardware;
 use crate::lights::Point;
 use crate::overload::LostEntry;
@@ -22,7 +23,7 @@ use crate::rows::{self, Rows};
 use crate::scene::Scene;
 use crate::tile::{SIDE, Sampler};
 use crate::timed::Clocked;
-use crate::{ground, judged, overload, store};
+use crate::{ground, judged, map, overload, store};
 
 /// The sampled generator; see the crate's data sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,7 +39,7 @@ const fn counter(name: &'static str) -> Counter {
 }
 
 /// What a frame took and lost.
-const COUNTERS: [Counter; 12] = [
+const COUNTERS: [Counter; 14] = [
     Counter { name: "ground_cells", joined: Joined::Largest },
     counter("faces"),
     counter("triangles"),
@@ -50,6 +51,8 @@ const COUNTERS: [Counter; 12] = [
     counter("lost_entries"),
     counter("lost_points"),
     counter("beam_dropped"),
+    counter("late_sub_areas"),
+    counter("repeated"),
     Counter { name: "loss_bound_ppm", joined: Joined::Largest },
 ];
 
@@ -84,9 +87,17 @@ impl Generator for Sampled {
         stage.is_colourful()
     }
 
+    fn remembers_frames(&self) -> bool {
+        self.parameters.overload.shows_earlier_frames()
+    }
+
+    fn has_deadlines(&self) -> bool {
+        true
+    }
+
     fn record(&self) -> Value {
         let Self { parameters: run, hardware: Hardware { memory, beam, .. } } = self;
-        json!({
+        let mut record = json!({
             "pattern": run.pattern.name(),
             "rotate": run.rotate,
             "filter": format!("{:?}", run.filter).to_lowercase(),
@@ -109,7 +120,11 @@ impl Generator for Sampled {
             "points": memory.points,
             "jump_us": beam.jump_ns as f64 / 1e3,
             "dwell_us": beam.dwell_ns as f64 / 1e3,
-        })
+        });
+        if self.remembers_frames() {
+            record["sampler"] = self.hardware.sampler_record();
+        }
+        record
     }
 
     fn prepare(&self, stage: Stage) -> Result<Box<dyn GeneratorSession>, PrepareError> {
@@ -127,6 +142,7 @@ pub(crate) struct Session {
     pub screen: Screen,
     pub parameters: Parameters,
     pub hardware: Hardware,
+    pub fields: Fields,
     /// Rings of the ground in all frames.
     rings: Rings,
 }
@@ -151,8 +167,16 @@ impl Session {
             remedy: "ask for a smaller raster".into(),
         })?;
         let Sampled { parameters, hardware } = *generator;
+        let frames = stage.scenery.course().len();
+        if generator.remembers_frames() && frames == 0 {
+            return Err(PrepareError::Unsupported {
+                generator: NAME,
+                what: format!("overload `{}` without the frames before", parameters.overload.word()),
+                remedy: "give the stage the course of its mission".into(),
+            });
+        }
         let rings = ground::rings(&stage, &parameters);
-        Ok(Self { stage, screen, parameters, hardware, rings })
+        Ok(Self { stage, screen, parameters, hardware, fields: Fields::of(frames), rings })
     }
 
     /// Gathers frame `frame` from `pose`.
@@ -166,7 +190,11 @@ impl Session {
         Ok(Gathered { scene, lost_points })
     }
 
-    /// Draws a scene, and reads its sub-areas off if `is_read`.
+    fn remembers_frames(&self) -> bool {
+        self.parameters.overload.shows_earlier_frames()
+    }
+
+    /// Draws a scene as if everything were in time, and reads its sub-areas off if `is_read`. The beam's spots are not yet in it.
     ///
     /// # Errors
     /// If a light is no number.
@@ -188,25 +216,12 @@ impl Session {
         sampler.fill(&scene, &lists, &self.screen.sub_area(number), number).map_err(refused)?;
         Ok(Filled { scene, lists, lost, sampler, number })
     }
-}
 
-impl GeneratorSession for Session {
-    /// The raster is that of `planes`; a sweep of `probe` is a row of sub-areas.
-    fn frame(
-        &self,
-        frame: u64,
-        pose: &Pose,
-        planes: &mut Planes,
-        probe: &mut Probe,
-    ) -> Result<FrameCounts, FrameError> {
-        let gathered = self.gather(frame, pose)?;
+    /// What a frame took and lost, with its late sub-areas, and whether its picture shows a new frame.
+    fn counted(&self, gathered: &Gathered, picture: &Picture, late: u64, is_new: bool) -> FrameCounts {
         let scene = &gathered.scene;
-        let picture = self.picture(scene, frame, probe.is_on())?;
-        picture::fill(&picture, scene, planes);
-        let Self { screen, hardware, .. } = self;
-        Rows { screen, camera: &scene.camera, hardware, readings: &picture.readings }.record(frame, probe);
         let calligraphic = scene.lights.points.iter().filter(|point| point.is_calligraphic).count() as u64;
-        Ok(FrameCounts::of([
+        FrameCounts::of([
             ("ground_cells", u64::from(self.rings.cells)),
             ("faces", scene.faces.work.faces),
             ("triangles", scene.faces.work.triangles),
@@ -218,8 +233,40 @@ impl GeneratorSession for Session {
             ("lost_entries", picture.lost.len() as u64),
             ("lost_points", gathered.lost_points.len() as u64),
             ("beam_dropped", picture.beam.dropped.len() as u64),
+            ("late_sub_areas", late),
+            ("repeated", u64::from(!is_new)),
             ("loss_bound_ppm", largest_loss_ppm(&picture.losses)),
-        ]))
+        ])
+    }
+}
+
+impl GeneratorSession for Session {
+    /// The raster is that of `planes`; a sweep of `probe` is a row of sub-areas.
+    fn frame(
+        &self,
+        frame: u64,
+        pose: &Pose,
+        planes: &mut Planes,
+        probe: &mut Probe,
+    ) -> Result<FrameCounts, FrameError> {
+        let shown = self.shown(frame, pose)?;
+        let gathered = self.gather(shown.frame, &shown.pose)?;
+        let scene = &gathered.scene;
+        let wants_map = planes.get(PlaneKind::Overload).is_some();
+        let is_read = probe.is_on() || wants_map || self.remembers_frames();
+        let mut picture = self.picture(scene, shown.frame, is_read)?;
+        let late = self.show_late(&mut picture, scene, shown.frame)?;
+        let Self { screen, hardware, parameters, .. } = self;
+        picture.beam.draw(&scene.lights.points, parameters, screen, &mut picture.colours);
+        picture::fill(&picture, scene, planes);
+        if shown.is_dark {
+            planes.fill_sky();
+        }
+        if let Some(plane) = planes.get_mut(PlaneKind::Overload) {
+            map::fill(plane, &picture, &gathered, screen, &self.late(&picture.readings));
+        }
+        Rows { screen, camera: &scene.camera, hardware, readings: &picture.readings }.record(frame, probe);
+        Ok(self.counted(&gathered, &picture, late, shown.is_new))
     }
 
     fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {

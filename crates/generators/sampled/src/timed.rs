@@ -1,60 +1,23 @@
 //! The generator as a job of its machine: how long a frame takes, and what comes too late.
 
-use std::collections::BTreeMap;
-
-use generator::{FrameError, PrepareError, Stage, Timed};
+use generator::{FrameError, PrepareError, SizedFigure, Stage, Timed};
 use light_points::BeamPoint;
 use quantities::Rate;
 use scenario::{Pose, Scenario};
-use timing::{Cause, Deadline, EventHash, FrameTiming, Missed, Slack, Task};
+use timing::{EventHash, FrameTiming, Task, UnitUse};
 
 use crate::Sampled;
-use crate::hardware::{Hardware, Memory};
+use crate::deadlines::Judged;
 use crate::inputs::inputs_hash;
-use crate::lights::Point;
+use crate::overload::Overload;
 use crate::picture::Picture;
-use crate::session::{Gathered, Session};
-use crate::tile::SIDE;
+use crate::session::Session;
+use crate::sizing;
 use crate::work::{self, BEAM, Course, SAMPLER, Work};
 
-/// A feature has a place in the list of a sub-area that it may cover; its slack is a tick a place.
-const LIST: Deadline = Deadline::new("list");
-/// A light point has a place in the store; its slack is a tick a place.
-const STORE: Deadline = Deadline::new("light-store");
-/// A sub-area is read out before its line is due.
-const SUB_AREA: Deadline = Deadline::new("sub-area");
-/// A calligraphic point is drawn before the field after the frame ends.
-const POINT: Deadline = Deadline::new("beam");
-
-/// A stage as a job for [`Hardware`].
+/// A stage as a job for [`Hardware`](crate::Hardware).
 pub struct Clocked {
     session: Session,
-}
-
-/// Deadlines of a frame as they are met or missed.
-#[derive(Debug)]
-struct Judged {
-    deadlines: BTreeMap<Deadline, Slack>,
-    misses: Vec<Missed>,
-}
-
-impl Judged {
-    /// All deadlines that the machine has, before any is met or missed; those of a memory only where it is limited.
-    fn none_of(hardware: &Hardware) -> Self {
-        let Memory { list_entries, list_depth, points } = hardware.memory;
-        let lists = list_entries.or(list_depth).map(|_| LIST);
-        let kinds =
-            [Deadline::FRAME_TASKS, SUB_AREA, POINT].into_iter().chain(lists).chain(points.map(|_| STORE));
-        Self { deadlines: kinds.map(|kind| (kind, Slack::default())).collect(), misses: Vec::new() }
-    }
-
-    /// Counts a deadline that was met or missed by so many ticks; `missed` tells of a miss.
-    fn add(&mut self, deadline: Deadline, slack: i64, missed: impl FnOnce() -> Missed) {
-        self.deadlines.entry(deadline).or_default().add(slack);
-        if slack < 0 {
-            self.misses.push(missed());
-        }
-    }
 }
 
 impl Clocked {
@@ -66,85 +29,16 @@ impl Clocked {
         Ok(Self { session: Session::new(stage, generator)? })
     }
 
-    /// Whether geometry and lists took less than the frame before.
-    fn judge_frame_tasks(&self, work: &Work, frame: u64, judged: &mut Judged) {
-        let late = work.before_frame(&self.session.hardware) as i64 - frame as i64;
-        judged.add(Deadline::FRAME_TASKS, -late, || Missed {
-            came: Some(late as f64),
-            ..Missed::of(Deadline::FRAME_TASKS, 0, Cause::Processor)
-        });
+    fn is_extending(&self) -> bool {
+        self.session.parameters.overload == Overload::Extend
     }
 
-    /// Places in the lists, where those are limited.
-    fn judge_lists(&self, picture: &Picture, judged: &mut Judged) {
-        let memory = &self.session.hardware.memory;
-        if let Some(depth) = memory.list_depth {
-            for reading in &picture.readings {
-                (1..=reading.triangles).for_each(|place| kept_place(LIST, depth, place, judged));
-            }
-        } else if let Some(most) = memory.list_entries {
-            (1..=picture.entries as u32).for_each(|place| kept_place(LIST, most, place, judged));
+    /// Ticks between which the beam draws: the field after the frame. It begins no earlier than the last sub-area is read out.
+    fn beam_field(&self, course: &Course, field: u64) -> [u64; 2] {
+        match self.is_extending() {
+            true => [0, 1].map(|more| (work::fields(course.end(), field) + more) * field),
+            false => [course.end().max(field), 2 * field],
         }
-        let [columns, _] = self.session.screen.counts();
-        for lost in &picture.lost {
-            judged.add(LIST, -i64::from(lost.short), || Missed {
-                part: Some(format!("sub-area.{}.triangle.{}", lost.sub_area, lost.triangle)),
-                ..Missed::of(LIST, lost.sub_area / columns, Cause::Occupied)
-            });
-        }
-    }
-
-    /// Places in the light point store, where that is limited.
-    fn judge_store(&self, gathered: &Gathered, judged: &mut Judged) {
-        let Some(most) = self.session.hardware.memory.points else { return };
-        let kept = gathered.scene.lights.points.len() as u32;
-        (1..=kept).for_each(|place| kept_place(STORE, most, place, judged));
-        for (short, point) in (1..).zip(&gathered.lost_points) {
-            judged.add(STORE, -short, || Missed {
-                part: Some(part(point)),
-                ..Missed::of(STORE, self.row(point.middle[1]), Cause::Occupied)
-            });
-        }
-    }
-
-    /// Whether every sub-area was read out in time.
-    fn judge_sub_areas(&self, course: &Course, frame: u64, judged: &mut Judged) {
-        let [columns, rows] = self.session.screen.counts();
-        for (number, &came) in (0..).zip(&course.read_out) {
-            let row = number / columns;
-            let due = work::due(row, rows, frame);
-            judged.add(SUB_AREA, due as i64 - came as i64, || Missed {
-                part: Some(format!("sub-area.{number}")),
-                due: due as f64,
-                came: Some(came as f64),
-                ..Missed::of(SUB_AREA, row, Cause::Queue)
-            });
-        }
-    }
-
-    /// Whether the beam drew every point in the field after the frame. It begins when the last sub-area is read out, no earlier
-    /// than that field.
-    fn judge_beam(&self, gathered: &Gathered, picture: &Picture, start: u64, due: u64, judged: &mut Judged) {
-        let points = &gathered.scene.lights.points;
-        let drawn = picture.beam.drawn.iter().map(|point| (point, true));
-        let dropped = picture.beam.dropped.iter().map(|point| (point, false));
-        for (place, (point, is_drawn)) in (1..).zip(drawn.chain(dropped)) {
-            let came = start + work::beam_ticks(&self.session.hardware, place);
-            // A point without time is late, be it by less than a tick.
-            let slack = (due as i64 - came as i64).min(if is_drawn { i64::MAX } else { -1 });
-            judged.add(POINT, slack, || Missed {
-                part: points.iter().find(|known| known.id == point.id).map(part),
-                due: due as f64,
-                came: is_drawn.then_some(came as f64),
-                ..Missed::of(POINT, self.row(point.place[1]), Cause::Queue)
-            });
-        }
-    }
-
-    /// Row of sub-areas at a height of the screen (pixels); that at the border for what lies beyond.
-    fn row(&self, y: f64) -> u32 {
-        let [_, rows] = self.session.screen.counts();
-        ((y.max(0.0) / SIDE as f64) as u32).min(rows - 1)
     }
 
     /// Sub-areas as they are read out, each with its number and entries, then the points of the beam.
@@ -159,16 +53,27 @@ impl Clocked {
         }
         events
     }
+
+    /// The timing of a frame that is never begun, since the one before takes its field: the units are at work on that one.
+    fn never_begun(&self, frame: u64, field: u64) -> FrameTiming {
+        let mut judged = Judged::none_of(&self.session);
+        judged.update(None, field);
+        let units = Work::default().units(&[], &Course::default());
+        timing_of(frame, field, judged, (units, Vec::new()), &EventHash::new())
+    }
 }
 
-/// Counts a place of a memory of `places` that something has.
-fn kept_place(deadline: Deadline, places: u32, place: u32, judged: &mut Judged) {
-    judged.deadlines.entry(deadline).or_default().add(i64::from(places) - i64::from(place));
-}
-
-/// A light point by its number among those of the mission.
-fn part(point: &Point) -> String {
-    format!("light.{}", point.light)
+/// The timing of a frame whose deadlines are judged, with its units and tasks.
+fn timing_of(
+    frame: u64,
+    ticks: u64,
+    judged: Judged<'_>,
+    (units, tasks): (Vec<UnitUse>, Vec<Task>),
+    events: &EventHash,
+) -> FrameTiming {
+    let Judged { deadlines, mut misses, .. } = judged;
+    misses.sort_by(|one, other| one.sweep.cmp(&other.sweep).then(one.due.total_cmp(&other.due)));
+    FrameTiming { ticks, deadlines, misses, ..FrameTiming::of_work(frame, units, tasks, events) }
 }
 
 impl Timed for Clocked {
@@ -186,29 +91,32 @@ impl Timed for Clocked {
     }
 
     fn frame(&self, frame: u64, pose: &Pose) -> Result<FrameTiming, FrameError> {
-        let Session { hardware, screen, stage, .. } = &self.session;
+        let Session { hardware, screen, .. } = &self.session;
+        let ticks = self.session.field_ticks();
+        if self.is_extending() && self.session.field(frame)?.frame != frame {
+            return Ok(self.never_begun(frame, ticks));
+        }
         let gathered = self.session.gather(frame, pose)?;
         let picture = self.session.picture(&gathered.scene, frame, true)?;
-        let ticks = work::frame_ticks(hardware, stage.view.update);
         let course = Course::of(&picture.readings, hardware);
         let work = Work::of(&gathered.scene, &picture, screen);
-        let mut judged = Judged::none_of(hardware);
-        self.judge_frame_tasks(&work, ticks, &mut judged);
-        self.judge_lists(&picture, &mut judged);
-        self.judge_store(&gathered, &mut judged);
-        self.judge_sub_areas(&course, ticks, &mut judged);
-        let start = course.end().max(ticks);
-        self.judge_beam(&gathered, &picture, start, 2 * ticks, &mut judged);
-        judged.misses.sort_by(|one, other| one.sweep.cmp(&other.sweep).then(one.due.total_cmp(&other.due)));
+        let mut judged = Judged::none_of(&self.session);
+        judged.frame_tasks(&work, ticks);
+        judged.lists(&picture);
+        judged.store(&gathered);
+        judged.stacks(&picture);
+        judged.sub_areas(&course, ticks);
+        judged.update(Some(course.end()), ticks);
+        let beam_field = self.beam_field(&course, ticks);
+        judged.beam(&gathered, &picture, beam_field);
         let tasks = work.tasks(&picture.readings, hardware);
         let units = work.units(&tasks, &course);
-        let events = self.events(&picture, &course, start);
-        Ok(FrameTiming {
-            ticks,
-            deadlines: judged.deadlines,
-            misses: judged.misses,
-            ..FrameTiming::of_work(frame, units, tasks, &events)
-        })
+        let events = self.events(&picture, &course, beam_field[0]);
+        Ok(timing_of(frame, ticks, judged, (units, tasks), &events))
+    }
+
+    fn sizing(&self, frames: &[FrameTiming]) -> Vec<SizedFigure> {
+        sizing::figures(&self.session, frames)
     }
 }
 
@@ -222,7 +130,8 @@ mod tests {
 
     use super::Clocked;
     use crate::hardware::Hardware;
-    use crate::scenes;
+    use crate::overload::Overload;
+    use crate::{Parameters, scenes};
 
     /// Frame 0 of the pane and two stars at `update` frames a second, on hardware that `change` makes of the slow one.
     fn timed(update: u64, change: impl Fn(Hardware) -> Hardware) -> FrameTiming {
@@ -300,6 +209,57 @@ mod tests {
         assert_eq!(slack(&timing, "beam"), Some((1, 1, Some(-100))));
         let missed = timing.misses.iter().find(|missed| missed.deadline.word() == "beam").unwrap();
         assert_eq!((missed.part.as_deref(), missed.came, missed.due), (Some("light.1"), None, 200.0));
+    }
+
+    /// The pane covers sub-areas 0 and 2, and there is no slot for it: each of 64 pixels loses it at 4 sampling points.
+    #[test]
+    fn full_stacks_are_misses_of_their_sub_areas() {
+        let (generator, rate) = scenes::slow(10);
+        let parameters = Parameters { translucent: Some(0), ..generator.parameters };
+        let generator = crate::Sampled { parameters, ..generator };
+        let clocked = Clocked::new(scenes::stage(scenes::pane_and_stars(), rate), &generator).unwrap();
+        let timing = Timed::frame(&clocked, 0, &scenes::pose()).unwrap();
+        assert_eq!(slack(&timing, "stack"), Some((4, 2, Some(-256))));
+        let ours = timing.misses.iter().filter(|missed| missed.cause == Cause::Occupied);
+        let told: Vec<_> = ours.map(|missed| (missed.sweep, missed.part.as_deref())).collect();
+        assert_eq!(told, [(0, Some("sub-area.0")), (1, Some("sub-area.2"))]);
+        // Without limits there is no such deadline.
+        let parameters = Parameters { translucent: None, lights: None, ..generator.parameters };
+        let generator = crate::Sampled { parameters, ..generator };
+        let clocked = Clocked::new(scenes::stage(scenes::pane_and_stars(), rate), &generator).unwrap();
+        assert_eq!(slack(&Timed::frame(&clocked, 0, &scenes::pose()).unwrap(), "stack"), None);
+    }
+
+    /// Six ticks a field; the last sub-area is read out at 8, so the frame takes two fields and the next is never begun. The beam of
+    /// the frame waits for the third field.
+    #[test]
+    fn a_frame_that_is_extended_misses_its_update() {
+        let (generator, rate) = scenes::slow(166);
+        let parameters = Parameters { overload: Overload::Extend, ..generator.parameters };
+        let beam = BeamBudget { jump_ns: 2_000_000, dwell_ns: 0 };
+        let hardware = Hardware { beam, ..generator.hardware };
+        let stage = scenes::moving(scenes::pane_and_stars(), rate, 2);
+        let poses = stage.scenery.course().to_vec();
+        let clocked = Clocked::new(stage, &crate::Sampled { parameters, hardware }).unwrap();
+        let [long, never] =
+            [0, 1].map(|frame| Timed::frame(&clocked, frame, &poses[frame as usize]).unwrap());
+        assert_eq!(slack(&long, "update"), Some((1, 1, Some(-2))));
+        let missed = |timing: &FrameTiming| {
+            let missed = timing.misses.iter().find(|missed| missed.deadline.word() == "update").unwrap();
+            (missed.due, missed.came, missed.cause)
+        };
+        assert_eq!(missed(&long), (6.0, Some(8.0), Cause::Queue));
+        assert_eq!(slack(&long, "beam"), Some((1, 0, Some(18 - 12 - 2))));
+        assert_eq!((long.ticks, never.ticks), (6, 6));
+        assert_eq!(slack(&never, "update"), Some((1, 1, Some(-6))));
+        assert_eq!(missed(&never), (6.0, None, Cause::Queue));
+        assert!(never.tasks.is_empty() && never.units.iter().all(|unit| unit.busy == 0) && never.events == 0);
+        assert_eq!(slack(&never, "sub-area"), Some((0, 0, None)));
+        // A session of its own says the same of the later frame.
+        let parameters = Parameters { overload: Overload::Extend, ..Parameters::default() };
+        let stage = scenes::moving(scenes::pane_and_stars(), rate, 2);
+        let alone = Clocked::new(stage, &crate::Sampled { parameters, hardware }).unwrap();
+        assert_eq!(Timed::frame(&alone, 1, &poses[1]).unwrap(), never);
     }
 
     /// A bound on a kind of deadline that a frame has no cause to count is met all the same.

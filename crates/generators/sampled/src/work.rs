@@ -41,8 +41,19 @@ pub fn due(row: u32, rows: u32, frame: u64) -> u64 {
     (u128::from(frame) * (u128::from(row) + 1) / u128::from(rows)) as u64
 }
 
+/// Row of each sub-area in raster order, and the tick at which it is due in a frame of `frame` ticks.
+pub fn dues(screen: &Screen, frame: u64) -> impl Iterator<Item = (u32, u64)> + use<> {
+    let [columns, rows] = screen.counts();
+    (0..rows).flat_map(move |row| (0..columns).map(move |_| (row, due(row, rows, frame))))
+}
+
+/// Fields that a frame takes whose last sub-area is read out at tick `end`: whole ones of `ticks`, at least 1.
+pub fn fields(end: u64, ticks: u64) -> u64 {
+    end.div_ceil(ticks).max(1)
+}
+
 /// The course of a frame through sampler and pixel writer.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Course {
     /// Tick at which each sub-area is read out and its pixels are written, from when the frame begins.
     pub read_out: Vec<u64>,
@@ -209,8 +220,8 @@ mod tests {
             .map(|task| (task.unit.as_str(), task.task.as_str(), task.pieces, task.ticks))
             .collect();
         let expected = [
-            ("geometry", "features", 7, 28),
-            ("geometry", "corners", 11, 22),
+            ("geometry", "features", 7, 7),
+            ("geometry", "corners", 11, 11),
             ("lists", "pairs", 37, 37),
             ("sampler", "entries", 33, 33),
             ("sampler", "short-lists", 1, 5),
@@ -220,9 +231,9 @@ mod tests {
             ("beam", "points", 2, 800),
         ];
         assert_eq!(told, expected);
-        assert_eq!(work.before_frame(&hardware), 28 + 22 + 37);
+        assert_eq!(work.before_frame(&hardware), 7 + 11 + 37);
         let units = work.units(&tasks, &Course::of(&readings, &hardware));
-        assert_eq!(units.iter().map(|unit| unit.busy).sum::<u64>(), 965);
+        assert_eq!(units.iter().map(|unit| unit.busy).sum::<u64>(), 933);
         assert_eq!(units.last().map(|unit| unit.longest_queue), Some(3));
     }
 

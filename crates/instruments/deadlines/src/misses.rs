@@ -30,6 +30,34 @@ pub fn text(record: &TimingRecord, sweeps: &Range<u64>, ns: f64) -> String {
     }
 }
 
+/// The same of a generator that scans `line` by `line`, and knows no crossings; `ns` is the length of a tick (ns).
+pub fn lines_text(record: &TimingRecord, lines: &Range<u64>, line: &str, ns: f64) -> String {
+    let head =
+        ["frame", line, "deadline", "part", "due (ticks)", "late (ns)", "cause"].map(String::from).into();
+    let all = record.frames.iter().flat_map(|frame| frame.misses.iter().map(move |missed| (frame, missed)));
+    let ours = all.filter(|(_, missed)| lines.contains(&u64::from(missed.sweep)));
+    let cells = ours.map(|(frame, missed)| {
+        vec![
+            frame.frame.to_string(),
+            missed.sweep.to_string(),
+            missed.deadline.to_string(),
+            missed.part.clone().unwrap_or_else(|| "-".into()),
+            format!("{:.0}", missed.due),
+            lateness(missed, ns),
+            missed.cause.to_string(),
+        ]
+    });
+    let rows: Vec<Vec<String>> = [head].into_iter().chain(cells).collect();
+    match rows.len() {
+        1 => format!("\nno misses in {line}s {}..{}\n", lines.start, lines.end),
+        _ => format!("\n{}", table(&rows)),
+    }
+}
+
+fn lateness(missed: &Missed, ns: f64) -> String {
+    missed.lateness().map_or("never came".into(), |late| format!("{:.1}", late * ns))
+}
+
 /// Head and cells of misses, each with its frame.
 pub fn rows<'a>(misses: impl Iterator<Item = (u64, &'a Missed)>, ns: f64) -> Vec<Vec<String>> {
     let head = HEAD.map(String::from).into();
@@ -53,7 +81,7 @@ fn cells(frame: u64, missed: &Missed, ns: f64) -> Vec<String> {
                 .or_else(|| missed.region.map(|[m, n]| format!("{m} {n}"))),
         ),
         or_none(missed.range_m.map(|range| format!("{range:.1}"))),
-        missed.lateness().map_or("never came".into(), |late| format!("{:.1}", late * ns)),
+        lateness(missed, ns),
         missed.words.count_ones().to_string(),
         missed.cause.to_string(),
     ]

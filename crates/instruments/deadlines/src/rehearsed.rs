@@ -1,16 +1,18 @@
 //! A rehearsal of whatever a timing record can be made of.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 
 use front_door::Opened;
-use generator::{Stage, Timed};
+use generator::{Planes, SizedFigure, Stage, Timed};
 use rayon::ThreadPool;
 use replay::Progress;
+use signal::Probe;
 use text::table;
 use timing::{FrameTiming, TimingRecord};
 
 use crate::rehearsal::TimedJob;
-use crate::{DeadlineError, Rehearsal};
+use crate::{DeadlineError, Rehearsal, misses};
 
 /// The hybrid machine's digital side, or another generator whose frames take time.
 pub enum Rehearsed {
@@ -27,6 +29,15 @@ pub struct Other {
     stage: Stage,
     timed: Box<dyn Timed>,
     pool: ThreadPool,
+}
+
+/// Lines of a frame by which misses are counted, and their name: sweeps, or those of the generator's own scan.
+pub fn lines_of(opened: &Opened) -> (u32, &'static str) {
+    let scan = opened.generator.scan(&opened.settings.view());
+    match scan.filter(|_| !opened.is_machine()) {
+        Some(scan) => (scan.timebase.sweeps, scan.line),
+        None => (opened.settings.raster.sweeps, "sweep"),
+    }
 }
 
 impl Rehearsed {
@@ -74,21 +85,53 @@ impl Other {
         }
     }
 
-    /// A table of how long each frame of `record` takes (s), unit by unit and in all.
+    /// What was opened.
+    pub fn opened(&self) -> &Opened {
+        &self.opened
+    }
+
+    /// What is drawn.
+    pub(crate) fn stage(&self) -> &Stage {
+        &self.stage
+    }
+
+    /// Draws a frame into `planes`.
+    pub(crate) fn draw(&self, frame: u64, mut planes: Planes) -> Result<Planes, DeadlineError> {
+        let pose = self.job().poses(&[frame])?[0].pose;
+        let session = self.opened.generator.prepare(self.stage.clone())?;
+        self.pool.install(|| session.frame(frame, &pose, &mut planes, &mut Probe::off()))?;
+        Ok(planes)
+    }
+
+    /// What the frames of `record` took beside what the formulas of the generator say; no figures if it has none.
+    pub(crate) fn figures(&self, record: &TimingRecord) -> Vec<SizedFigure> {
+        self.timed.sizing(&record.frames)
+    }
+
+    /// A table of the misses in `lines` of every frame of the record: lines as the generator scans.
+    pub fn misses_text(&self, record: &TimingRecord, lines: &Range<u64>) -> String {
+        let (_, line) = lines_of(&self.opened);
+        misses::lines_text(record, lines, line, 1e9 / self.timed.master().hertz())
+    }
+
+    /// A table of how long each frame of `record` takes, unit by unit and in all: in seconds, or in milliseconds where it has
+    /// deadlines.
     pub fn times_text(&self, record: &TimingRecord) -> String {
         times_text(record, self.timed.master().hertz())
     }
 }
 
 fn times_text(record: &TimingRecord, master_hz: f64) -> String {
-    let seconds = |ticks: u64| format!("{:.2}", ticks as f64 / master_hz);
+    let is_short = record.frames.iter().any(|frame| !frame.deadlines.is_empty());
+    let (scale, unit_of_time) = if is_short { (1e3, "ms") } else { (1.0, "s") };
+    let time = |ticks: u64| format!("{:.2}", scale * ticks as f64 / master_hz);
     let head = |frame: &FrameTiming| -> Vec<String> {
-        let units = frame.units.iter().map(|unit| format!("{} (s)", unit.unit));
-        ["frame".to_owned()].into_iter().chain(units).chain(["in all (s)".to_owned()]).collect()
+        let units = frame.units.iter().map(|unit| format!("{} ({unit_of_time})", unit.unit));
+        ["frame".to_owned()].into_iter().chain(units).chain([format!("in all ({unit_of_time})")]).collect()
     };
     let row = |frame: &FrameTiming| -> Vec<String> {
-        let units = frame.units.iter().map(|unit| seconds(unit.busy));
-        [frame.frame.to_string()].into_iter().chain(units).chain([seconds(frame.ticks)]).collect()
+        let units = frame.units.iter().map(|unit| time(unit.busy));
+        [frame.frame.to_string()].into_iter().chain(units).chain([time(frame.ticks)]).collect()
     };
     let rows: Vec<_> =
         record.frames.first().map(head).into_iter().chain(record.frames.iter().map(row)).collect();

@@ -84,6 +84,10 @@ fn toml(path: &Path) -> Result<Held, InfoError> {
             "what {} ran on; `lunoid check` reads it, docs/blocks/{}.md describes it",
             row.name, row.name
         ),
+        Kind::GeneratorOverlay(row) => format!(
+            "differences from what {} draws by; `lunoid check` reads them, docs/blocks/{}.md describes its keys",
+            row.name, row.name
+        ),
         Kind::Cartridge => {
             "a cartridge; `lunoid cartridge run --folder` runs it with those beside its folder".to_owned()
         }

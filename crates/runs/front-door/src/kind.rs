@@ -26,6 +26,8 @@ pub enum Kind {
     Sidecar,
     /// What the program of a generator ran on.
     Gear(&'static Row),
+    /// Differences to be laid over run parameters and gear of a generator.
+    GeneratorOverlay(&'static Row),
     /// A test cartridge: a scene whose answer is known.
     Cartridge,
     /// None of the known kinds.
@@ -35,7 +37,7 @@ pub enum Kind {
 /// The kinds that are known, each with the keys that it is known by.
 pub const KNOWN: &str = "a scenario (title, landscape, path or sun), a hardware model (name or base), differences from \
                          one (a table of its parts), what a generator ran on (computer, recorder, sampler, memory or \
-                         beam), a cartridge (scene) or the description of a bank (content_blake3)";
+                         beam; with format, differences from it), a cartridge (scene) or the description of a bank (content_blake3)";
 
 impl Kind {
     /// What the keys of a file say, if it can be read.
@@ -52,6 +54,8 @@ impl Kind {
             Self::Scenario
         } else if has(&["name", "base"]) {
             Self::Model
+        } else if let Some(row) = registry::overlay_owner(&file).filter(|_| has(&["format"])) {
+            Self::GeneratorOverlay(row)
         } else if let Some(row) =
             registry::ROWS.iter().find(|row| row.gear.is_some_and(|gear| has(gear.tables)))
         {
@@ -77,6 +81,7 @@ impl Kind {
             Self::Overlay => "overlay over ideal".into(),
             Self::Sidecar => "description of a bank".into(),
             Self::Gear(row) => format!("hardware of {}", row.name),
+            Self::GeneratorOverlay(row) => format!("overlay over {}", row.name),
             Self::Cartridge => "cartridge".into(),
             Self::Unknown => "unknown".into(),
         }
@@ -106,6 +111,7 @@ impl Kind {
             Self::Overlay => "differences from a hardware model (--overlay)".into(),
             Self::Sidecar => "the description of a bank".into(),
             Self::Gear(row) => format!("what {} ran on", row.name),
+            Self::GeneratorOverlay(row) => format!("differences from what {} draws by (--overlay)", row.name),
             Self::Cartridge => "a cartridge (lunoid cartridge run --folder)".into(),
             Self::Unknown => "a file of no known kind".into(),
         }

@@ -23,6 +23,7 @@ mod keys;
 mod kind;
 mod open;
 mod opened;
+mod overlays;
 mod stage;
 mod wishes;
 mod written_keys;

@@ -15,6 +15,7 @@ use scenario::{GroundSource, RasterWishes, Scenario};
 
 use crate::keys::{Decides, decides, drop_wish, of_scenario};
 use crate::kind::read_scenario_over;
+use crate::overlays;
 use crate::{OpenError, Opened, Wishes, read_model};
 
 /// The hardware model of a scenario whose `machine` is `named`: raster, range and laws under a generator that has no
@@ -37,6 +38,7 @@ pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
     let asked = wishes.machine.as_deref();
     let row = registry::find(asked.unwrap_or(&scenario.machine));
     let model = model(path, &scenario, row, wishes)?;
+    overlays::expect_of(row, row.map_or(model.model.name.as_str(), |row| row.name), wishes)?;
     wish(&mut scenario, wishes);
     let settings = crate::settings(&scenario, &model.model).map_err(|error| unfit(path, &error))?;
     expect_pixels(path, &settings)?;
@@ -48,7 +50,7 @@ pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
         let remedy = "leave the option out, or give --machine a hardware model with ideal parts";
         return Err(OpenError::Wish(format!("--preview: {obstacle}; {remedy}")));
     }
-    let inputs = inputs(path, &scenario, &model)?;
+    let inputs = inputs(path, &scenario, &model, wishes)?;
     let generator = match row {
         Some(row) => guest(path, row, wishes)?,
         None => Arc::new(HybridMachine::new(settings.clone())) as Arc<dyn Generator>,
@@ -133,7 +135,13 @@ pub(crate) fn model(
     if let Some(row) = row {
         expect_no_parts(row, &of_model)?;
     }
-    read_model(Asked { place, others: &registry::names() }, name, folder, &wishes.overlays, &of_model)
+    read_model(
+        Asked { place, others: &registry::names() },
+        name,
+        folder,
+        &overlays::of_model(wishes)?,
+        &of_model,
+    )
 }
 
 fn is_parameter(row: &Row, key: &str) -> bool {
@@ -182,7 +190,9 @@ pub(crate) fn guest(
     let sets = wishes.set.iter().filter(|(key, _)| row.owns(key));
     let sets: Vec<_> = sets.filter_map(|(key, value)| registry::set_line(key, value, &problems)).collect();
     problems.into_result()?;
-    Ok(registry::configure(row, file.into_iter().chain(sets))?)
+    let overlays = overlays::of_generators(wishes)?.into_iter().filter(|overlay| overlay.row == row);
+    let overlays = overlays.map(|overlay| overlay.file);
+    Ok(registry::configure(row, file.into_iter().chain(overlays).chain(sets))?)
 }
 
 /// Run parameters of a generator that does not draw must be right all the same.
@@ -218,12 +228,19 @@ fn unfit(path: &Path, error: &SettingsError) -> OpenError {
     OpenError::Problems(Problem::of_file(path.display().to_string(), title).into())
 }
 
-fn inputs(path: &Path, scenario: &Scenario, model: &LoadedModel) -> Result<Inputs, OpenError> {
+fn inputs(
+    path: &Path,
+    scenario: &Scenario,
+    model: &LoadedModel,
+    wishes: &Wishes,
+) -> Result<Inputs, OpenError> {
+    let overlays = overlays::of_generators(wishes)?.into_iter().map(|overlay| overlay.asked);
+    let files = model.files.iter().cloned().chain(overlays.filter(|asked| asked.is_file()));
     Ok(Inputs {
         scenario: Some(FileRecord::of(path)?),
         references: scenario.files().into_iter().map(FileRecord::of).collect::<Result<_, _>>()?,
         model: model.model.name.clone(),
-        model_files: model.files.iter().map(|path| FileRecord::of(path)).collect::<Result<_, _>>()?,
+        model_files: files.map(|path| FileRecord::of(&path)).collect::<Result<_, _>>()?,
         model_values: model.values.clone(),
     })
 }

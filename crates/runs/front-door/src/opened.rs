@@ -13,6 +13,7 @@ use scenario::{PathProblems, PoseTable, Scenario};
 use crate::error::stage_problems;
 use crate::kind::read_scenario_over;
 use crate::open::{guest, model, obstacle};
+use crate::stage::with_course;
 use crate::{OpenError, StageError, Wishes};
 
 /// Everything that is known before there is ground.
@@ -44,7 +45,8 @@ impl Opened {
     /// # Errors
     /// Every fault of the ground, or of something that does not fit on it.
     pub fn machine_stage(&self) -> Result<MachineStage, OpenError> {
-        crate::build(&self.scenario, self.settings.clone()).map_err(|error| match error {
+        let built = crate::build(&self.scenario, self.settings.clone());
+        built.and_then(|stage| self.with_course(stage)).map_err(|error| match error {
             StageError::BankFile(error) => error.into(),
             other => OpenError::Problems(stage_problems(self.scenario_file(), &other)),
         })
@@ -63,7 +65,14 @@ impl Opened {
     /// # Errors
     /// If the path does not suit the settings.
     pub fn machine_stage_beside(&self, first: &Stage) -> Result<MachineStage, StageError> {
-        crate::under(first, &self.scenario, self.settings.clone())
+        self.with_course(crate::under(first, &self.scenario, self.settings.clone())?)
+    }
+
+    fn with_course(&self, stage: MachineStage) -> Result<MachineStage, StageError> {
+        match self.generator.remembers_frames() {
+            true => with_course(stage, &self.scenario),
+            false => Ok(stage),
+        }
     }
 
     /// Poses of `frames` on `stage`.

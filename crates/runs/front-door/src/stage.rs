@@ -82,6 +82,19 @@ fn joined(
     Ok(MachineStage { landscape, scenery: Arc::new(scenery), settings })
 }
 
+/// `stage` with the course of the mission, for a generator whose pictures may show frames before their own.
+///
+/// # Errors
+/// If the vehicle cannot take the path.
+pub(crate) fn with_course(stage: MachineStage, scenario: &Scenario) -> Result<MachineStage, StageError> {
+    if !stage.scenery.course().is_empty() {
+        return Ok(stage);
+    }
+    let course = course(scenario, &stage.landscape, &stage.settings)?;
+    let scenery = Arc::new((*stage.scenery).clone().with_course(course));
+    Ok(MachineStage { scenery, ..stage })
+}
+
 /// The pose of every frame.
 fn course(
     scenario: &Scenario,

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use limits::Limit;
 use toml::{Table, Value};
 
+use crate::overlays::of_generators;
 use crate::{OpenError, Opened};
 
 impl Opened {
@@ -20,6 +21,11 @@ impl Opened {
         let text = files::read_all(&self.path, Limit::TextBytes)?;
         let scenario: Table = String::from_utf8_lossy(&text).parse().unwrap_or_default();
         flatten("scenario", &Value::Table(scenario), &mut keys);
+        for overlay in of_generators(&self.wishes)? {
+            let tables = overlay.text.parse().unwrap_or_default();
+            flatten("asked", &Value::Table(tables), &mut keys);
+        }
+        keys.remove("asked.format");
         self.ask(&mut keys);
         Ok(keys)
     }

@@ -45,7 +45,10 @@ impl Check {
                 Kind::Model => check_model(file),
                 Kind::Overlay => check_overlay(file),
                 Kind::Sidecar => Ok(Vec::new()),
-                Kind::Gear(row) => check_gear(row, file),
+                Kind::Gear(row) => of_generator(row, file, registry::check_gear),
+                Kind::GeneratorOverlay(row) => {
+                    of_generator(row, file, |row, name, text| registry::overlay(row, name, text).map(drop))
+                }
                 Kind::Cartridge => check_cartridge(file),
                 Kind::Unknown => Err(of_no_kind(file)),
             };
@@ -93,11 +96,12 @@ fn check_overlay(path: &Path) -> Checked {
     expect_drawable(&loaded.values).map(|()| Vec::new())
 }
 
-fn check_gear(row: &Row, path: &Path) -> Checked {
+/// Reads a file of the generator of `row`.
+fn of_generator(row: &Row, path: &Path, read: fn(&Row, &str, &str) -> Result<(), ProblemList>) -> Checked {
     let name = path.display().to_string();
     let of_file = |error: FileError| Problem::of_file(&name, error.to_string());
     let bytes = files::read_all(path, Limit::TextBytes).map_err(of_file)?;
-    registry::check_gear(row, &name, &String::from_utf8_lossy(&bytes)).map(|()| Vec::new())
+    read(row, &name, &String::from_utf8_lossy(&bytes)).map(|()| Vec::new())
 }
 
 fn check_cartridge(path: &Path) -> Checked {

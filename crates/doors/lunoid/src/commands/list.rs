@@ -72,13 +72,19 @@ fn machines(json: bool) -> Result<(), Failure> {
 }
 
 /// Lists hardware models: those of the current folder, and those that the program carries; then the overlays that it
-/// carries.
+/// carries, over models and over generators.
 pub fn models(json: bool) -> Result<(), Failure> {
     let rows = model_rows();
     let overlays = FAULTS.map(|(name, text)| [name.into(), proves(text), "built in".into()]);
     let models = Listing { what: "models", heading: MODEL_HEADING, rows: &rows };
     let overlays = Listing { what: "overlays", heading: ["overlay", "proves", "from"], rows: &overlays };
-    show(&[models, overlays], json)
+    let gears = registry::ROWS.iter().filter_map(|row| Some((row.name, row.gear?)));
+    let faults = gears.flat_map(|(row, gear)| gear.faults.iter().map(move |fault| (row, fault)));
+    let others: Vec<[String; 3]> =
+        faults.map(|(row, (name, text))| [(*name).into(), proves(text), row.into()]).collect();
+    let heading = ["overlay", "proves", "over"];
+    let others = Listing { what: "overlays_of_generators", heading, rows: &others };
+    show(&[models, overlays, others], json)
 }
 
 const MODEL_HEADING: [&str; 3] = ["name", "raster", "from"];
@@ -107,7 +113,8 @@ fn model_rows() -> Vec<[String; 3]> {
 /// What the head of an overlay says it proves.
 fn proves(text: &str) -> String {
     let (_, rest) = text.split_once("Proves ").unwrap_or_default();
-    rest.split(" (").next().unwrap_or_default().to_owned()
+    let rest = rest.lines().next().unwrap_or_default();
+    rest.trim_end_matches('.').split(" (").next().unwrap_or_default().to_owned()
 }
 
 fn scenarios(json: bool) -> Result<(), Failure> {

@@ -1,15 +1,17 @@
 //! `lunoid sizing`: the arithmetic of the hardware report, section 4, measured by running; and what would just do.
 
 use clap::Args;
-use deadlines::{sizing, spread};
+use deadlines::sizing::Report;
+use deadlines::{Other, Rehearsal, Rehearsed, sizing, spread};
 use front_door::Opened;
 
-use crate::loading::{StageArgs, Threads, of_models};
+use crate::loading::{StageArgs, Threads, of_timed};
 use crate::output::{print, print_json, tell};
-use crate::rehearsing::{choose, record, rehearse};
+use crate::rehearsing::{choose, expect_deadlines, record, rehearse_timed};
 use crate::values::positive;
 use crate::{Failure, Verdict};
 use text::Span;
+use timing::TimingRecord;
 
 /// Frames that are measured where none are named, spread over the mission.
 const USUAL_FRAMES: u64 = 3;
@@ -19,9 +21,9 @@ const AFTER: &str = "Example:
 
 docs/timing.md says what each line is, and what a tear is that shows.";
 
-/// Hold the machine in time against its formulas, and search for the slowest parts that would do.
+/// Hold a machine in time against its formulas, and search for the slowest parts of a hardware model that would do.
 #[derive(Debug, Args)]
-#[command(after_help = AFTER, mut_args(of_models))]
+#[command(after_help = AFTER, mut_args(of_timed))]
 pub struct Sizing {
     #[command(flatten)]
     stage: StageArgs,
@@ -47,22 +49,42 @@ pub struct Sizing {
 impl Sizing {
     /// Measures the frames, searches for the slowest parts, and prints the report.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        let usual = |opened: &Opened| choose(opened, self.frames, spread(USUAL_FRAMES));
-        let (rehearsal, frames) = rehearse(&self.stage, &self.threads, usual)?;
-        let record = record(!self.no_progress, |hear| rehearsal.record(&frames, hear))?;
-        let sizing = sizing::Sizing::new(&rehearsal, &frames, self.shows)?;
-        let mut report = sizing.report(&record)?;
-        if !self.no_search {
-            if !self.no_progress {
-                tell("searching for the slowest parts\n");
+        let usual = |opened: &Opened| {
+            expect_deadlines(opened)?;
+            choose(opened, self.frames, spread(USUAL_FRAMES))
+        };
+        let (rehearsal, frames) = rehearse_timed(&self.stage, &self.threads, usual)?;
+        let report = match &rehearsal {
+            Rehearsed::Machine(machine) => self.of_machine(machine, &frames)?,
+            Rehearsed::Other(other) => {
+                of_other(other, &record(!self.no_progress, |hear| rehearsal.record(&frames, hear))?)?
             }
-            report = report.with(sizing.search()?);
-        }
-        if self.json {
-            print_json(&report.json())?
-        } else {
-            print(&report.text())?
+        };
+        match self.json {
+            true => print_json(&report.json())?,
+            false => print(&report.text())?,
         }
         Ok(Verdict::Yes)
     }
+
+    fn of_machine(&self, rehearsal: &Rehearsal, frames: &[u64]) -> Result<Report, Failure> {
+        let record = record(!self.no_progress, |hear| rehearsal.record(frames, hear))?;
+        let sizing = sizing::Sizing::new(rehearsal, frames, self.shows)?;
+        let report = sizing.report(&record)?;
+        if self.no_search {
+            return Ok(report);
+        }
+        if !self.no_progress {
+            tell("searching for the slowest parts\n");
+        }
+        Ok(report.with(sizing.search()?))
+    }
+}
+
+/// A generator has formulas, and no parts to search for.
+fn of_other(other: &Other, record: &TimingRecord) -> Result<Report, Failure> {
+    Report::of(other, record).ok_or_else(|| {
+        let name = &record.machine;
+        Failure::usage(format!("--machine {name}: it has no formulas; expected a hardware model"))
+    })
 }

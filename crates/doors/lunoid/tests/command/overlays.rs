@@ -4,21 +4,57 @@ use std::fs;
 
 use crate::scene::Scene;
 
-fn faults() -> Vec<String> {
-    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../hardware-models/faults");
-    let files = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path().display().to_string());
-    let mut files: Vec<String> = files.collect();
+const FAULTS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../hardware-models/faults");
+
+/// The overlays of a folder.
+fn faults(folder: &str) -> Vec<String> {
+    let paths = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let mut files: Vec<String> =
+        paths.filter(|path| path.is_file()).map(|path| path.display().to_string()).collect();
     files.sort();
     files
 }
 
 #[test]
 fn every_shipped_fault_is_checked_as_an_overlay() {
-    let files = faults();
-    assert!(files.len() > 20);
-    let arguments: Vec<&str> = ["check"].into_iter().chain(files.iter().map(String::as_str)).collect();
-    let (out, err) = Scene::new().expect(0, &arguments);
-    assert_eq!(out.matches(": overlay over ideal, no fault\n").count(), files.len(), "{out}{err}");
+    for (folder, kind, least) in [("", "ideal", 24), ("/sampled", "sampled", 7)] {
+        let files = faults(&format!("{FAULTS}{folder}"));
+        assert!(files.len() >= least);
+        let arguments: Vec<&str> = ["check"].into_iter().chain(files.iter().map(String::as_str)).collect();
+        let (out, err) = Scene::new().expect(0, &arguments);
+        let told = format!(": overlay over {kind}, no fault\n");
+        assert_eq!(out.matches(&told).count(), files.len(), "{out}{err}");
+    }
+}
+
+/// By name and by path, over the scenario and under `--set`; another machine has no such parameters.
+#[test]
+fn an_overlay_goes_over_the_generator_that_has_its_tables() {
+    let scene = Scene::new();
+    let keys = |more: &[&str]| {
+        let record =
+            ["timing", "record", "tiny.toml", "--machine", "sampled", "--frames", "0..1", "--out", "a"];
+        scene.expect(0, &[&record[..], more].concat());
+        let record: serde_json::Value =
+            serde_json::from_str(&fs::read_to_string(scene.join("a")).unwrap()).unwrap();
+        (record["keys"]["asked.sampler.sampler_hz"].clone(), record["master"].clone())
+    };
+    let file = format!("{FAULTS}/sampled/slow-sampler.toml");
+    for name in ["slow-sampler", &file] {
+        assert_eq!(keys(&["--overlay", name]).1, "10000000 Hz");
+    }
+    let set = ["--overlay", "slow-sampler", "--set", "sampler.sampler_hz=20e6"];
+    assert_eq!(keys(&set), ("20e6".into(), "20000000 Hz".into()));
+    for machine in ["ideal", "lunsim"] {
+        let command = ["timing", "show", "tiny.toml", "--machine", machine, "--overlay", "slow-sampler"];
+        let (_, err) = scene.expect(2, &command);
+        assert!(err.contains("these are differences of sampled") && err.contains(machine), "{err}");
+    }
+    scene.write("wrong.toml", "format = 1\n[sampled]\ntwinkle = true\n[loader]\naccess_ns = 90\n");
+    let (_, err) =
+        scene.expect(3, &["replay", "tiny.toml", "--machine", "sampled", "--overlay", "wrong.toml"]);
+    assert!(err.contains("`sampled.twinkle`") || err.contains("twinkle"), "{err}");
+    assert!(err.contains("loader"), "{err}");
 }
 
 #[test]

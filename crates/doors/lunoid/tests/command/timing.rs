@@ -137,6 +137,53 @@ fn shipped_baselines_hold_inputs_and_all() {
     }
 }
 
+/// What a generator of another kind shows of its deadlines: its own counts, its misses by rows, and the map of what it lost.
+#[test]
+fn a_generator_with_deadlines_shows_its_own() {
+    let scene = Scene::new();
+    let slow = ["--machine", "sampled", "--set", "sampler.sampler_hz=1000", "--no-progress"];
+    let show = |code, rest: &[&str]| {
+        scene.expect(code, &[&["timing", "show", "tiny.toml", "--frame", "1"], rest, &slow[..]].concat())
+    };
+    let (out, _) = show(0, &["--misses", "0..1", "--slack", "slack.png", "--overload", "map.png"]);
+    assert!(!out.contains("folds") && out.contains("sub-area.0") && out.contains("frame  row"), "{out}");
+    assert!(out.contains("(ms)") && out.contains("loss"), "{out}");
+    assert!(scene.join("slack.png").is_file() && scene.join("map.png").is_file());
+    let (_, err) = show(2, &["--misses", "0..999"]);
+    assert!(err.contains("a frame has rows 0.."), "{err}");
+    let (_, err) = show(2, &["--sweep", "1", "--out", "a.png"]);
+    assert!(err.contains("--sweep: sampled has no sweeps"), "{err}");
+    let without =
+        ["timing", "show", "tiny.toml", "--frame", "1", "--machine", "ideal", "--overload", "map.png"];
+    let (_, err) = scene.expect(2, &without);
+    assert!(err.contains("--overload: ideal has no overload map"), "{err}");
+    let sizing = ["sizing", "tiny.toml", "--frames", "0..1"];
+    let (out, _) = scene.expect(0, &[&sizing[..], &slow].concat());
+    assert!(out.contains("sum over sub-areas of max(entries, least)"), "{out}");
+    let (_, err) = scene.expect(2, &["sizing", "tiny.toml", "--machine", "lunsim"]);
+    assert!(err.contains("no sweeps and no deadlines; expected a hardware model"), "{err}");
+}
+
+/// A frame by itself is what it is in a sequence, where a picture shows frames before its own.
+#[test]
+fn pictures_of_a_slow_sampler_do_not_depend_on_what_was_drawn_before() {
+    let scene = Scene::new();
+    for policy in ["late", "extend"] {
+        let set = format!("sampled.overload={policy}");
+        let replay = |frames: &str, out: &str| {
+            let slow = ["--machine", "sampled", "--set", "sampler.sampler_hz=2000", "--set", &set, "-q"];
+            let what = ["replay", "tiny.toml", "--no-page", "--frames", frames, "--out", out];
+            scene.expect(0, &[&what[..], &slow].concat());
+            std::fs::read(scene.join(out).join("frames/frame-000002.png")).unwrap()
+        };
+        assert_eq!(
+            replay("0..3", &format!("{policy}-all")),
+            replay("2..3", &format!("{policy}-one")),
+            "{policy}"
+        );
+    }
+}
+
 #[test]
 fn bad_input_ends_with_3_and_one_error() {
     let scene = recorded();

@@ -8,6 +8,7 @@ mod beam_list;
 mod bodies;
 mod dust;
 mod eye;
+mod faults;
 mod filters;
 mod flux;
 mod ground;

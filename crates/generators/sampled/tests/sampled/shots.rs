@@ -79,29 +79,33 @@ impl Shot {
         self.sheet(id, &[[-2.0, -2.0], [right, -2.0], [right, bottom], [-2.0, bottom]], depth, colour, share)
     }
 
-    /// The generator ready for the shot.
-    pub fn session(&self) -> Box<dyn Session> {
+    /// The stage of the shot.
+    pub fn stage(&self) -> Stage {
         let scenery = Scenery::still(self.sun)
             .with_bodies(self.standing.clone())
             .with_effects(vec![Carried::still(self.effects.clone())]);
-        let stage = Stage {
-            landscape: Arc::clone(&self.ground),
-            scenery: Arc::new(scenery),
-            view: self.view.clone(),
-        };
+        Stage { landscape: Arc::clone(&self.ground), scenery: Arc::new(scenery), view: self.view.clone() }
+    }
+
+    fn generator(&self) -> Sampled {
         Sampled { parameters: self.run, hardware: sampled::Hardware::shipped().unwrap() }
-            .prepare(stage)
-            .unwrap()
+    }
+
+    /// The generator ready for the shot.
+    pub fn session(&self) -> Box<dyn Session> {
+        self.generator().prepare(self.stage()).unwrap()
     }
 
     /// The frame of the shot.
     pub fn draw(&self) -> Frame {
-        let session = self.session();
-        let mut planes = Planes::new(
-            self.view.columns as usize,
-            self.view.lines as usize,
-            Sampled { parameters: self.run, hardware: sampled::Hardware::shipped().unwrap() }.planes(),
-        );
+        self.draw_by(&self.generator())
+    }
+
+    /// The frame of the shot by a generator with run parameters of its own.
+    pub fn draw_by(&self, generator: &dyn Generator) -> Frame {
+        let session = generator.prepare(self.stage()).unwrap();
+        let size = [self.view.columns, self.view.lines].map(|count| count as usize);
+        let mut planes = Planes::new(size[0], size[1], generator.planes());
         let counts = session.frame(0, &self.pose, &mut planes, &mut Probe::off()).unwrap();
         Frame { planes, counts }
     }

@@ -1,5 +1,6 @@
 //! What was measured beside what the formulas say.
 
+use generator::SizedFigure;
 use scenario::PoseRow;
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -9,7 +10,7 @@ use timing::TimingRecord;
 use super::level::LevelFigures;
 use super::search::Search;
 use super::units::unit_rows;
-use crate::Rehearsal;
+use crate::{Other, Rehearsal};
 
 /// One figure of a table, measured and by formula.
 #[derive(Debug, Clone, Serialize)]
@@ -40,13 +41,21 @@ pub(super) fn row(
     Row { key: key.into(), meaning: meaning.into(), measured, formula, ratio, law }
 }
 
+impl From<SizedFigure> for Row {
+    fn from(figure: SizedFigure) -> Self {
+        let SizedFigure { key, meaning, measured, formula, law } = figure;
+        row(key, meaning, measured, formula, law)
+    }
+}
+
 /// Figures measured and by formula, and what was searched for.
 pub struct Report {
     head: String,
     /// Tables, each with its title and rows.
     tables: Vec<(String, Vec<Row>)>,
     searches: Vec<Search>,
-    shows: f64,
+    /// Lines of the picture from which a tear shows; nothing without tears.
+    shows: Option<f64>,
     frames: Vec<u64>,
 }
 
@@ -62,7 +71,17 @@ impl Report {
         let head = format!("{} on {}, {}", record.scenario, record.machine, named_frames(&frames));
         let mut tables: Vec<_> = levels.iter().map(|level| (title(level), level_rows(level))).collect();
         tables.push(("use of units".into(), unit_rows(rehearsal, record, levels)));
-        Self { head, tables, searches: Vec::new(), shows, frames }
+        Self { head, tables, searches: Vec::new(), shows: Some(shows), frames }
+    }
+
+    /// Figures of a generator that is no hybrid machine; `None` if it has no formulas.
+    pub fn of(other: &Other, record: &TimingRecord) -> Option<Self> {
+        let rows: Vec<Row> = other.figures(record).into_iter().map(Row::from).collect();
+        let frames: Vec<u64> = record.frames.iter().map(|frame| frame.frame).collect();
+        let head = format!("{} on {}, {}", record.scenario, record.machine, named_frames(&frames));
+        let is_there = !rows.is_empty();
+        let tables = vec![("units of a frame".into(), rows)];
+        is_there.then_some(Self { head, tables, searches: Vec::new(), shows: None, frames })
     }
 
     /// The same with what was searched for.
@@ -88,8 +107,7 @@ impl Report {
         for (title, rows) in &self.tables {
             text += &format!("\n{title}\n{}", table(&cells(rows)));
         }
-        if !self.searches.is_empty() {
-            let lines = self.shows;
+        if let Some(lines) = self.shows.filter(|_| !self.searches.is_empty()) {
             text += &format!(
                 "\nslowest parts with no step of {lines} lines or more\n{}",
                 table(&self.search_cells())

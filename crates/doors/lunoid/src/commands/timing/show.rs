@@ -5,10 +5,12 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use deadlines::{
-    Deadlines, Other, Rehearsal, Rehearsed, TimelineOf, spread, write_slack, write_timeline,
-    write_utilisation,
+    Deadlines, Other, OverloadMap, Rehearsal, Rehearsed, TimelineOf, lines_of, spread, write_slack,
+    write_timeline, write_utilisation,
 };
 use front_door::Opened;
+use generator::PlaneKind;
+use picture::write_png;
 use timing::TimingRecord;
 
 use crate::loading::{StageArgs, Threads, of_timed};
@@ -58,9 +60,13 @@ pub struct Show {
     /// Draw histograms of slack.
     #[arg(long, value_name = "PNG|SVG")]
     slack: Option<PathBuf>,
-    /// List every miss of these sweeps as well: columns of the picture, from 0 at the left.
+    /// List every miss of these sweeps as well: columns of the picture, from 0 at the left. Of a generator without sweeps, of these
+    /// lines of its signals.
     #[arg(long, value_name = "S[..T]")]
     misses: Option<Span>,
+    /// Draw what a frame lost to limits of memory and time over its dimmed picture, and count the pixels.
+    #[arg(long, value_name = "PNG", requires = "frame")]
+    overload: Option<PathBuf>,
     /// Do not show any progress.
     #[arg(long)]
     no_progress: bool,
@@ -91,7 +97,10 @@ impl Show {
     /// Prints the timing of the frames and draws the plots asked for.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let plots = [("--out", &self.out), ("--utilisation", &self.utilisation), ("--slack", &self.slack)];
-        expect_outputs(&Place::pictures(plots), &self.stage.sources())?;
+        let mut places: Vec<Place> = Place::pictures(plots);
+        let maps = Place::given([("--overload", &self.overload)]);
+        places.extend(maps.into_iter().map(|map| map.ending_in(&["png"])));
+        expect_outputs(&places, &self.stage.sources())?;
         let (rehearsal, frames) = rehearse_timed(&self.stage, &self.threads, |opened| self.choose(opened))?;
         if let Rehearsed::Machine(rehearsal) = &rehearsal {
             self.draw_timeline(rehearsal)?;
@@ -110,36 +119,50 @@ impl Show {
         Ok(Verdict::Yes)
     }
 
-    /// What only a machine has.
-    fn expect_no_sweeps(&self, name: &str) -> Result<(), Failure> {
-        let given = [
-            (self.sweep.is_some(), "--sweep", "sweeps"),
-            (self.misses.is_some(), "--misses", "deadlines"),
-            (self.slack.is_some(), "--slack", "deadlines"),
+    /// Refuses what whoever draws does not have.
+    fn expect_had(&self, opened: &Opened) -> Result<(), Failure> {
+        let (name, generator) = (opened.drawn_by(), &opened.generator);
+        let is_machine = opened.is_machine();
+        let has_deadlines = is_machine || generator.has_deadlines();
+        let has_map = generator.planes().contains(&PlaneKind::Overload);
+        let asked = [
+            (self.sweep.is_some(), is_machine, "--sweep", "sweeps", "a hardware model"),
+            (self.misses.is_some(), has_deadlines, "--misses", "deadlines", "a hardware model"),
+            (self.slack.is_some(), has_deadlines, "--slack", "deadlines", "a hardware model"),
+            (self.overload.is_some(), has_map, "--overload", "overload map", "a generator that has one"),
         ];
-        match given.iter().find(|(is_given, ..)| *is_given) {
-            Some((_, option, lack)) => Err(Failure::usage(format!(
-                "{option}: {name} has no {lack}; leave it out, or give --machine a hardware model"
+        match asked.iter().find(|(is_given, is_there, ..)| *is_given && !is_there) {
+            Some((_, _, option, lack, who)) => Err(Failure::usage(format!(
+                "{option}: {name} has no {lack}; leave it out, or give --machine {who}"
             ))),
             None => Ok(()),
         }
     }
 
-    /// Without deadlines there is no critical path.
+    /// A generator that is no hybrid machine has no critical path.
     fn tell_other(&self, other: &Other, record: &TimingRecord) -> Result<(), Failure> {
-        match self.json {
-            true => print_json(&Deadlines::json_without(record)),
-            false => print(&(record.text() + &other.times_text(record))),
+        let map = self.overload_map(other)?;
+        if self.json {
+            return print_json(&Deadlines::json_without(record));
         }
+        let lines = self.missed_lines(lines_of(other.opened()))?;
+        let misses = lines.map(|lines| other.misses_text(record, &lines)).unwrap_or_default();
+        print(&(record.text() + &other.times_text(record) + &misses + &map))
+    }
+
+    /// Writes the overload map, and counts it in words.
+    fn overload_map(&self, other: &Other) -> Result<String, Failure> {
+        let (Some(path), Some(frame)) = (&self.overload, self.frame) else { return Ok(String::new()) };
+        let map = OverloadMap::of(other, frame)?;
+        write_png(path, &map.picture, &[])?;
+        Ok(map.text())
     }
 
     /// Everything that can be wrong on the command line is found before any ground is made.
     fn choose(&self, opened: &Opened) -> Result<Vec<u64>, Failure> {
-        if let Some(row) = opened.row {
-            self.expect_no_sweeps(row.name)?;
-        }
+        self.expect_had(opened)?;
         let sweeps = opened.settings.raster.sweeps;
-        self.missed_sweeps(sweeps)?;
+        self.missed_lines(lines_of(opened))?;
         if let Some(sweep) = self.sweep.filter(|&sweep| sweep >= sweeps) {
             return Err(Failure::usage(format!(
                 "--sweep {sweep}: a frame has sweeps 0..{sweeps}; expected one of them"
@@ -171,15 +194,15 @@ impl Show {
         if self.json {
             return print_json(&deadlines.json());
         }
-        let sweeps = self.missed_sweeps(rehearsal.stage.settings.raster.sweeps)?;
+        let sweeps = self.missed_lines((rehearsal.stage.settings.raster.sweeps, "sweep"))?;
         print(&deadlines.text(sweeps.as_ref()))
     }
 
-    /// The sweeps whose misses are listed.
-    fn missed_sweeps(&self, all: u32) -> Result<Option<Range<u64>>, Failure> {
+    /// The sweeps, or other lines, whose misses are listed; a frame has so many of the name told.
+    fn missed_lines(&self, (all, line): (u32, &str)) -> Result<Option<Range<u64>>, Failure> {
         let Some(span) = self.misses else { return Ok(None) };
         span.within(&(0..u64::from(all))).map(Some).ok_or_else(|| {
-            Failure::usage(format!("--misses {span}: a frame has sweeps 0..{all}; expected a range inside"))
+            Failure::usage(format!("--misses {span}: a frame has {line}s 0..{all}; expected a range inside"))
         })
     }
 }
