@@ -43,6 +43,14 @@ pub struct Point {
     pub priority: i8,
 }
 
+impl Point {
+    /// Whether its disc lies over a place of the picture (pixels).
+    pub fn covers(&self, place: [f64; 2]) -> bool {
+        let [x, y] = [0, 1].map(|axis| place[axis] - self.middle[axis]);
+        4.0 * (x * x + y * y) <= self.disc.diameter * self.disc.diameter
+    }
+}
+
 impl Optics<'_> {
     /// A light point and its chords; `None` where it sends the eye nothing, or lies behind it or beside the picture.
     pub(crate) fn place(&self, light: &LightPoint) -> Option<(Point, Chords)> {

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use control_plane::{FramePlan, view_plane};
-use generator::{BeamEntry, FrameError};
-use light_point_generator::{Optics, PointTable, beam_entries, draw_beam};
+use generator::{BeamEntry, Fact, FrameError};
+use light_point_generator::{Optics, Point, PointTable, beam_entries, draw_beam};
 use scenario::Pose;
 use signal::Real;
 use signal_plane::Wanted;
@@ -66,11 +66,43 @@ impl<S: Real> Elaborated<S> {
         self.beams.keep(frame, Arc::clone(list), rayon::current_num_threads() + MORE_LISTS);
     }
 
+    /// Light points whose discs lie over the middle of a pixel (column and line) of a frame, hidden or not, near to far.
+    pub(crate) fn lights_over(
+        &self,
+        frame: u64,
+        pose: &Pose,
+        pixel: [usize; 2],
+    ) -> Result<Vec<Fact>, FrameError> {
+        let plan = FramePlan::new(frame, pose, &self.stage, &self.raster.field)?;
+        let Some(table) = self.lights(&plan, pose.time) else { return Ok(Vec::new()) };
+        let list = self.beam_alone(frame, pose)?;
+        let middle = pixel.map(|at| at as f64 + 0.5);
+        let over = table.points().iter().filter(|point| point.covers(middle));
+        Ok(over.map(|point| Fact::new(format!("light point {}", point.light), told(point, &list))).collect())
+    }
+
     /// Adds the spots of a list to a picture, if that has any pixels.
     pub(crate) fn draw_spots(&self, list: &[BeamEntry], pixels: &mut [f32]) {
         let raster = &self.stage.settings.raster;
         if !pixels.is_empty() {
             draw_beam(list, [raster.columns, raster.lines], pixels);
         }
+    }
+}
+
+/// Who draws a light point, and how bright.
+fn told(point: &Point, list: &[BeamEntry]) -> String {
+    let Point { disc, light, .. } = point;
+    let disc = format!("disc of {:.2} pixels, intensity {:.4}", disc.diameter, disc.intensity);
+    let entry = list.iter().find(|entry| entry.light == *light);
+    match (point.is_calligraphic, entry) {
+        (false, _) => format!("VS3 draws it where it is seen: {disc}, adds {:.4}", point.added),
+        (true, Some(entry)) => {
+            format!(
+                "the second beam draws it: {disc}, fading {:.4}",
+                entry.display_intensity / entry.intensity
+            )
+        }
+        (true, None) => format!("the second beam does not draw it, because no sweep sees it: {disc}"),
     }
 }

@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use control_plane::FramePlan;
-use generator::{BeamEntry, FrameCounts, FrameError, Omission, PlaneKind, Planes, Session};
+use generator::{BeamEntry, Fact, FrameCounts, FrameError, Omission, PlaneKind, Planes, Session};
 use picture_tube::PictureTube;
 use scenario::Pose;
 use signal::{Probe, Real, Waveform, Wire};
@@ -138,6 +138,11 @@ impl<S: Real> Session for Elaborated<S> {
             values: tube.drive(frame, line, &read),
         };
         Ok(there.map(of_line).collect())
+    }
+
+    /// Light points alone: all else of a pixel is the instrument's to say.
+    fn explain(&self, frame: u64, pose: &Pose, pixel: [usize; 2]) -> Result<Vec<Fact>, FrameError> {
+        self.lights_over(frame, pose, pixel)
     }
 
     fn beam_list(&self, frame: u64, pose: &Pose) -> Result<Option<Vec<BeamEntry>>, FrameError> {
