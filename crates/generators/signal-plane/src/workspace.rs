@@ -83,11 +83,11 @@ pub struct Workspace<S> {
 /// Buffers of the third video switch (VS3).
 #[derive(Debug, Clone, Default)]
 pub struct ThirdSwitch {
-    /// For bodies.
+    /// Polyhedra of the sweep that was composed last.
     pub overlay: Overlay,
-    /// The same of parts.
+    /// Fade of polyhedra by a switch of parts.
     pub body_fade: BodyFade,
-    /// For light points.
+    /// Light points, and what sweeps see of the calligraphic ones.
     pub lights: LightSwitch,
 }
 
