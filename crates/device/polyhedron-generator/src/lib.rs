@@ -57,4 +57,4 @@ pub use overlay::{Overlay, Run, SIGNALS};
 pub use sight::{LeftOut, Sight};
 pub use span::Span;
 pub use table::{SpanTable, Sweep};
-pub use view::{NEAREST, ViewPlane};
+pub use view::{NEAREST, Place, ViewPlane};

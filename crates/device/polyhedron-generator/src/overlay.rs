@@ -126,6 +126,22 @@ impl Overlay {
         &self.runs
     }
 
+    /// Line positions over which what the last composition, of `sweep`, shows lies nearer than an inverse distance along the view
+    /// axis (1/m); disjoint, from the top.
+    pub fn nearer_than<'a>(&'a self, sweep: Sweep<'a>, depth: f32) -> impl Iterator<Item = [f32; 2]> + 'a {
+        self.layers.shown().iter().filter_map(move |&Part { top, bottom, span }| {
+            let span = &sweep.all[span as usize];
+            let [above, below] = [top, bottom].map(|line| span.depth_on(line) - depth);
+            let crossing = || (top + (bottom - top) * (above / (above - below))).clamp(top, bottom);
+            match (above > 0.0, below > 0.0) {
+                (true, true) => Some([top, bottom]),
+                (true, false) => Some([top, crossing()]),
+                (false, true) => Some([crossing(), bottom]),
+                (false, false) => None,
+            }
+        })
+    }
+
     /// Lays the runs of the last composition over a row.
     pub fn write(&mut self, rule: PixelRule, row: &mut [f32]) {
         self.lay(rule, row, |run| run.reflectivity);

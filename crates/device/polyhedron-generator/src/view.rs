@@ -29,7 +29,7 @@ pub struct ViewPlane {
 
 /// A point on the view-plane.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(crate) struct Place<N = f64> {
+pub struct Place<N = f64> {
     /// To the right, over the distance of the view-plane.
     pub x: N,
     /// Downwards, over the distance of the view-plane.
@@ -44,6 +44,23 @@ impl<N: Number> Place<N> {
     pub fn towards(&self, to: &Self, share: N) -> Self {
         let mix = |a: N, b: N| a + share * (b - a);
         Self { x: mix(self.x, to.x), y: mix(self.y, to.y), depth: mix(self.depth, to.depth) }
+    }
+}
+
+impl ViewPlane {
+    /// Where a point (north, east, up; m) is seen, which stands lower by the drop of the lunoid at its range; `None` if it is not at
+    /// least [`NEAREST`] ahead.
+    pub fn point(&self, at: DVec3) -> Option<Place> {
+        let sighting = Sighting::new(self);
+        let (eye, _) = sighting.eye_for(at);
+        let ahead = sighting.turn((at - eye).to_array());
+        (ahead[0] >= NEAREST).then(|| project(ahead))
+    }
+
+    /// Where a direction (unit vector: north, east, up) is seen, infinitely far; `None` if it is not ahead.
+    pub fn direction(&self, towards: DVec3) -> Option<Place> {
+        let ahead = Sighting::new(self).turn(towards.to_array());
+        (ahead[0] > 0.0).then(|| Place { depth: 0.0, ..project(ahead) })
     }
 }
 
@@ -142,6 +159,12 @@ mod tests {
         let place = project(ahead);
         assert!((place.x + 0.0601580533226621).abs() < 1e-15, "{}", place.x);
         assert!((place.y + 0.06945902237929458).abs() < 1e-15, "{}", place.y);
+        let point = view.point(DVec3::new(60.0, 45.0, 1.0)).unwrap();
+        assert_eq!(point, place);
+        let behind = DVec3::from_array(view.eye) - DVec3::new(60.0, 45.0, 1.0);
+        assert_eq!((view.point(behind), view.direction(behind)), (None, None));
+        let far = view.direction(DVec3::new(60.0, 45.0, 1.0) - DVec3::from_array(view.eye)).unwrap();
+        assert_eq!([far.x, far.y, far.depth], [place.x, place.y, 0.0]);
         // Inverse range along the ground.
         let range = (50.0f64 * 50.0 + 25.0 * 25.0).sqrt();
         assert!((sighting.near(&place) * range - 1.0).abs() < 1e-14);

@@ -52,6 +52,21 @@ fn as_reported_the_nearer_foot_lies_on_top_and_parts_of_an_object_by_depth() {
 }
 
 #[test]
+fn what_lies_nearer_than_a_depth_ends_where_a_leaning_face_passes_it() {
+    let spans = [slope([0.0, 40.0], [4.0, 12.0], 0.3), wall([50.0, 60.0], 6.0, 0.6, 1, 6.0)];
+    let table = SpanTable::of_sweep(&spans);
+    let mut overlay = Overlay::default();
+    overlay.compose(table.sweep(0), BodyVisibility::Depth, OPEN);
+    let nearer = |range: f32| overlay.nearer_than(table.sweep(0), 1.0 / range).collect::<Vec<_>>();
+    // Inverse range 1/4 - s/6 is 1/7 at s = 9/14.
+    let [leaning, upright] = nearer(7.0)[..] else { panic!("{:?}", nearer(7.0)) };
+    assert!(leaning[0] == 0.0 && (leaning[1] - 40.0 * 9.0 / 14.0).abs() < 1e-4, "{leaning:?}");
+    assert_eq!(upright, [50.0, 60.0]);
+    assert_eq!(nearer(13.0), [[0.0, 40.0], [50.0, 60.0]]);
+    assert!(nearer(3.0).is_empty());
+}
+
+#[test]
 fn faces_that_cross_change_over_where_they_cross() {
     let spans = [slope([0.0, 40.0], [4.0, 12.0], 0.3), wall([0.0, 40.0], 6.0, 0.6, 1, 6.0)];
     // Inverse ranges 1/4 - s/6 and 1/6 meet at s = 1/2.

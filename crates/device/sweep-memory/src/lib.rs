@@ -64,6 +64,7 @@ mod curve;
 mod deflection;
 mod exposure;
 mod read_out;
+mod screen;
 mod side_by_side;
 mod stroke;
 mod tiles;

@@ -66,8 +66,19 @@ impl View {
         [column, line]: [usize; 2],
         tube: bool,
     ) -> [f64; 2] {
-        let y = self.field.tan_half_height * centre(line, lines);
-        let x = self.field.tan_half_width * centre(column, columns);
+        self.source_at([columns, lines], cells, [column, line].map(|pixel| pixel as f64 + 0.5), tube)
+    }
+
+    /// The same of any place on the picture (pixels, from its top left corner).
+    pub(crate) fn source_at(
+        &self,
+        [columns, lines]: [usize; 2],
+        cells: usize,
+        [across, down]: [f64; 2],
+        tube: bool,
+    ) -> [f64; 2] {
+        let y = self.field.tan_half_height * from_middle(down, lines);
+        let x = self.field.tan_half_width * from_middle(across, columns);
         let [x, y] = self.upright()(x, y);
         let sweep = match tube {
             true => self.fan.position(x * self.tangent_over_x()(y)),
@@ -85,6 +96,11 @@ impl View {
 /// Centre of cell `index` of `count`, -1..=1.
 pub(crate) fn centre(index: usize, count: usize) -> f64 {
     (2 * index + 1) as f64 / count as f64 - 1.0
+}
+
+/// The same of any place among `count` cells, which begin at 0.
+fn from_middle(place: f64, count: usize) -> f64 {
+    2.0 * place / count as f64 - 1.0
 }
 
 /// Where a place on the view-plane lies among `count` cells over -`edge`..=`edge`: the centre of cell n is at n.

@@ -66,6 +66,20 @@ pub struct Supply<'a> {
     pub gated: Range<u32>,
 }
 
+/// The upright view-plane of the frame of `plan`, for what is drawn in display-plane position on `raster`.
+pub fn view_plane(stage: &MachineStage, plan: &FramePlan, raster: &WrittenRaster) -> ViewPlane {
+    let laws = stage.settings.laws;
+    ViewPlane {
+        eye: plan.eye,
+        heading: plan.heading,
+        pitch: plan.pitch,
+        projection: laws.projection,
+        curvature: laws.curvature,
+        tan_half_height: raster.field.tan_half_height,
+        lines: raster.lines as f64,
+    }
+}
+
 /// Outlines of all shadows that the sweeps can meet whose gates are wanted.
 struct Cast<'a> {
     /// Those that lie in the shadow bank.
@@ -302,15 +316,7 @@ impl Supply<'_> {
         polyhedra: &mut PolyhedronGenerator,
     ) -> u64 {
         let laws = self.stage.settings.laws;
-        let view = ViewPlane {
-            eye: self.plan.eye,
-            heading: self.plan.heading,
-            pitch: self.plan.pitch,
-            projection: laws.projection,
-            curvature: laws.curvature,
-            tan_half_height: self.raster.field.tan_half_height,
-            lines: self.raster.lines as f64,
-        };
+        let view = view_plane(self.stage, self.plan, &self.raster);
         let tangents: Vec<f64> =
             (0..self.plan.fan.sweeps).map(|sweep| self.plan.fan.tangent(sweep)).collect();
         let field = Field::new(&view, &tangents);

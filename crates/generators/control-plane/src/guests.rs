@@ -3,7 +3,7 @@
 
 use generator::{Omission, Weight};
 use landscape::Landscape;
-use scenario::Scenery;
+use scenario::{Effects, Scenery};
 
 const POLYHEDRA: &str = "polyhedron-generator";
 
@@ -15,10 +15,10 @@ pub fn guest_omissions(landscape: &Landscape, scenery: &Scenery) -> Vec<Omission
     let is_smooth = still().any(|body| body.solid.is_smooth());
     let rows = [
         (
-            !scenery.all_effects().is_empty(),
+            scenery.all_effects().iter().any(|carried| has_surfaces(&carried.effects)),
             "mixing-unit",
-            "lights, sheets, overlays, stars and discs of the sky (`[[light]]`, `[[sheet]]`, `[[overlay]]`, `[stars]`, `[earth]`, `sun.disc`)",
-            "the report has no lights and nothing translucent; --machine exact draws them",
+            "sheets, overlays and discs of the sky (`[[sheet]]`, `[[overlay]]`, `[earth]`, `sun.disc`)",
+            "the report has nothing translucent and no discs of the sky; --machine exact draws them",
         ),
         (
             has_map,
@@ -67,6 +67,11 @@ pub fn guest_omissions(landscape: &Landscape, scenery: &Scenery) -> Vec<Omission
     there.map(|(_, block, what, why)| omission(block, what, why)).collect()
 }
 
+/// Whether there is more than light points, which the third video switch and a second beam draw.
+fn has_surfaces(Effects { sheets, overlays, discs, .. }: &Effects) -> bool {
+    !(sheets.is_empty() && overlays.is_empty() && discs.is_empty())
+}
+
 fn omission(block: &'static str, what: &str, why: &str) -> Omission {
     Omission { block, what: what.into(), why: why.into(), weight: Weight::NotModelled }
 }
@@ -80,7 +85,10 @@ mod tests {
     use generator::Weight;
     use glam::{DMat3, DVec3};
     use landscape::{AlbedoMap, Bank, Landscape, Level, Sun, Texels};
-    use scenario::{Frame, Group, GroupSun, Guest, Scenery, Standing};
+    use scenario::{
+        Carried, Effects, Frame, Group, GroupSun, Guest, LightPoint, LightSource, Medium, Scenery, Sheet,
+        Standing,
+    };
     use solids::{Body, Kind, Solid};
 
     const SUN: Sun = Sun { azimuth: 0.0, elevation: 0.5 };
@@ -117,6 +125,37 @@ mod tests {
             group: None,
         };
         Scenery::still(SUN).with_guests(vec![guest])
+    }
+
+    #[test]
+    fn light_points_are_drawn_and_sheets_are_listed() {
+        let star = LightSource::Star { direction: DVec3::X, magnitude: 1.0 };
+        let light = LightPoint {
+            id: 0,
+            source: star,
+            colour: [1.0; 3],
+            intensity: 1.0,
+            lobe: None,
+            priority: 0,
+            calligraphic: false,
+        };
+        let sheet = Sheet {
+            id: 0,
+            corners: vec![DVec3::ZERO, DVec3::X, DVec3::Y],
+            colour: [1.0; 3],
+            medium: Medium::Share(0.5),
+            priority: 0,
+        };
+        let listed = |effects: Effects| {
+            let scenery = Scenery::still(SUN).with_effects(vec![Carried::still(effects)]);
+            guest_omissions(&ground(), &scenery)
+        };
+        let lights = vec![light];
+        assert!(listed(Effects { lights: lights.clone(), ..Effects::default() }).is_empty());
+        let [omission] = &listed(Effects { lights, sheets: vec![sheet], ..Effects::default() })[..] else {
+            panic!("one omission")
+        };
+        assert!(omission.what.contains("[[sheet]]") && !omission.what.contains("light"), "{omission:?}");
     }
 
     #[test]

@@ -100,7 +100,7 @@ pub use blocks::{Blocks, Coarse, Shadows};
 pub use control_plane::ControlPlane;
 pub use crossings::Crossings;
 pub use data_kind::DataKind;
-pub use delivery::{Delivery, ShadowBoundary, Supply};
+pub use delivery::{Delivery, ShadowBoundary, Supply, view_plane};
 pub use digital::{Digital, DigitalFrame, Surroundings};
 pub use digital_event::{DigitalEvent, DigitalUnit, EventWord, LoadedPart};
 pub use dpu::Register;

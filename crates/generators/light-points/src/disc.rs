@@ -2,6 +2,9 @@
 
 use std::f64::consts::PI;
 
+use glam::DVec3;
+use scenario::{LightPoint, LightSource};
+
 use crate::error::{LightError, checked};
 use crate::least::LeastDiameter;
 
@@ -50,6 +53,20 @@ impl Disc {
         let flux =
             libm::exp10(-0.4 * checked("magnitude of a star", fainter, "a number from -100 to 100", holds)?);
         Ok(Self { diameter: least.pixels() * flux.max(1.0).sqrt(), intensity: flux.min(1.0) })
+    }
+
+    /// A light point of a scene as an eye (north, east, up; m) sees it, with the focal length in pixels. `None` where it sends the
+    /// eye nothing, or has a figure that no light point has.
+    pub fn of_light(light: &LightPoint, eye: DVec3, focal: f64, least: LeastDiameter) -> Option<Self> {
+        let intensity = light.towards(eye);
+        let disc = match light.source {
+            LightSource::Lamp { at, diameter } => {
+                let projected = projected_diameter(diameter, (at - eye).length(), focal).ok()?;
+                Self::of_lamp(projected, intensity, least)
+            }
+            LightSource::Star { magnitude, .. } => Self::of_star(magnitude, least).ok()?.dimmed(intensity),
+        };
+        (intensity > 0.0).then_some(disc)
     }
 
     /// Area of the disc (pixels squared).

@@ -25,6 +25,12 @@ impl LeastDiameter {
         }
     }
 
+    /// The least diameter where sweeps that lie so many pixels apart (finite, at least 0) are the sampling: the default, or as much
+    /// wider as they lie farther apart than pixels. So every disc meets a sweep.
+    pub fn between_sweeps(spacing: f64) -> Self {
+        Self(Self::DEFAULT * spacing.max(1.0))
+    }
+
     /// The diameter (pixels), above 0.
     pub fn pixels(self) -> f64 {
         self.0
@@ -35,6 +41,15 @@ impl LeastDiameter {
 mod tests {
     use super::*;
     use raster::Pattern;
+
+    #[test]
+    fn a_disc_is_wider_than_the_space_between_sweeps() {
+        for spacing in [0.0, 0.5, 1.0, 2.5, 40.0] {
+            let least = LeastDiameter::between_sweeps(spacing).pixels();
+            assert!(least >= LeastDiameter::DEFAULT && least > spacing, "{spacing}: {least}");
+        }
+        assert_eq!(LeastDiameter::between_sweeps(2.0).pixels(), 3.0);
+    }
 
     #[test]
     fn what_a_pattern_can_miss_is_refused_by_name() {

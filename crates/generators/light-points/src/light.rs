@@ -38,11 +38,25 @@ impl Disc {
     pub fn normalised(&self, covered: u32, samples: usize) -> f64 {
         self.light() * samples as f64 / f64::from(covered)
     }
+
+    /// Intensity with which its light fills an area (pixels squared, above 0): that of the strips by which sweeps cover the disc.
+    pub fn spread_over(&self, area: f64) -> f64 {
+        self.light() / area
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn light_stays_the_same_however_large_the_area_that_it_fills() {
+        let disc = Disc { diameter: 2.0, intensity: 0.5 };
+        for area in [0.5, 3.0, 11.0] {
+            assert!((disc.spread_over(area) * area - disc.light()).abs() < 1e-15);
+        }
+        assert_eq!(disc.spread_over(disc.area()), 0.5);
+    }
 
     #[test]
     fn translucency_is_what_the_intensity_leaves() {

@@ -7,7 +7,8 @@ use control_plane::{
     Surroundings, WrittenRaster, vertices,
 };
 use display_projection_processor::Processor;
-use generator::FrameError;
+use generator::{BeamEntry, FrameError};
+use light_point_generator::PointTable;
 use polyhedron_generator::NearTable;
 use remote_shadow::Footings;
 use scenario::Pose;
@@ -36,6 +37,8 @@ pub(crate) struct Elaborated<S> {
     pub stores_before: Recent<Written>,
     /// Pictures of the last frames as they were read.
     pub pictures: Recent<Vec<f32>>,
+    /// Lists of the second beam in the last frames.
+    pub beams: Recent<Vec<BeamEntry>>,
     pub workspaces: Pool<Box<Workspace<S>>>,
     pub deliveries: Pool<Delivery>,
     pub stores: Pool<Vec<f32>>,
@@ -47,6 +50,8 @@ pub(crate) struct Begun {
     pub plan: FramePlan,
     pub digital: DigitalFrame,
     pub delivery: Delivery,
+    /// Light points; `None` if none meets the picture.
+    pub lights: Option<PointTable>,
 }
 
 impl<S: Real> Elaborated<S> {
@@ -66,6 +71,7 @@ impl<S: Real> Elaborated<S> {
             list,
             stores_before: Recent::default(),
             pictures: Recent::default(),
+            beams: Recent::default(),
             table,
             workspaces: Pool::default(),
             deliveries: Pool::default(),
@@ -96,7 +102,8 @@ impl<S: Real> Elaborated<S> {
     ) -> Result<Begun, FrameError> {
         let digital = self.digital_frame(&plan, time);
         let delivery = self.deliver(&plan, &digital, time, self.gated(&digital, wanted))?;
-        Ok(Begun { plan, digital, delivery })
+        let lights = self.lights(&plan, time);
+        Ok(Begun { plan, digital, delivery, lights })
     }
 
     /// All sweeps of a frame.
@@ -172,6 +179,7 @@ impl<S: Real> Elaborated<S> {
             raster: self.raster,
             plan,
             delivery: &begun.delivery,
+            lights: begun.lights.as_ref(),
             digital: &begun.digital,
             parts: &self.parts,
         }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use control_plane::FramePlan;
+use light_points::Share;
 use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSliceMut;
 use signal::{LANES, Real, Waveform};
@@ -17,6 +18,8 @@ use crate::picture::Picture;
 pub(crate) struct GroupResult {
     pub counts: MachineCounts,
     pub waveforms: Vec<Waveform>,
+    /// What its sweeps see of calligraphic points: sweep, number of the point, share.
+    pub shares: Vec<(u32, u32, Share)>,
 }
 
 impl<S: Real> Elaborated<S> {
@@ -50,14 +53,18 @@ impl<S: Real> Elaborated<S> {
     ) -> GroupResult {
         if !self.blocks.preview {
             group.run(first, work, rows);
-            return self.look_at(group, wanted.look, first, work, rows);
+            let shares = work.third.lights.take_shares();
+            return GroupResult { shares, ..self.look_at(group, wanted.look, first, work, rows) };
         }
         group.run_preview(first, work, rows);
-        let mut result = self.look_at(group, &(), first, work, rows);
+        let shares = work.third.lights.take_shares();
+        let mut result = GroupResult { shares, ..self.look_at(group, &(), first, work, rows) };
         if wanted.look.wants_any_of(first..first + LANES as u32) {
             let mut rows = rows.to_vec();
             group.run(first, work, &mut rows);
             result.waveforms = self.look_at(group, wanted.look, first, work, &rows).waveforms;
+            // The picture is the preview's, and so is what its sweeps see.
+            work.third.lights.take_shares();
         }
         result
     }

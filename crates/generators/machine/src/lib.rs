@@ -33,6 +33,7 @@
 //! | 4 | `groups` | the groups of a frame |
 //! | 4 | `tube` | how pictures are read, and what a tube has left of earlier ones |
 //! | 5 | `display` | pictures that were read, and what the picture tube shows of them |
+//! | 5 | `lights` | light points of a frame, and what a second beam draws of them |
 //! | 6 | `session` | a frame, from its pose to its planes |
 //! | 6 | `on_time` | a frame twice: as it is, and with late words on time |
 //! | 6 | `resumed` | what a machine remembers at the start of a sweep, and how it goes on |
@@ -46,6 +47,7 @@ mod display;
 mod elaborated;
 mod groups;
 mod hybrid_machine;
+mod lights;
 mod omissions;
 mod on_time;
 mod picture;

@@ -53,6 +53,8 @@ impl<S: Real> Twice for Elaborated<S> {
         let read = self.read_twice(frame, pose, on_time)?;
         let before = self.read_before_twice(frame, on_time)?;
         let raster = &self.stage.settings.raster;
+        // The list is that of the frame as it is.
+        let list = self.beam_alone(frame, pose)?;
         let show = |(read, before): (Vec<f32>, Vec<Arc<Vec<f32>>>)| {
             let (columns, lines) = (raster.columns as usize, raster.lines as usize);
             let mut planes = Planes::new(columns, lines, &[PlaneKind::Intensity]);
@@ -61,6 +63,7 @@ impl<S: Real> Twice for Elaborated<S> {
                 Some(tube) => self.show_of(tube, [frame, tube.kept_showing()], (&read, &before), light),
                 None => light.copy_from_slice(&read),
             }
+            self.draw_spots(&list, light);
             planes
         };
         let [is, would_be] = read;

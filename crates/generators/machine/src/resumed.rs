@@ -124,6 +124,7 @@ impl<S: Real> Resumes for Elaborated<S> {
         if let Some(tube) = &self.parts.picture_tube {
             self.show(tube, [frame, tube.kept_showing()], Arc::new(light.to_vec()), light)?;
         }
+        self.draw_spots(&self.beam_alone(frame, pose)?, light);
         Ok(planes)
     }
 }

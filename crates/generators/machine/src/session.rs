@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use control_plane::FramePlan;
-use generator::{FrameCounts, FrameError, Omission, PlaneKind, Planes, Session};
+use generator::{BeamEntry, Fact, FrameCounts, FrameError, Omission, PlaneKind, Planes, Session};
 use picture_tube::PictureTube;
 use scenario::Pose;
 use signal::{Probe, Real, Waveform, Wire};
@@ -42,9 +42,14 @@ impl<S: Real> Elaborated<S> {
         let begun = self.begin_for(plan, pose.time, wanted)?;
         let mut nothing = [];
         let pixels = planes.get_mut(PlaneKind::Intensity).unwrap_or(&mut nothing);
-        let groups = self.read(&begun, pose.yoke, wanted, pixels)?;
+        let mut groups = self.read(&begun, pose.yoke, wanted, pixels)?;
         if let Some(tube) = &self.parts.picture_tube {
             self.show(tube, [frame, tube.kept_showing()], Arc::new(pixels.to_vec()), pixels)?;
+        }
+        if self.has_beam() && picture == self.all_sweeps() {
+            let list = self.beam_of(&begun, &mut groups);
+            self.draw_spots(&list, pixels);
+            self.keep_beam(frame, &list);
         }
         let Begun { plan, delivery, .. } = begun;
         let regions = plan.visible_regions(self.stage.landscape.level(), settings.range.end);
@@ -90,9 +95,9 @@ impl<S: Real> Session for Elaborated<S> {
         planes: &mut Planes,
         probe: &mut Probe,
     ) -> Result<Range<usize>, FrameError> {
-        let has_tubes = self.parts.tube.is_some() || self.parts.picture_tube.is_some();
+        let takes_all = self.parts.tube.is_some() || self.parts.picture_tube.is_some() || self.has_beam();
         let all = planes.columns();
-        let columns = if has_tubes { 0..all } else { Tile::columns_beside(column, all) };
+        let columns = if takes_all { 0..all } else { Tile::columns_beside(column, all) };
         let (_, waveforms) = self.draw_columns((frame, columns.clone()), pose, planes, &*probe)?;
         probe.waveforms.extend(waveforms);
         Ok(columns)
@@ -105,6 +110,7 @@ impl<S: Real> Session for Elaborated<S> {
         };
         let read = self.pictures.get(frame).map_or_else(|| self.read_alone(frame, pose), Ok)?;
         self.show(tube, [frame, showing], read, pixels)?;
+        self.draw_spots(&self.beam_alone(frame, pose)?, pixels);
         Ok(true)
     }
 
@@ -132,6 +138,15 @@ impl<S: Real> Session for Elaborated<S> {
             values: tube.drive(frame, line, &read),
         };
         Ok(there.map(of_line).collect())
+    }
+
+    /// Light points alone: all else of a pixel is the instrument's to say.
+    fn explain(&self, frame: u64, pose: &Pose, pixel: [usize; 2]) -> Result<Vec<Fact>, FrameError> {
+        self.lights_over(frame, pose, pixel)
+    }
+
+    fn beam_list(&self, frame: u64, pose: &Pose) -> Result<Option<Vec<BeamEntry>>, FrameError> {
+        Ok(Some(Arc::unwrap_or_clone(self.beam_alone(frame, pose)?)))
     }
 
     fn direction(&self, frame: u64, pose: &Pose, line: u32) -> Result<Option<[f64; 2]>, FrameError> {

@@ -1,7 +1,7 @@
 //! The machine without probes: what probing nothing is measured against (`crates/studies/benchmarks`).
 
 use control_plane::MachineStage;
-use generator::{FrameCounts, FrameError, Omission, Planes, Session};
+use generator::{BeamEntry, FrameCounts, FrameError, Omission, Planes, Session};
 use scenario::{Pose, Scalar};
 use signal::{Probe, Real};
 
@@ -30,6 +30,10 @@ impl<S: Real> Session for Unprobed<S> {
 
     fn repeat(&self, frame: u64, pose: &Pose, showing: u64, planes: &mut Planes) -> Result<bool, FrameError> {
         self.0.repeat(frame, pose, showing, planes)
+    }
+
+    fn beam_list(&self, frame: u64, pose: &Pose) -> Result<Option<Vec<BeamEntry>>, FrameError> {
+        self.0.beam_list(frame, pose)
     }
 
     fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {

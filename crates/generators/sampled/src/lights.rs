@@ -1,7 +1,7 @@
 //! Light points on the screen, and which sub-areas their discs meet.
 
 use glam::DVec3;
-use light_points::{BeamPoint, Disc, LeastDiameter, Light, LightError, count_under, projected_diameter};
+use light_points::{BeamPoint, Disc, LeastDiameter, Light, LightError, count_under};
 use raster::{DistancePlane, Sampling, Screen, SubArea};
 use scenario::{LightPoint, LightSource};
 use translucency::{Feature, FeatureError};
@@ -124,21 +124,18 @@ impl Point {
 
 /// Camera axes (m) of a light point, how near it is (1/m) and its disc; `None` where it sends nothing to the eye or lies behind it.
 fn disc(light: &LightPoint, camera: &Camera, optics: &Optics) -> Option<(DVec3, f64, Disc)> {
-    let intensity = light.towards(camera.eye);
-    let seen = match light.source {
-        LightSource::Lamp { at, diameter } => {
-            let (place, distance) = (camera.place(at), (at - camera.eye).length());
-            let projected = projected_diameter(diameter, distance, camera.focal()).ok()?;
-            let is_before = place.z > NEAR;
-            is_before.then(|| (place, 1.0 / place.z, Disc::of_lamp(projected, intensity, optics.least)))
+    let disc = Disc::of_light(light, camera.eye, camera.focal(), optics.least)?;
+    let (place, q, is_before) = match light.source {
+        LightSource::Lamp { at, .. } => {
+            let place = camera.place(at);
+            (place, 1.0 / place.z, place.z > NEAR)
         }
-        LightSource::Star { direction, magnitude } => {
-            let disc = Disc::of_star(magnitude, optics.least).ok()?;
+        LightSource::Star { direction, .. } => {
             let place = camera.direction(direction);
-            (place.z > 0.0).then(|| (place, 0.0, disc.dimmed(intensity)))
+            (place, 0.0, place.z > 0.0)
         }
     };
-    seen.filter(|_| intensity > 0.0)
+    is_before.then_some((place, q, disc))
 }
 
 /// Whether a disc may reach the screen. What lies far outside is not counted.

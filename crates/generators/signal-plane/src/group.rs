@@ -1,6 +1,7 @@
 //! The analog side of a group of sweeps: the generators, MU, DPP, SM in the order of section 24.
 
 mod features;
+mod lights;
 mod lines;
 mod mixing;
 mod projection;
@@ -11,6 +12,7 @@ use std::{array, slice};
 use control_plane::{Blocks, Crossings, Delivery, DigitalFrame, FramePlan, MachineStage, WrittenRaster};
 use display_projection_processor::Processor;
 use landscape::{Level, SweepLight};
+use light_point_generator::PointTable;
 use polyhedron_generator::NearTable;
 use signal::{LANES, Real};
 use sweep_generator::RangeTable;
@@ -39,6 +41,8 @@ pub struct Group<'a, S> {
     pub plan: &'a FramePlan,
     /// What the I/O processors have brought.
     pub delivery: &'a Delivery,
+    /// Light points of the frame, if any meets the picture.
+    pub lights: Option<&'a PointTable>,
     /// Set-ups and corners that are ready.
     pub digital: &'a DigitalFrame,
     /// Blocks made of parts.
@@ -62,8 +66,8 @@ impl<S: Real> Group<'_, S> {
         self.mix(work);
         self.project(first, &sweeps, work);
         self.write(work, rows);
-        let Workspace { projected, overlay, body_fade, .. } = work;
-        self.overlay(first, &projected.line, (overlay, body_fade), rows);
+        let Workspace { projected, third, far, .. } = work;
+        self.overlay(first, (&projected.line, far), third, rows);
     }
 
     /// Set-ups of the sweeps of a group. Lanes beyond the last sweep repeat it; nothing of them is kept.

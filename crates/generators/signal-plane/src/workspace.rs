@@ -4,6 +4,7 @@ use std::array;
 
 use display_projection_processor::{Driven, PreviewSight, Projected, Scratch};
 use feature_generator::{ChainScratch, FeatureProfile, FeatureProgram, Passings};
+use light_point_generator::LightSwitch;
 use mixing_unit::{Mixed, SwitchScratch};
 use parts::GateEdge;
 use polyhedron_generator::{BodyFade, Overlay};
@@ -75,10 +76,19 @@ pub struct Workspace<S> {
     pub far: [Vec<FarStroke>; LANES],
     /// Lines of the ideal write beam while they are written.
     pub lines: Vec<Lanes<f32>>,
-    /// Buffers of the third video switch (VS3), for bodies.
+    /// Buffers of the third video switch (VS3).
+    pub third: ThirdSwitch,
+}
+
+/// Buffers of the third video switch (VS3).
+#[derive(Debug, Clone, Default)]
+pub struct ThirdSwitch {
+    /// Polyhedra of the sweep that was composed last.
     pub overlay: Overlay,
-    /// The same of parts.
+    /// Fade of polyhedra by a switch of parts.
     pub body_fade: BodyFade,
+    /// Light points, and what sweeps see of the calligraphic ones.
+    pub lights: LightSwitch,
 }
 
 impl<S: Real> Default for Workspace<S> {
@@ -112,8 +122,7 @@ impl<S: Real> Default for Workspace<S> {
             sight: PreviewSight::default(),
             far: Default::default(),
             lines: Vec::new(),
-            overlay: Overlay::default(),
-            body_fade: BodyFade::default(),
+            third: ThirdSwitch::default(),
         }
     }
 }

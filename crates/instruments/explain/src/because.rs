@@ -20,6 +20,7 @@ pub fn because(told: &Explanation) -> Vec<String> {
         reasons.extend(not_there(ground));
     }
     reasons.extend(told.body.map(body));
+    reasons.extend(told.lights.iter().map(|light| format!("{}: {}", light.what, light.value)));
     reasons.extend(digital(told));
     reasons.extend(reading(told));
     reasons.extend(error(told));

@@ -5,7 +5,7 @@ use std::sync::{Mutex, PoisonError};
 
 use control_plane::{ControlPlane, FrameSweeps, MachineStage};
 use exact::Columns;
-use generator::{FrameError, Label, PlaneKind, Planes, Session, Shade};
+use generator::{Fact, FrameError, Label, PlaneKind, Planes, Session, Shade};
 use quantities::SweepTime;
 use scenario::{Occlusion, Pose};
 use serde::Serialize;
@@ -100,6 +100,9 @@ pub struct Explanation {
     pub writer: Writer,
     /// Reflectivity of the polyhedron that VS3 shows in the nearest cell.
     pub body: Option<f64>,
+    /// Light points whose discs lie over it, near to far.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub lights: Vec<Fact>,
     /// The ground there, or behind the body that hides it.
     pub ground: Option<GroundPoint>,
     /// Highest line that the profile of the sweep reaches, and at which range (m).
@@ -184,6 +187,7 @@ impl<'a> Inquiry<'a> {
             left: column.at("sm.write", place.cell),
             writer: writer(&column, place.cell, ground.is_some()),
             body: shown_body(&column, place.cell),
+            lights: self.session.explain(frame, pose, [x, y])?,
             ground,
             highest: column.highest().map(|(line, sample)| (line, column.at("sweep.range", sample))),
             late: missed(&sweeps, place.sweep, column.last_in(place.cell)),

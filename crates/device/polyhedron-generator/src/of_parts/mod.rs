@@ -56,6 +56,13 @@ impl PartsSwitch {
 
     /// Lays `runs`, disjoint and from the top, over a row of lines.
     pub fn write(&self, runs: &[Run], work: &mut BodyFade, row: &mut [f32]) {
+        self.write_through(runs, 0.0, work, row);
+    }
+
+    /// Lays runs that let a share of what is behind them through: their input S is that share of C, and their own light.
+    pub fn write_through(&self, runs: &[Run], translucency: f64, work: &mut BodyFade, row: &mut [f32]) {
+        let on = |face: f64| self.part.output(1.0, 0.0, face);
+        let opacity = 1.0 - (on(translucency) - on(0.0));
         let lines = row.len() as f64;
         // Upwards from the foot of the picture.
         let begin = |run: &Run| lines - f64::from(run.bottom);
@@ -71,7 +78,7 @@ impl PartsSwitch {
             if from < to {
                 let ends = [work.fade.at(pair[0])[1], work.fade.at(pair[1])[0]];
                 let g = |time: f64| ends[0] + (ends[1] - ends[0]) * ((time - pair[0]) / (pair[1] - pair[0]));
-                line.lay([from, to], g, self.part.output(1.0, 0.0, face), row);
+                line.lay([from, to], g, [opacity, on(face)], row);
             }
         }
         line.mix(row);
@@ -108,8 +115,14 @@ struct Line {
 }
 
 impl Line {
-    /// Adds a stretch over which `g` is straight and S is `face`.
-    fn lay(&mut self, [from, to]: [f64; 2], g: impl Fn(f64) -> f64, face: f64, row: &mut [f32]) {
+    /// Adds a stretch over which `g` is straight. The open switch hides the share `opacity` of the line and adds `face`.
+    fn lay(
+        &mut self,
+        [from, to]: [f64; 2],
+        g: impl Fn(f64) -> f64,
+        [opacity, face]: [f64; 2],
+        row: &mut [f32],
+    ) {
         for index in from as usize..(to.ceil() as usize).min(row.len()) {
             if index != self.index {
                 self.mix(row);
@@ -117,13 +130,13 @@ impl Line {
             }
             let [begin, end] = [from.max(index as f64), to.min(index as f64 + 1.0)];
             let cover = (end - begin).max(0.0) * g(0.5 * (begin + end));
-            self.cover += cover;
+            self.cover += cover * opacity;
             self.sum += cover * face;
         }
     }
 
     fn mix(&self, row: &mut [f32]) {
-        if self.cover > 0.0 {
+        if self.cover != 0.0 || self.sum != 0.0 {
             let value = &mut row[row.len() - 1 - self.index];
             *value = (f64::from(*value) * (1.0 - self.cover).max(0.0) + self.sum).clamp(0.0, 1.0) as f32;
         }

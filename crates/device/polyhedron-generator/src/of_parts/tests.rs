@@ -26,6 +26,17 @@ fn write(switch: &PartsSwitch, runs: &[Run], ground: f32) -> Vec<f32> {
     row
 }
 
+/// What is translucent lets its share of the ground through, and an ideal switch errs in nothing.
+#[test]
+fn a_translucent_run_adds_its_light_to_what_it_lets_through() {
+    let mut row = vec![0.5; LINES];
+    switch(|_| {}).write_through(&[run(10.25, 12.5, 0.3)], 0.6, &mut BodyFade::default(), &mut row);
+    for (line, cover) in [(9, 0.0), (10, 0.75), (11, 1.0), (12, 0.5), (13, 0.0)] {
+        let expected = 0.5 * (1.0 - cover * 0.4) + cover * 0.3;
+        assert!((row[line] - expected).abs() < 1e-6, "{line}: {} {expected}", row[line]);
+    }
+}
+
 /// How much is there of what covers `ground` with `face`, and where its middle is (lines from the top).
 fn body(row: &[f32], ground: f32, face: f32) -> [f64; 2] {
     let share = |value: &f32| f64::from((value - ground) / (face - ground));

@@ -2,12 +2,13 @@
 
 use display_projection_processor::Driven;
 use hardware_model::{Gate, MixingParts};
-use polyhedron_generator::{BodyFade, Hold, Overlay};
+use polyhedron_generator::{Hold, Overlay};
 use signal::{LANES, Lanes, Real};
 use sweep_memory::{Beam, BeamBreaks, Drive, FarStroke, Steps, write_group};
 
 use super::Group;
-use crate::workspace::Workspace;
+use super::lights::LitSweep;
+use crate::workspace::{ThirdSwitch, Workspace};
 
 impl<S: Real> Group<'_, S> {
     pub(super) fn write(&self, work: &mut Workspace<S>, rows: &mut [f32]) {
@@ -54,21 +55,28 @@ impl<S: Real> Group<'_, S> {
         (!self.stage.landscape.silhouettes().is_empty()).then_some(far)
     }
 
-    /// VS3: polyhedra over what the sweeps have written; `held` are lines of the held elevation.
+    /// VS3: polyhedra and light points over what the sweeps have written; `held` are lines of the held elevation, `far` mountains
+    /// behind the last sample.
     pub fn overlay(
         &self,
         first: u32,
-        held: &[Lanes<S>],
-        (overlay, fade): (&mut Overlay, &mut BodyFade),
+        (held, far): (&[Lanes<S>], &[Vec<FarStroke>; LANES]),
+        third: &mut ThirdSwitch,
         rows: &mut [f32],
     ) {
         for (lane, row) in rows.chunks_exact_mut(self.raster.lines).enumerate() {
             let drawn = self.digital.drawn(first + lane as u32);
-            if self.compose_bodies(drawn, lane, held, overlay) {
+            let ThirdSwitch { overlay, body_fade, .. } = third;
+            let has_bodies = self.compose_bodies(drawn, lane, held, overlay);
+            if has_bodies {
                 match &self.parts.bodies {
                     None => overlay.write(self.stage.settings.laws.pixel_rule, row),
-                    Some(switch) => switch.write(overlay.runs(), fade, row),
+                    Some(switch) => switch.write(overlay.runs(), body_fade, row),
                 }
+            }
+            if let Some(table) = self.lights {
+                let on = LitSweep { sweep: first + lane as u32, drawn, lane, has_bodies };
+                self.lay_lights(table, on, (held, &far[lane]), third, row);
             }
         }
     }

@@ -44,8 +44,8 @@ impl<S: Real> Group<'_, S> {
             }
         }
         self.write_preview(work, rows);
-        let Workspace { sight, overlay, body_fade, .. } = work;
-        self.overlay(first, &sight.line, (overlay, body_fade), rows);
+        let Workspace { sight, third, far, .. } = work;
+        self.overlay(first, (&sight.line, far), third, rows);
     }
 
     fn write_preview(&self, work: &mut Workspace<S>, rows: &mut [f32]) {
