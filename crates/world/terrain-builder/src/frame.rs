@@ -2,7 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use quantities::{degrees, radians};
+use quantities::degrees;
 
 use crate::refused::{Refused, expect};
 
@@ -148,9 +148,4 @@ impl Frame {
 pub(crate) fn told(range: [f64; 2]) -> String {
     let [low, high] = range.map(degrees);
     format!("[{low}, {high}]")
-}
-
-/// Both ends of a range in radians, from degrees.
-pub(crate) fn range_in_radians(range: [f64; 2]) -> [f64; 2] {
-    range.map(radians)
 }

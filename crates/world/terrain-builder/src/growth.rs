@@ -74,6 +74,11 @@ impl Growth {
         Ok((posts, seats, dropped))
     }
 
+    /// Refuses what cannot grow.
+    pub(crate) fn check(&self) -> Result<(), Refused> {
+        self.seated(GrowthReported::default()).map(|_| ())
+    }
+
     fn posts(&self) -> Result<Posts, Refused> {
         let posts = posts_over(self.area, self.spacing)?;
         let iterations = self.iterations.unwrap_or(1);

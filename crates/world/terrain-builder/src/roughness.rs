@@ -25,12 +25,8 @@ pub struct Roughness {
 }
 
 impl Roughness {
-    /// Heights over an area. A pass adds a number of -0.5 to 0.5 times the scale at each post, faded to 0 at the border; as reported
-    /// a number of 0 to 1 without a fade, which lifts the ground by half the scale.
-    ///
-    /// # Errors
-    /// If a number is out of range, or the posts are too many.
-    pub fn heights(&self, area: Area, is_lifted: bool) -> Result<HeightGrid, Refused> {
+    /// Posts over an area, once all numbers are in order.
+    pub(crate) fn check(&self, area: Area) -> Result<Posts, Refused> {
         let scale = self.scale;
         expect((0.0..=1e5).contains(&scale), "scale_m", scale, "a height from 0 m to 1e5 m")?;
         let passes = self.seeds.len();
@@ -39,6 +35,17 @@ impl Roughness {
         let reach = self.smoothing / self.spacing;
         let is_radius = (0.0..=50.0).contains(&reach);
         expect(is_radius, "smoothing_m", self.smoothing, "0 m to 50 times `spacing_m`")?;
+        Ok(posts)
+    }
+
+    /// Heights over an area. A pass adds a number of -0.5 to 0.5 times the scale at each post, faded to 0 at the border; as reported
+    /// a number of 0 to 1 without a fade, which lifts the ground by half the scale.
+    ///
+    /// # Errors
+    /// If a number is out of range, or the posts are too many.
+    pub fn heights(&self, area: Area, is_lifted: bool) -> Result<HeightGrid, Refused> {
+        let posts = self.check(area)?;
+        let (scale, reach) = (self.scale, self.smoothing / self.spacing);
         let mut seeds = self.seeds.clone();
         seeds.sort_unstable();
         let middle = if is_lifted { 0.0 } else { 0.5 };

@@ -154,7 +154,7 @@ proptest! {
 
     #[test]
     fn nothing_lies_beyond_the_reach_and_heights_are_continuous(
-        elevation in 0.0..1.6f64, azimuth in 0.0..6.3f64, q in 0.0..3.0f64, turn in 0.0..6.3f64,
+        elevation in 0.0..1.6f64, azimuth in 0.0..6.28f64, q in 0.0..3.0f64, turn in 0.0..6.3f64,
     ) {
         let form = CraterForm { impact_elevation: elevation.min(FRAC_PI_2), impact_direction: azimuth, ..form() };
         let crater = Crater::new(form).unwrap();
