@@ -103,7 +103,12 @@ fn boulders_lie_on_the_ground_with_all_features() {
 
 #[test]
 fn a_feature_is_told_in_numbers() {
-    let crater = FEATURES[0].split("[feature.roughness]").next().unwrap().replace("= 8.0", "= 90.0").replace("500.0", "400.0");
+    let crater = FEATURES[0]
+        .split("[feature.roughness]")
+        .next()
+        .unwrap()
+        .replace("= 8.0", "= 90.0")
+        .replace("500.0", "400.0");
     let ground = built(&format!("{HEAD}{crater}"));
     let told = &ground.told()[0];
     // Bowl: pi R^2 (W - D) / 2. Wall outside: the sum over rings of 1e-4 radii.
@@ -124,10 +129,12 @@ fn a_feature_is_told_in_numbers() {
     assert!((told.volume / volume - 1.0).abs() < 0.02, "{} of {volume}", told.volume);
     near(told.range[0], -80.0, 1.0);
     near(told.range[1], 16.0, 2.0);
-    let area = std::f64::consts::PI * 1000.0 * 1000.0;
-    let size = ground.description().grid.extent();
-    let all = (size[1][0] - size[0][0]) * (size[1][1] - size[0][1]);
-    assert!((told.share * all / area - 1.0).abs() < 0.05);
+    let grid = &ground.description().grid;
+    let [rows, columns] = grid.size();
+    let (_, crater) = ground.craters().next().unwrap();
+    let is_near = |row: usize, column: usize| crater.profile_distance(grid.place(row, column)) < 1000.0;
+    let near_posts = (0..rows * columns).filter(|post| is_near(post / columns, post % columns)).count();
+    near(told.share, near_posts as f64 / (rows * columns) as f64, 1e-3);
     assert_eq!((told.craters, told.boulders, told.kind), (1, 0, "crater"));
 }
 
