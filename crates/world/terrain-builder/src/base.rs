@@ -1,12 +1,14 @@
 //! What the features lie on: a level, or an elevation file.
 
-use std::f64::consts::TAU;
+use std::path::PathBuf;
 
-use survey::{Elevation, Frame as FileFrame};
+use survey::{Elevation, ReadOptions, SurveyError};
 
+use crate::description::{BaseWish, Description};
 use crate::frame::Frame;
 use crate::grid::Grid;
-use crate::refused::{Refused, expect};
+use crate::lay::Lay;
+use crate::refused::Refused;
 
 /// Posts a sample above which a grid finer than its file is warned of, along one direction (chosen).
 const MUCH_FINER: f64 = 8.0;
@@ -26,12 +28,45 @@ pub struct ElevationBase {
     elevation: Elevation,
     /// The same without voids.
     filled: Elevation,
-    frame: Frame,
+    lay: Lay,
     /// Samples in a cell of the landscape along lines and along columns: above 1 a mean of samples is taken.
     cell: [f64; 2],
 }
 
+/// Why a landscape has no base.
+#[derive(Debug, thiserror::Error)]
+pub enum BaseError {
+    /// The elevation file cannot be read.
+    #[error(transparent)]
+    Survey(#[from] SurveyError),
+    /// The file does not reach over the landscape.
+    #[error("{path}: {refused}", path = .path.display())]
+    Refused {
+        /// Path of the elevation file.
+        path: PathBuf,
+        /// What was found and expected.
+        refused: Refused,
+    },
+}
+
 impl Base {
+    /// The base that a description wishes. Of a file only the part under the grid is read.
+    ///
+    /// # Errors
+    /// If the file cannot be read, or does not reach over all posts.
+    pub fn open(of: &Description) -> Result<Self, BaseError> {
+        let (path, band) = match &of.base {
+            BaseWish::Level(height) => return Ok(Self::Level(*height)),
+            BaseWish::File { path, band } => (path, band),
+        };
+        let refused = |refused| BaseError::Refused { path: path.clone(), refused };
+        let file = survey::open(path, &ReadOptions { band: *band, ..ReadOptions::default() })?;
+        let window =
+            Lay::window(&file, of.frame, &of.grid).ok_or_else(|| refused(not_covered(file.size())))?;
+        let base = ElevationBase::new(file.window(&window)?, of.frame, &of.grid).map_err(refused)?;
+        Ok(Self::Elevation(Box::new(base)))
+    }
+
     /// Height (m) at a place: north, east (m).
     pub fn height(&self, place: [f64; 2]) -> f64 {
         match self {
@@ -41,6 +76,10 @@ impl Base {
     }
 }
 
+fn not_covered([lines, columns]: [usize; 2]) -> Refused {
+    Refused::new("file", format!("{lines} x {columns} samples"), "a file that reaches over the whole range")
+}
+
 impl ElevationBase {
     /// Lays a file under the grid of a frame. Samples of a file without a known projection are metres; the middle of the file then
     /// lies in the middle of the frame.
@@ -48,36 +87,21 @@ impl ElevationBase {
     /// # Errors
     /// If the file does not reach over all posts.
     pub fn new(elevation: Elevation, frame: Frame, grid: &Grid) -> Result<Self, Refused> {
-        let filled = elevation.filled();
-        let mut base = Self { elevation, filled, frame, cell: [0.0; 2] };
-        let [low, high] = grid.extent();
-        let corners = [low, [low[0], high[1]], high, [high[0], low[1]]];
-        let samples = corners.map(|corner| base.sample(corner));
-        let last = [base.elevation.lines - 1, base.elevation.columns - 1].map(|last| last as f64);
-        let is_in = |sample: [f64; 2]| {
-            (0..2).all(|axis| sample[axis] >= -0.5 - 1e-6 && sample[axis] <= last[axis] + 0.5 + 1e-6)
+        let lay = Lay::of(&elevation, frame);
+        let last = lay.size.map(|count| count as f64 - 1.0);
+        let is_in = |[low, high]: [[f64; 2]; 2]| {
+            (0..2).all(|axis| low[axis] >= -0.5 - 1e-6 && high[axis] <= last[axis] + 0.5 + 1e-6)
         };
-        let found = format!("{} x {} samples", base.elevation.lines, base.elevation.columns);
-        let is_covered = samples.into_iter().all(|sample| sample.is_some_and(is_in));
-        expect(is_covered, "file", found, "a file that reaches over the whole range")?;
-        let middle = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])];
-        let step = [grid.north.resolution, grid.east.resolution];
-        base.cell = base.samples_a_step(middle, step).unwrap_or([1.0; 2]);
-        Ok(base)
+        if !lay.range(grid).is_some_and(is_in) {
+            return Err(not_covered(lay.size));
+        }
+        let cell = lay.samples_a_step([grid.north.resolution, grid.east.resolution]).unwrap_or([1.0; 2]);
+        Ok(Self { filled: elevation.filled(), elevation, lay, cell })
     }
 
-    /// The file as it was read.
+    /// The part of the file that was read.
     pub fn elevation(&self) -> &Elevation {
         &self.elevation
-    }
-
-    /// Samples that a step of the grid (m) passes along lines and columns.
-    fn samples_a_step(&self, place: [f64; 2], step: [f64; 2]) -> Option<[f64; 2]> {
-        let from = self.sample(place)?;
-        let moved = [[place[0] + step[0], place[1]], [place[0], place[1] + step[1]]];
-        let ways = moved.map(|place| self.sample(place));
-        let [north, east] = [ways[0]?, ways[1]?];
-        Some([0, 1].map(|axis| (north[axis] - from[axis]).abs().max((east[axis] - from[axis]).abs())))
     }
 
     /// How many times finer the grid is than the file, where that is more than eight times.
@@ -88,39 +112,14 @@ impl ElevationBase {
 
     /// Line and column (from 0, with a fraction) of a place: north, east (m). None where the file's projection has no picture.
     pub fn sample(&self, place: [f64; 2]) -> Option<[f64; 2]> {
-        let coordinates = match self.elevation.frame {
-            FileFrame::Geographic { .. } => self.frame.inverse(place),
-            FileFrame::Plane(Some(projection)) => {
-                let [latitude, longitude] = self.frame.inverse(place);
-                let [south, west, north, east] = self.elevation.extent();
-                let middle = [0.5 * (south + north), 0.5 * (west + east)];
-                projection.forward_near(latitude, longitude, middle)?
-            }
-            FileFrame::Plane(None) => {
-                let [south, west, north, east] = self.elevation.extent();
-                [place[0] + 0.5 * (south + north), place[1] + 0.5 * (west + east)]
-            }
-        };
-        let affine = &self.elevation.affine;
-        let sample = [0, 1].map(|axis| (coordinates[axis] - affine.first[axis]) / affine.step[axis]);
-        Some([sample[0], self.on_its_turn(sample[1])])
-    }
-
-    /// A column of a geographic file on the turn around the sphere that is nearest to the middle of the file.
-    fn on_its_turn(&self, column: f64) -> f64 {
-        if !matches!(self.elevation.frame, FileFrame::Geographic { .. }) {
-            return column;
-        }
-        let turn = (TAU / self.elevation.affine.step[1]).abs();
-        let middle = 0.5 * (self.elevation.columns - 1) as f64;
-        column + turn * ((middle - column) / turn).round()
+        self.lay.sample(place)
     }
 
     /// Height (m) at a place: bilinear between samples, voids left out. Where the grid is coarser than the file along an axis, the mean
     /// of these heights over the cell around the place.
     fn height(&self, place: [f64; 2]) -> f64 {
         let sample = self.sample(place).unwrap_or([0.0; 2]);
-        let last = [self.elevation.lines, self.elevation.columns].map(|count| count - 1);
+        let last = self.lay.size.map(|count| count - 1);
         let [lines, columns] = [0, 1].map(|axis| Span::new(sample[axis], self.cell[axis], last[axis]));
         let lines = (lines.first..=lines.last).map(|line| (line, lines.weight(line)));
         let columns = (columns.first..=columns.last).map(move |column| (column, columns.weight(column)));

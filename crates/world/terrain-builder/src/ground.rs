@@ -105,7 +105,12 @@ impl Ground {
 
     /// Height (m) at a place: north, east (m), boulders apart.
     pub fn height(&self, place: [f64; 2]) -> f64 {
-        let near = self.places.near(place).iter();
+        self.height_of(place, |_| true)
+    }
+
+    /// Height (m) of the base and of the reliefs whose numbers are asked for.
+    pub(crate) fn height_of(&self, place: [f64; 2], is_asked: impl Fn(u32) -> bool) -> f64 {
+        let near = self.places.near(place).iter().filter(|number| is_asked(**number));
         near.fold(self.base.height(place), |sum, &number| sum + self.reliefs[number as usize].height(place))
     }
 

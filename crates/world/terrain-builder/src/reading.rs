@@ -73,7 +73,7 @@ fn described(root: &Reader, folder: &Path) -> Option<Description> {
         }
     };
     root.finish();
-    let ((frame, grid), light) = (place?, light.map_or(Some(None), |light| light.map(Some))?);
+    let ((frame, grid), light) = (place?, written(light)?);
     Some(Description {
         title: title?,
         frame,
@@ -83,6 +83,11 @@ fn described(root: &Reader, folder: &Path) -> Option<Description> {
         reported: reported?,
         light,
     })
+}
+
+/// A table that is not there, or its value; nothing where it has a fault.
+fn written<T>(table: Option<Option<T>>) -> Option<Option<T>> {
+    table.map_or(Some(None), |value| value.map(Some))
 }
 
 /// What a check says, or a problem at the key that it names.

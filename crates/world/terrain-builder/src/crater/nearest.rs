@@ -24,7 +24,7 @@ pub struct Nearest {
 }
 
 /// Why a crater has no counterpart among the hybrid machine's craters.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, thiserror::Error)]
 pub enum NoNearest {
     /// An oblique impact: the hybrid machine knows symmetric craters only.
     #[error(

@@ -96,7 +96,7 @@ fn the_sample_and_line_of_the_check_table_come_out() {
     let place = [26.132_22, 3.633_86].map(radians);
     let found = base(globe, 3000.0).sample(frame().forward(place[0], place[1])).unwrap();
     near(found[1] + 1.0, 58.641_76, 1e-8);
-    near(found[0] + 1.0, 1022.384_48, 1e-8);
+    near(found[0] + 1.0, 1_022.384_48, 1e-8);
 }
 
 #[test]
@@ -129,6 +129,42 @@ fn a_file_without_a_place_lies_in_the_middle() {
     )));
     near(base.height([0.0, 0.0]), 50.0, 1e-9);
     near(base.height([500.0, 200.0]), 51.0, 1e-9);
+}
+
+/// An Arc ASCII grid in metres or degrees on the disk, with a description whose base it is.
+fn on_disk(text: &str, area: &str) -> (tempfile::TempDir, terrain_builder::Description) {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("base.asc"), text).unwrap();
+    let head = format!("format = 1\n[area]\n{area}\nresolution_m = 100.0\n[base]\nfile = \"base.asc\"\n");
+    let description = terrain_builder::Description::parse("ground.toml", &head, folder.path()).unwrap();
+    (folder, description)
+}
+
+#[test]
+fn a_file_of_the_disk_is_read_only_under_the_range() {
+    let rows = (0..300)
+        .map(|row| (0..400).map(|column| format!("{} ", 10 * row + column)).collect::<String>() + "\n");
+    let head = "ncols 400\nnrows 300\nxllcorner 0\nyllcorner 0\ncellsize 100\nNODATA_value -9999\n";
+    let area = "longitude_deg = [3.0, 3.1]\nlatitude_deg = [26.0, 26.1]";
+    let (_folder, description) = on_disk(&(head.to_owned() + &rows.collect::<String>()), area);
+    let base = Base::open(&description).unwrap();
+    let Base::Elevation(elevation) = &base else { panic!("a file") };
+    let read = elevation.elevation();
+    assert!(read.lines < 60 && read.columns < 60, "{} x {}", read.lines, read.columns);
+    // Middle of the file: line 149.5 from the north, column 199.5, although a window is read that lies elsewhere.
+    near(base.height([0.0, 0.0]), 10.0 * 149.5 + 199.5, 1e-6);
+    near(base.height([100.0, 300.0]), 10.0 * 148.5 + 202.5, 1e-6);
+}
+
+#[test]
+fn a_missing_file_and_one_elsewhere_are_told_by_name() {
+    let area = "longitude_deg = [3.0, 3.1]\nlatitude_deg = [26.0, 26.1]";
+    let small = "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 10\n1 2\n3 4\n";
+    let (folder, description) = on_disk(small, area);
+    let told = Base::open(&description).expect_err("too small").to_string();
+    assert!(told.contains("base.asc") && told.contains("reaches over the whole range"), "{told}");
+    drop(folder);
+    assert!(Base::open(&description).expect_err("missing").to_string().contains("base.asc"));
 }
 
 #[test]

@@ -58,7 +58,7 @@ fn both_decays_of_the_check_table_come_out() {
 fn the_wall_is_as_steep_as_the_check_table_says() {
     let slope = |from: f64, to: f64| (height(form(), to) - height(form(), from)) / (to - from);
     near(slope(999.999, 1000.0), 0.48, 1e-6);
-    near(slope(1000.000_001, 1000.001), -0.160_397_585_865, 1e-6);
+    near(slope(1_000.000_001, 1_000.001), -0.160_397_585_865, 1e-6);
 }
 
 #[test]
@@ -154,7 +154,7 @@ proptest! {
 
     #[test]
     fn nothing_lies_beyond_the_reach_and_heights_are_continuous(
-        elevation in 0.0..1.6f64, azimuth in 0.0..6.28f64, q in 0.0..3.0f64, turn in 0.0..6.3f64,
+        elevation in 0.0..1.6f64, azimuth in 0.0..6.2f64, q in 0.0..3.0f64, turn in 0.0..6.3f64,
     ) {
         let form = CraterForm { impact_elevation: elevation.min(FRAC_PI_2), impact_direction: azimuth, ..form() };
         let crater = Crater::new(form).unwrap();

@@ -54,8 +54,12 @@ fn a_text_changed_by_hand_is_not_undone() {
     let mut journal = Journal::default();
     let second = add(HEAD, FEATURES[2]).unwrap();
     journal.push("add small-craters", HEAD, &second);
-    let changed = second.replace("seed = 5", "seed = 6");
-    assert_eq!(journal.undo(&changed), Err(JournalError::Changed("add small-craters".into())));
+    for (from, to) in
+        [("seed = 5", "seed = 6"), ("Test ground", "Best ground"), ("Test ground", "A longer title")]
+    {
+        let changed = second.replace(from, to);
+        assert_eq!(journal.undo(&changed), Err(JournalError::Changed("add small-craters".into())));
+    }
     assert_eq!(journal.edits().len(), 1);
 }
 

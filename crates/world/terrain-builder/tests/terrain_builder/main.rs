@@ -6,6 +6,7 @@ mod craters;
 mod distributions;
 mod editing;
 mod effects;
+mod exports;
 mod files;
 mod frames;
 mod grounds;

@@ -44,6 +44,8 @@ fn passes_add_up_in_any_order_and_the_last_is_undone_by_its_seed() {
     let place = [703.0, 1201.0];
     near(both.height(place), one.height(place) + other.height(place), 1e-12);
     assert_ne!(one, other);
+    let many = |seeds: [u64; 4]| rough(&seeds).heights(AREA, false).unwrap();
+    assert_eq!(many([1, 2, 3, 4]), many([4, 2, 1, 3]));
     let none = rough(&[]).heights(AREA, false).unwrap();
     assert_eq!(none.height(place), 0.0);
 }
