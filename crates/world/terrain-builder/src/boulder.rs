@@ -101,7 +101,7 @@ impl Boulder {
     /// Height of its middle above the ground (m) that buries its share of the height.
     ///
     /// # Errors
-    /// As [`span`](Self::span).
+    /// As those of [`span`](Self::span).
     pub fn lift(&self) -> Result<f64, SolidError> {
         let [low, high] = self.span()?;
         Ok(-low - self.burial * (high - low))
@@ -110,7 +110,7 @@ impl Boulder {
     /// The polyhedron, its origin in the middle (m).
     ///
     /// # Errors
-    /// As [`span`](Self::span).
+    /// As those of [`span`](Self::span).
     fn corners(&self) -> Result<Vec<DVec3>, SolidError> {
         let corners = match self.shape {
             Shape::Sphere => directions(0, SPHERE_CORNERS, 0.0).collect(),
@@ -124,7 +124,7 @@ impl Boulder {
     /// on the sphere.
     ///
     /// # Errors
-    /// As [`span`](Self::span).
+    /// As those of [`span`](Self::span).
     pub fn body(&self, object: u32, ground: f64) -> Result<Body, SolidError> {
         let lift = DVec3::Z * self.lift()?;
         let corners: Vec<_> = self.corners()?.into_iter().map(|corner| corner + lift).collect();

@@ -16,7 +16,7 @@ use crate::switches::Reported;
 /// A landscape in order. Features stand in the order of their names, whatever the order of the file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Description {
-    /// Name for people.
+    /// Name of the landscape, for people.
     pub title: String,
     /// Piece of the sphere that it covers.
     pub frame: Frame,
@@ -53,22 +53,22 @@ pub struct Feature {
     pub id: String,
     /// Whether it is built.
     pub is_enabled: bool,
-    /// What it is.
+    /// Its kind, with its attributes.
     pub kind: Kind,
     /// Roughness over its extent.
     pub roughness: Option<Roughness>,
 }
 
-/// Kinds of features.
+/// Kinds of features that a landscape can have.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Kind {
-    /// One crater.
+    /// One crater by its attributes.
     Crater(CraterForm),
     /// Ground that grows from control points.
     Growth(Growth),
     /// An area without heights of its own, for roughness.
     Area(Area),
-    /// One boulder.
+    /// One boulder at a place.
     Boulder {
         /// Place of its middle: north, east (m).
         at: [f64; 2],
@@ -100,7 +100,7 @@ pub enum Kind {
 /// What boulders of a feature are like.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BoulderLook {
-    /// Form of each.
+    /// Form of each boulder.
     pub shape: Shape,
     /// Share of the height below the ground.
     pub burial: f64,

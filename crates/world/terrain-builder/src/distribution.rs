@@ -76,7 +76,7 @@ impl Distribution {
     /// given to another.
     ///
     /// # Errors
-    /// As [`count`](Self::count).
+    /// As those of [`count`](Self::count).
     pub fn items(&self, frame: &Frame) -> Result<Vec<Item>, Refused> {
         let count = self.count(frame)?;
         if self.separation > 0.0 {

@@ -5,7 +5,7 @@ use limits::Limit;
 use crate::frame::Frame;
 use crate::refused::{Refused, expect};
 
-/// Largest tile exponent.
+/// Largest tile exponent: 4096 cells a side.
 pub const MOST_EXPONENT: u32 = 12;
 
 /// Posts along one direction.
@@ -33,7 +33,7 @@ impl Axis {
         1 << self.exponent
     }
 
-    /// Number of tiles.
+    /// Number of tiles along the axis.
     pub fn tiles(&self) -> usize {
         self.cells.div_ceil(self.tile_cells())
     }

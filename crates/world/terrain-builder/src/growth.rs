@@ -110,7 +110,7 @@ impl Growth {
     /// least 1. Nothing in the document reads the second.
     ///
     /// # Errors
-    /// As [`grown`](Self::grown).
+    /// As those of [`grown`](Self::grown).
     pub fn reported_sums(&self, post: [usize; 2]) -> Result<[f64; 2], Refused> {
         let (_, seats, _) = self.seated(GrowthReported::default())?;
         Ok(sums(&seats, post))

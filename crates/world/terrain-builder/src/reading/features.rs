@@ -34,7 +34,7 @@ const WORDS: [(&str, Word); 6] = [
     ("boulders", Word::Boulders),
 ];
 
-/// Reads one feature.
+/// Reads the table of one feature.
 pub fn feature(table: &Reader, frame: &Frame, grid: &Grid) -> Option<Feature> {
     let is_name =
         |name: &String| name.len() <= 64 && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '-');
