@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use landscape::projection::Projection;
 
+use crate::fill::fill_grid;
 use crate::read::stretch::Window;
 
 /// How grid coordinates are meant.
@@ -138,6 +139,13 @@ impl Elevation {
     /// Number of samples that are void.
     pub fn voids(&self) -> usize {
         self.heights.iter().filter(|height| height.is_nan()).count()
+    }
+
+    /// The same heights with every void filled nearly harmonically from the samples around it. The columns of a globe are not joined.
+    pub fn filled(&self) -> Self {
+        let mut filled = self.clone();
+        fill_grid(&mut filled.heights, [self.lines, self.columns]);
+        filled
     }
 
     /// Lowest and highest sample (m); `None` if all are void.

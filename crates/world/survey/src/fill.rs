@@ -78,7 +78,7 @@ fn mean_plane(patch: &Patch, places: &[Place]) -> MeanPlane {
 }
 
 /// Fills the NaN of a grid; without any height it becomes 0.
-fn fill_grid(heights: &mut [f64], count: [usize; 2]) {
+pub(crate) fn fill_grid(heights: &mut [f64], count: [usize; 2]) {
     let voids: Vec<usize> = (0..heights.len()).filter(|&index| heights[index].is_nan()).collect();
     if voids.is_empty() {
         return;

@@ -1,0 +1,139 @@
+//! Edits of a landscape file on the disk, with its journal beside it.
+
+use std::path::{Path, PathBuf};
+
+use diagnostics::ProblemList;
+use files::{FileError, read_all, write_atomic};
+use limits::Limit;
+
+use crate::description::Description;
+use crate::edit::{EditError, add, remove};
+use crate::journal::{Journal, JournalError};
+
+/// A landscape file and its journal, `NAME.toml.journal`.
+#[derive(Debug, Clone)]
+pub struct LandscapeFile {
+    path: PathBuf,
+}
+
+/// Why an edit of a file fails; the file then stays as it was.
+#[derive(Debug, thiserror::Error)]
+pub enum LandscapeFileError {
+    /// A file that cannot be read or written.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// A file that is no text.
+    #[error("{path}: byte {byte} is not UTF-8; save the file as UTF-8", path = .path.display())]
+    Text {
+        /// Path of the file.
+        path: PathBuf,
+        /// First byte that is no part of a character.
+        byte: usize,
+    },
+    /// An edit that cannot be.
+    #[error("{path}: {error}", path = .path.display())]
+    Edit {
+        /// Path of the landscape file.
+        path: PathBuf,
+        /// What is wrong with the edit.
+        error: EditError,
+    },
+    /// A journal that cannot be read, or does not fit the landscape.
+    #[error("{path}: {error}", path = .path.display())]
+    Journal {
+        /// Path of the journal.
+        path: PathBuf,
+        /// What is wrong with the journal.
+        error: JournalError,
+    },
+    /// An edit after which the file would be no landscape.
+    #[error("{0}")]
+    Problems(ProblemList),
+}
+
+impl LandscapeFile {
+    /// The landscape at a path; nothing is read yet.
+    pub fn new(path: impl Into<PathBuf>) -> Self {
+        Self { path: path.into() }
+    }
+
+    /// Path of the journal: that of the landscape with `.journal` behind it.
+    pub fn journal_path(&self) -> PathBuf {
+        let mut name = self.path.clone().into_os_string();
+        name.push(".journal");
+        name.into()
+    }
+
+    /// Adds a block of `[[feature]]` tables. What comes out must be a landscape, or nothing is written.
+    ///
+    /// # Errors
+    /// If a file cannot be read or written, the block is not made of features, a name is taken, or a feature has a fault.
+    pub fn add(&self, block: &str) -> Result<(), LandscapeFileError> {
+        self.edit("add", |text| add(text, block))
+    }
+
+    /// Removes a feature by its name.
+    ///
+    /// # Errors
+    /// If a file cannot be read or written, or no feature has the name.
+    pub fn remove(&self, id: &str) -> Result<(), LandscapeFileError> {
+        self.edit(&format!("remove {id}"), |text| remove(text, id))
+    }
+
+    /// Undoes the last edit, and says what it was.
+    ///
+    /// # Errors
+    /// If a file cannot be read or written, there is nothing to undo, or the file was changed by hand since.
+    pub fn undo(&self) -> Result<String, LandscapeFileError> {
+        let (text, mut journal) = (text_of(&self.path)?, self.journal()?);
+        let (text, what) = journal.undo(&text).map_err(|error| self.of_journal(error))?;
+        self.write(&text, &journal)?;
+        Ok(what)
+    }
+
+    /// Edits so far, the first one first.
+    ///
+    /// # Errors
+    /// If the journal cannot be read, or a line of it is no edit.
+    pub fn journal(&self) -> Result<Journal, LandscapeFileError> {
+        let path = self.journal_path();
+        if !path.exists() {
+            return Ok(Journal::default());
+        }
+        Journal::parse(&text_of(&path)?).map_err(|error| self.of_journal(error))
+    }
+
+    fn of_journal(&self, error: JournalError) -> LandscapeFileError {
+        LandscapeFileError::Journal { path: self.journal_path(), error }
+    }
+
+    fn edit(
+        &self,
+        what: &str,
+        edited: impl FnOnce(&str) -> Result<String, EditError>,
+    ) -> Result<(), LandscapeFileError> {
+        let (text, mut journal) = (text_of(&self.path)?, self.journal()?);
+        let to =
+            edited(&text).map_err(|error| LandscapeFileError::Edit { path: self.path.clone(), error })?;
+        let folder = self.path.parent().unwrap_or(Path::new(""));
+        let name = self.path.display().to_string();
+        Description::parse(&name, &to, folder).map_err(LandscapeFileError::Problems)?;
+        journal.push(what, &text, &to);
+        self.write(&to, &journal)
+    }
+
+    /// The journal comes second: cut off in between, undo says that the text is not as the last edit left it.
+    fn write(&self, text: &str, journal: &Journal) -> Result<(), LandscapeFileError> {
+        write_atomic(&self.path, |file| file.write_all(text.as_bytes()))?;
+        write_atomic(self.journal_path(), |file| file.write_all(journal.text().as_bytes()))?;
+        Ok(())
+    }
+}
+
+fn text_of(path: &Path) -> Result<String, LandscapeFileError> {
+    let bytes = read_all(path, Limit::TextBytes)?;
+    String::from_utf8(bytes).map_err(|error| {
+        let byte = error.utf8_error().valid_up_to();
+        LandscapeFileError::Text { path: path.to_owned(), byte }
+    })
+}
