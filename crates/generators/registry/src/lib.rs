@@ -99,8 +99,7 @@ const OVERLAY_FORMAT: u64 = 1;
 /// Every fault of the overlay.
 pub fn overlay(row: &Row, name: &str, text: &str) -> Result<TomlFile, ProblemList> {
     let problems = Problems::new();
-    let parse = || TomlFile::parse(name, text, &problems);
-    if let Some(file) = parse() {
+    if let Some(file) = TomlFile::parse(name, text, &problems) {
         let gear = row.gear.and_then(|gear| TomlFile::parse(gear.file, gear.text, &problems));
         let layers = Layers::new(gear.into_iter().chain([file]));
         let root = layers.root(&problems);
@@ -110,7 +109,9 @@ pub fn overlay(row: &Row, name: &str, text: &str) -> Result<TomlFile, ProblemLis
         root.finish();
     }
     problems.into_result()?;
-    let again = parse();
+    // Layers took the file; it has no fault.
+    let problems = Problems::new();
+    let again = TomlFile::parse(name, text, &problems);
     problems.resolve(again)
 }
 
