@@ -174,7 +174,7 @@ fn pictures_of_a_slow_sampler_do_not_depend_on_what_was_drawn_before() {
             let slow = ["--machine", "sampled", "--set", "sampler.sampler_hz=2000", "--set", &set, "-q"];
             let what = ["replay", "tiny.toml", "--no-page", "--frames", frames, "--out", out];
             scene.expect(0, &[&what[..], &slow].concat());
-            std::fs::read(scene.join(out).join("frames/frame-000002.png")).unwrap()
+            fs::read(scene.join(out).join("frames/frame-000002.png")).unwrap()
         };
         assert_eq!(
             replay("0..3", &format!("{policy}-all")),
