@@ -5,6 +5,7 @@
 use std::path::{Path, PathBuf};
 
 use control_plane::ControlPlane;
+use front_door::Wishes;
 use hardware_model::{HardwareModel, ModelSource};
 use lunoid_tests::shipped::{FULL_LANDSCAPE, TERRAIN, folder};
 use scenario::{PoseTable, Scenario};
@@ -79,6 +80,55 @@ fn shipped_scenarios_hold_their_baselines() {
         }
     }
     assert!(failed.is_empty(), "{}", failed.concat());
+}
+
+/// Scenarios of the sampled generator.
+const SAMPLED: [&str; 5] = ["night-landing", "stars", "dust-curtain", "lamp-row", "overloaded-night"];
+
+/// The frames of `baseline` on the generator that the scenario names, timed anew with keys set or none.
+fn of_generator(name: &str, baseline: &TimingRecord, sets: &[(&str, &str)]) -> TimingRecord {
+    let set = sets.iter().map(|(key, value)| ((*key).into(), (*value).into())).collect();
+    let wishes = Wishes { set, ..Wishes::default() };
+    let path = folder().join(format!("{name}.toml"));
+    let opened = front_door::open(&path, &wishes).unwrap_or_else(|e| panic!("{name}: {e}"));
+    let stage = opened.stage().unwrap_or_else(|e| panic!("{name}: {e}"));
+    let timed = opened.generator.timed(stage.clone()).unwrap_or_else(|e| panic!("{e}")).expect("deadlines");
+    let end = baseline.frames.last().map_or(0, |last| last.frame + 1);
+    let poses = opened.poses(&stage, 0..end).unwrap_or_else(|e| panic!("{e}"));
+    let pose = |frame: u64| &poses.rows()[frame as usize].pose;
+    let frames = baseline.frames.iter().map(|frame| frame.frame);
+    TimingRecord {
+        scenario: opened.scenario.title.clone(),
+        machine: opened.drawn_by().to_owned(),
+        master: timed.master().to_string(),
+        inputs: timed.inputs(&opened.scenario),
+        keys: baseline.keys.clone(),
+        before_mission: timed.before_mission(pose(0)).expect("a shipped frame"),
+        frames: frames.map(|frame| timed.frame(frame, pose(frame)).expect("a shipped frame")).collect(),
+        ..*baseline
+    }
+}
+
+#[test]
+fn scenarios_of_the_sampled_generator_hold_their_baselines() {
+    let mut failed = Vec::new();
+    for name in SAMPLED {
+        let baseline = timing::read(&path(name, "sampled")).unwrap_or_else(|e| panic!("{e}"));
+        let comparison = compare(&baseline, &of_generator(name, &baseline, &[]), &Tolerance::default());
+        if !comparison.is_met() {
+            failed.push(comparison.text(12));
+        }
+    }
+    assert!(failed.is_empty(), "{}", failed.concat());
+}
+
+/// One tick more for a corner is told as such, and as other inputs.
+#[test]
+fn a_slower_corner_of_the_sampled_generator_is_named() {
+    let baseline = timing::read(&path("night-landing", "sampled")).unwrap_or_else(|e| panic!("{e}"));
+    let slower = of_generator("night-landing", &baseline, &[("sampler.corner_ticks", "2")]);
+    let text = compare(&baseline, &slower, &Tolerance::default()).text(1000);
+    assert!(text.contains("geometry") && text.contains("inputs"), "{text}");
 }
 
 /// One tick of a slower buffer, or of a slower processor, is not let pass, and the diff says what it changed.
