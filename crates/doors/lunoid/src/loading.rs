@@ -59,6 +59,16 @@ pub fn of_timed(argument: Arg) -> Arg {
     }
 }
 
+/// The help of commands that take a hardware model, or a generator whose frames have deadlines.
+pub fn of_deadlines(argument: Arg) -> Arg {
+    match argument.get_id().as_str() {
+        "machine" => argument.help(
+            "Hardware model by name or path, or a generator whose frames have deadlines. The scenario's own if left out",
+        ),
+        _ => argument,
+    }
+}
+
 /// Which scenario, drawn by what.
 #[derive(Debug, Default, Clone, Args)]
 pub struct StageArgs {

@@ -7,9 +7,10 @@ use timing::{Cause, Deadline, Missed, Slack};
 
 use crate::hardware::Memory;
 use crate::lights::Point;
-use crate::overload::Overload;
 use crate::picture::Picture;
-use crate::session::{Gathered, Session};
+use crate::policy::Overload;
+use crate::session::Session;
+use crate::store::Gathered;
 use crate::tile::SIDE;
 use crate::work::{self, Course, Work};
 

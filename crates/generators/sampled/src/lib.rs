@@ -133,9 +133,11 @@ mod overload;
 mod parameters;
 mod picture;
 mod point;
+mod policy;
 mod reading;
 mod row;
 mod rows;
+mod sampled;
 mod scene;
 #[cfg(test)]
 mod scenes;
@@ -149,8 +151,8 @@ mod wedge;
 mod work;
 
 pub use hardware::{Hardware, Memory};
-pub use overload::Overload;
 pub use parameters::{BeamLayer, BeamOrder, Parameters};
+pub use policy::Overload;
 pub use row::ROW;
-pub use session::Sampled;
+pub use sampled::Sampled;
 pub use timed::Clocked;

@@ -4,7 +4,7 @@ use generator::Loss;
 use raster::Screen;
 
 use crate::picture::{Picture, area_of};
-use crate::session::Gathered;
+use crate::store::Gathered;
 use crate::tile::SIDE;
 
 /// Fills the plane with the losses of each pixel. Lists and lateness are of whole sub-areas, whose readings `picture` must have; stacks

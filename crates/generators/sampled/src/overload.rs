@@ -5,40 +5,8 @@ use std::cmp::Ordering;
 use raster::{Lists, Screen};
 
 use crate::hardware::Memory;
+use crate::policy::Overload;
 use crate::scene::Scene;
-
-/// Which features lose their places where there are not enough, and what is shown where there is not enough time.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Overload {
-    /// Those that are smallest on the screen.
-    DropSmallest,
-    /// Those that are farthest in the middle of the sub-area.
-    DropFarthest,
-    /// Those that are smallest; a sub-area that is not read out in time is shown as it was in the frame before.
-    Late,
-    /// Those that are smallest; a frame that is not read out in its field takes whole fields more.
-    Extend,
-}
-
-impl Overload {
-    /// Words of the run parameter, with what they mean.
-    pub const WORDS: [(&str, Self); 4] = [
-        ("drop-smallest", Self::DropSmallest),
-        ("drop-farthest", Self::DropFarthest),
-        ("late", Self::Late),
-        ("extend", Self::Extend),
-    ];
-
-    /// Its word in scenarios and records.
-    pub fn word(self) -> &'static str {
-        Self::WORDS[self as usize].0
-    }
-
-    /// Whether a picture may show a frame before its own: it is then a function of the sampler too.
-    pub fn shows_earlier_frames(self) -> bool {
-        matches!(self, Self::Late | Self::Extend)
-    }
-}
 
 /// A triangle that found no place in the list of a sub-area.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -134,13 +102,15 @@ mod tests {
     use scenario::Effects;
 
     use super::*;
+    use crate::sampled::Sampled;
     use crate::scenes;
-    use crate::session::{Sampled, Session};
+    use crate::session::Session;
 
     /// Places (sub-area, triangle, short) that are lost under `memory`.
     fn lost(effects: Effects, overload: Overload, memory: Memory) -> Vec<(u32, u32, u32)> {
         let (generator, update) = scenes::slow(10);
-        let session = Session::new(scenes::stage(effects, update), &generator).unwrap();
+        let session =
+            Session::new(scenes::stage(effects, update), generator.parameters, generator.hardware).unwrap();
         let scene = session.gather(0, &scenes::pose()).unwrap().scene;
         let (lists, lost) = lists(&scene, &session.screen, overload, &memory);
         for area in 0..session.screen.sub_areas() {

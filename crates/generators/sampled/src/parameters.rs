@@ -5,7 +5,7 @@ use light_points::{Accumulation, Blending, LeastDiameter};
 use raster::{Filter, Pattern, Sampling};
 use translucency::Capacity;
 
-use crate::overload::Overload;
+use crate::policy::Overload;
 
 /// Run parameters that no other generator has.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -14,7 +14,7 @@ use scenario::{
 
 use crate::hardware::Hardware;
 use crate::parameters::Parameters;
-use crate::session::Sampled;
+use crate::sampled::Sampled;
 
 /// Pitch of the eye (degrees): no ground is in view.
 const PITCH: f64 = 60.0;

@@ -1,139 +1,32 @@
-//! The generator and its sessions.
+//! The generator made ready for a stage.
 
 use generator::{
-    BeamEntry, Counter, FaceScene, Fact, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind,
-    Planes, PrepareError, Scan, Session as GeneratorSession, Stage, Timed, Weight, check_eye,
+    BeamEntry, FaceScene, Fact, FrameCounts, FrameError, Omission, PlaneKind, Planes, PrepareError,
+    Session as GeneratorSession, Stage, Weight, check_eye,
 };
 use ground_mesh::Rings;
 use raster::{Lists, Screen};
-use scenario::{Pose, View};
-use serde_json::{Value, json};
-use signal::{Probe, Signal, Wire};
+use scenario::Pose;
+use serde_json::Value;
+use signal::{Probe, Wire};
 use translucency::{FeatureError, Losses};
 
 use crate::fields::Fields;
 use crate::hardware::Hardware;
-use crate::lights::Point;
 use crate::overload::LostEntry;
 use crate::parameters::Parameters;
-use crate::picture::{self, PLANES, Picture};
+use crate::picture::{self, Picture};
 use crate::point::SamplingPoint;
 use crate::row::NAME;
 use crate::rows::{self, Rows};
 use crate::scene::Scene;
+use crate::store::Gathered;
 use crate::tile::{SIDE, Sampler};
-use crate::timed::Clocked;
 use crate::{ground, judged, map, overload, store};
-
-/// The sampled generator; see the crate's data sheet.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sampled {
-    /// Run parameters that decide its pictures.
-    pub parameters: Parameters,
-    /// What it runs on.
-    pub hardware: Hardware,
-}
-
-const fn counter(name: &'static str) -> Counter {
-    Counter { name, joined: Joined::Sum }
-}
-
-/// What a frame took and lost.
-const COUNTERS: [Counter; 14] = [
-    Counter { name: "ground_cells", joined: Joined::Largest },
-    counter("faces"),
-    counter("triangles"),
-    counter("entries"),
-    counter("lights"),
-    counter("calligraphic"),
-    counter("lost_surfaces"),
-    counter("lost_lights"),
-    counter("lost_entries"),
-    counter("lost_points"),
-    counter("beam_dropped"),
-    counter("late_sub_areas"),
-    counter("repeated"),
-    Counter { name: "loss_bound_ppm", joined: Joined::Largest },
-];
 
 /// How much the limits of the stacks can change a colour of a sampling point, in millionths of white, rounded up.
 fn largest_loss_ppm(losses: &Losses) -> u64 {
     (1e6 * losses.bound.into_iter().fold(0.0, f64::max)).ceil() as u64
-}
-
-impl Generator for Sampled {
-    fn name(&self) -> &'static str {
-        NAME
-    }
-
-    fn counters(&self) -> &'static [Counter] {
-        &COUNTERS
-    }
-
-    fn planes(&self) -> &'static [PlaneKind] {
-        PLANES
-    }
-
-    fn signals(&self) -> &'static [Signal] {
-        &rows::SIGNALS
-    }
-
-    fn scan(&self, view: &View) -> Option<Scan> {
-        let timebase = rows::timebase(view)?;
-        Some(Scan { line: "row", timebase, place: rows::ACROSS, ahead: Some(rows::AHEAD) })
-    }
-
-    fn draws_colour(&self, stage: &Stage) -> bool {
-        stage.is_colourful()
-    }
-
-    fn remembers_frames(&self) -> bool {
-        self.parameters.overload.shows_earlier_frames()
-    }
-
-    fn has_deadlines(&self) -> bool {
-        true
-    }
-
-    fn record(&self) -> Value {
-        let Self { parameters: run, hardware: Hardware { memory, beam, .. } } = self;
-        let mut record = json!({
-            "pattern": run.pattern.name(),
-            "rotate": run.rotate,
-            "filter": format!("{:?}", run.filter).to_lowercase(),
-            "translucent": run.translucent,
-            "lights": run.lights,
-            "shared_stack": run.shared_stack,
-            "least_diameter_px": run.least_diameter,
-            "normalise": run.normalise,
-            "blending": format!("{:?}", run.blending).to_lowercase(),
-            "veil": format!("{:?}", run.veil).to_lowercase(),
-            "spot_px": run.spot,
-            "beam_order": format!("{:?}", run.beam_order).to_lowercase(),
-            "beam_layer": format!("{:?}", run.beam_layer).to_lowercase(),
-            "ground_half_side_m": run.ground_half_side,
-            "ground_cells": run.ground_cells,
-            "ground_error_px": run.ground_error,
-            "overload": run.overload.word(),
-            "list_entries": memory.list_entries,
-            "list_depth": memory.list_depth,
-            "points": memory.points,
-            "jump_us": beam.jump_ns as f64 / 1e3,
-            "dwell_us": beam.dwell_ns as f64 / 1e3,
-        });
-        if self.remembers_frames() {
-            record["sampler"] = self.hardware.sampler_record();
-        }
-        record
-    }
-
-    fn prepare(&self, stage: Stage) -> Result<Box<dyn GeneratorSession>, PrepareError> {
-        Ok(Box::new(Session::new(stage, self)?))
-    }
-
-    fn timed(&self, stage: Stage) -> Result<Option<Box<dyn Timed>>, PrepareError> {
-        Ok(Some(Box::new(Clocked::new(stage, self)?)))
-    }
 }
 
 /// The generator made ready for one stage.
@@ -147,28 +40,20 @@ pub(crate) struct Session {
     rings: Rings,
 }
 
-/// The scene of a frame, within the limits of the light point store.
-pub(crate) struct Gathered {
-    pub scene: Scene,
-    /// Points that found no place in the store, the brightest first.
-    pub lost_points: Vec<Point>,
-}
-
 impl Session {
     /// Makes ready for `stage`.
     ///
     /// # Errors
     /// If its raster is too large.
-    pub fn new(stage: Stage, generator: &Sampled) -> Result<Self, PrepareError> {
+    pub fn new(stage: Stage, parameters: Parameters, hardware: Hardware) -> Result<Self, PrepareError> {
         let size = [stage.view.columns, stage.view.lines];
         let screen = Screen::new(size, SIDE as u32).map_err(|error| PrepareError::Unsupported {
             generator: NAME,
             what: error.to_string(),
             remedy: "ask for a smaller raster".into(),
         })?;
-        let Sampled { parameters, hardware } = *generator;
         let frames = stage.scenery.course().len();
-        if generator.remembers_frames() && frames == 0 {
+        if parameters.overload.shows_earlier_frames() && frames == 0 {
             return Err(PrepareError::Unsupported {
                 generator: NAME,
                 what: format!("overload `{}` without the frames before", parameters.overload.word()),

@@ -4,8 +4,9 @@ use generator::FrameError;
 use scenario::Pose;
 
 use crate::fields::Field;
-use crate::overload::{self, Overload};
+use crate::overload;
 use crate::picture::Picture;
+use crate::policy::Overload;
 use crate::reading::Reading;
 use crate::scene::Scene;
 use crate::session::Session;
@@ -16,7 +17,7 @@ use crate::work::{self, Course};
 pub struct Shown {
     /// Number of the frame.
     pub frame: u64,
-    /// Its pose.
+    /// Pose of that frame.
     pub pose: Pose,
     /// Whether no picture has shown it before.
     pub is_new: bool,
@@ -200,7 +201,7 @@ mod tests {
             let parameters = Parameters { overload: Overload::Extend, ..generator.parameters };
             let hardware = Hardware { insert_ticks, ..generator.hardware };
             let stage = scenes::moving(effects(), update, 2);
-            let session = Session::new(stage, &Sampled { parameters, hardware }).unwrap();
+            let session = Session::new(stage, parameters, hardware).unwrap();
             session.field(0).unwrap().is_complete
         };
         assert!(fields(1) && !fields(3));

@@ -89,7 +89,12 @@ mod tests {
     #[test]
     fn figures_are_the_works_of_the_frames() {
         let (generator, update) = scenes::slow(10);
-        let clocked = Clocked::new(scenes::stage(scenes::pane_and_stars(), update), &generator).unwrap();
+        let clocked = Clocked::new(
+            scenes::stage(scenes::pane_and_stars(), update),
+            generator.parameters,
+            generator.hardware,
+        )
+        .unwrap();
         let frame = Timed::frame(&clocked, 0, &scenes::pose()).unwrap();
         let before = frame.tasks.iter().filter(|task| ["geometry", "lists"].contains(&task.unit.as_str()));
         let before = before.map(|task| task.ticks).sum::<u64>() as f64;

@@ -3,6 +3,14 @@
 use raster::Screen;
 
 use crate::lights::{Lights, Point};
+use crate::scene::Scene;
+
+/// The scene of a frame, within the limits of the light point store.
+pub(crate) struct Gathered {
+    pub scene: Scene,
+    /// Points that found no place in the store, the brightest first.
+    pub lost_points: Vec<Point>,
+}
 
 /// Takes the faintest light points out of `lights` until at most `most` are left, and returns them, the brightest first. Of
 /// equally faint ones those with larger numbers are taken.

@@ -6,11 +6,12 @@ use quantities::Rate;
 use scenario::{Pose, Scenario};
 use timing::{EventHash, FrameTiming, Task, UnitUse};
 
-use crate::Sampled;
 use crate::deadlines::Judged;
+use crate::hardware::Hardware;
 use crate::inputs::inputs_hash;
-use crate::overload::Overload;
+use crate::parameters::Parameters;
 use crate::picture::Picture;
+use crate::policy::Overload;
 use crate::session::Session;
 use crate::sizing;
 use crate::work::{self, BEAM, Course, SAMPLER, Work};
@@ -25,8 +26,8 @@ impl Clocked {
     ///
     /// # Errors
     /// If the generator cannot draw it.
-    pub fn new(stage: Stage, generator: &Sampled) -> Result<Self, PrepareError> {
-        Ok(Self { session: Session::new(stage, generator)? })
+    pub fn new(stage: Stage, parameters: Parameters, hardware: Hardware) -> Result<Self, PrepareError> {
+        Ok(Self { session: Session::new(stage, parameters, hardware)? })
     }
 
     fn is_extending(&self) -> bool {
@@ -130,14 +131,19 @@ mod tests {
 
     use super::Clocked;
     use crate::hardware::Hardware;
-    use crate::overload::Overload;
+    use crate::policy::Overload;
     use crate::{Parameters, scenes};
 
     /// Frame 0 of the pane and two stars at `update` frames a second, on hardware that `change` makes of the slow one.
     fn timed(update: u64, change: impl Fn(Hardware) -> Hardware) -> FrameTiming {
         let (generator, rate) = scenes::slow(update);
         let generator = crate::Sampled { hardware: change(generator.hardware), ..generator };
-        let clocked = Clocked::new(scenes::stage(scenes::pane_and_stars(), rate), &generator).unwrap();
+        let clocked = Clocked::new(
+            scenes::stage(scenes::pane_and_stars(), rate),
+            generator.parameters,
+            generator.hardware,
+        )
+        .unwrap();
         Timed::frame(&clocked, 0, &scenes::pose()).unwrap()
     }
 
@@ -217,7 +223,12 @@ mod tests {
         let (generator, rate) = scenes::slow(10);
         let parameters = Parameters { translucent: Some(0), ..generator.parameters };
         let generator = crate::Sampled { parameters, ..generator };
-        let clocked = Clocked::new(scenes::stage(scenes::pane_and_stars(), rate), &generator).unwrap();
+        let clocked = Clocked::new(
+            scenes::stage(scenes::pane_and_stars(), rate),
+            generator.parameters,
+            generator.hardware,
+        )
+        .unwrap();
         let timing = Timed::frame(&clocked, 0, &scenes::pose()).unwrap();
         assert_eq!(slack(&timing, "stack"), Some((4, 2, Some(-256))));
         let ours = timing.misses.iter().filter(|missed| missed.cause == Cause::Occupied);
@@ -226,7 +237,12 @@ mod tests {
         // Without limits there is no such deadline.
         let parameters = Parameters { translucent: None, lights: None, ..generator.parameters };
         let generator = crate::Sampled { parameters, ..generator };
-        let clocked = Clocked::new(scenes::stage(scenes::pane_and_stars(), rate), &generator).unwrap();
+        let clocked = Clocked::new(
+            scenes::stage(scenes::pane_and_stars(), rate),
+            generator.parameters,
+            generator.hardware,
+        )
+        .unwrap();
         assert_eq!(slack(&Timed::frame(&clocked, 0, &scenes::pose()).unwrap(), "stack"), None);
     }
 
@@ -240,7 +256,7 @@ mod tests {
         let hardware = Hardware { beam, ..generator.hardware };
         let stage = scenes::moving(scenes::pane_and_stars(), rate, 2);
         let poses = stage.scenery.course().to_vec();
-        let clocked = Clocked::new(stage, &crate::Sampled { parameters, hardware }).unwrap();
+        let clocked = Clocked::new(stage, parameters, hardware).unwrap();
         let [long, never] =
             [0, 1].map(|frame| Timed::frame(&clocked, frame, &poses[frame as usize]).unwrap());
         assert_eq!(slack(&long, "update"), Some((1, 1, Some(-2))));
@@ -258,7 +274,7 @@ mod tests {
         // A session of its own says the same of the later frame.
         let parameters = Parameters { overload: Overload::Extend, ..Parameters::default() };
         let stage = scenes::moving(scenes::pane_and_stars(), rate, 2);
-        let alone = Clocked::new(stage, &crate::Sampled { parameters, hardware }).unwrap();
+        let alone = Clocked::new(stage, parameters, hardware).unwrap();
         assert_eq!(Timed::frame(&alone, 1, &poses[1]).unwrap(), never);
     }
 
@@ -266,7 +282,12 @@ mod tests {
     #[test]
     fn a_frame_without_lights_has_the_deadline_of_the_beam() {
         let (generator, rate) = scenes::slow(10);
-        let clocked = Clocked::new(scenes::stage(scenario::Effects::default(), rate), &generator).unwrap();
+        let clocked = Clocked::new(
+            scenes::stage(scenario::Effects::default(), rate),
+            generator.parameters,
+            generator.hardware,
+        )
+        .unwrap();
         let timing = Timed::frame(&clocked, 0, &scenes::pose()).unwrap();
         assert_eq!(slack(&timing, "beam"), Some((0, 0, None)));
     }

@@ -85,12 +85,12 @@ impl Other {
         }
     }
 
-    /// What was opened.
+    /// What the front door opened.
     pub fn opened(&self) -> &Opened {
         &self.opened
     }
 
-    /// What is drawn.
+    /// The stage that is drawn.
     pub(crate) fn stage(&self) -> &Stage {
         &self.stage
     }

@@ -12,11 +12,11 @@ use crate::{OpenError, Wishes};
 pub(crate) struct GeneratorOverlay {
     /// As it was asked for.
     pub asked: PathBuf,
-    /// The generator.
+    /// Row of the generator.
     pub row: &'static Row,
-    /// Its tables.
+    /// Tables that it sets.
     pub file: TomlFile,
-    /// Its text.
+    /// Text of the file.
     pub text: String,
 }
 

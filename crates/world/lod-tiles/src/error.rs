@@ -31,7 +31,7 @@ pub enum TileError {
     Heights {
         /// Number of heights that was found.
         found: usize,
-        /// Number of posts.
+        /// How many posts there are.
         expected: usize,
     },
     /// A height is no number.
@@ -50,7 +50,7 @@ pub enum TileError {
         "level {level}: its range ends at {end} m, and begins at {begin} m; ranges join, so each ends beyond the one before it"
     )]
     Range {
-        /// Level at fault.
+        /// The level at fault.
         level: usize,
         /// Where its range begins (m).
         begin: f64,
@@ -60,7 +60,7 @@ pub enum TileError {
     /// A morph share is no share.
     #[error("level {level}: {share} of its range morphs; expected 0 to 1")]
     Share {
-        /// Level at fault.
+        /// The level at fault.
         level: usize,
         /// Share that was found.
         share: f64,

@@ -76,7 +76,7 @@ impl Levels {
 mod tests {
     use super::*;
 
-    /// The document's example.
+    /// The example of the document.
     #[test]
     fn morphing_begins_at_5_17_and_28_metres() {
         let levels = [(10.0, 0.5), (20.0, 0.3), (30.0, 0.2), (40.0, 0.9)];

@@ -17,7 +17,7 @@ pub struct Raised {
     pub void: bool,
 }
 
-/// Keeps all pieces.
+/// Keeps all pieces of a line.
 #[derive(Default)]
 pub struct Kept(pub Vec<Piece>);
 

@@ -13,7 +13,7 @@ const SNAP: f64 = 1e-9;
 /// Rows run from north to south, columns from west to east. A height of NaN is a void: the triangles at this post have no ground.
 #[derive(Debug, Clone)]
 pub struct Posts {
-    /// Rows and columns.
+    /// How many rows and columns there are.
     size: [usize; 2],
     /// Place of the north-western post: north, east (m).
     corner: [f64; 2],

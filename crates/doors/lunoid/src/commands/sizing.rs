@@ -5,7 +5,7 @@ use deadlines::sizing::Report;
 use deadlines::{Other, Rehearsal, Rehearsed, sizing, spread};
 use front_door::Opened;
 
-use crate::loading::{StageArgs, Threads, of_timed};
+use crate::loading::{StageArgs, Threads, of_deadlines};
 use crate::output::{print, print_json, tell};
 use crate::rehearsing::{choose, expect_deadlines, record, rehearse_timed};
 use crate::values::positive;
@@ -23,7 +23,7 @@ docs/timing.md says what each line is, and what a tear is that shows.";
 
 /// Hold a machine in time against its formulas, and search for the slowest parts of a hardware model that would do.
 #[derive(Debug, Args)]
-#[command(after_help = AFTER, mut_args(of_timed))]
+#[command(after_help = AFTER, mut_args(of_deadlines))]
 pub struct Sizing {
     #[command(flatten)]
     stage: StageArgs,

@@ -146,7 +146,7 @@ fn a_generator_with_deadlines_shows_its_own() {
         scene.expect(code, &[&["timing", "show", "tiny.toml", "--frame", "1"], rest, &slow[..]].concat())
     };
     let (out, _) = show(0, &["--misses", "0..1", "--slack", "slack.png", "--overload", "map.png"]);
-    assert!(!out.contains("folds") && out.contains("sub-area.0") && out.contains("frame  row"), "{out}");
+    assert!(!out.contains("folds") && out.contains("sub-area.3") && out.contains("frame  row"), "{out}");
     assert!(out.contains("(ms)") && out.contains("loss"), "{out}");
     assert!(scene.join("slack.png").is_file() && scene.join("map.png").is_file());
     let (_, err) = show(2, &["--misses", "0..999"]);
@@ -169,7 +169,7 @@ fn a_generator_with_deadlines_shows_its_own() {
 fn pictures_of_a_slow_sampler_do_not_depend_on_what_was_drawn_before() {
     let scene = Scene::new();
     for policy in ["late", "extend"] {
-        let set = format!("sampled.overload={policy}");
+        let set = format!("sampled.overload=\"{policy}\"");
         let replay = |frames: &str, out: &str| {
             let slow = ["--machine", "sampled", "--set", "sampler.sampler_hz=2000", "--set", &set, "-q"];
             let what = ["replay", "tiny.toml", "--no-page", "--frames", frames, "--out", out];
