@@ -23,6 +23,7 @@ mod check;
 mod ellipsoid;
 mod error;
 mod orientation;
+pub mod voids;
 
 pub use affine::Affine;
 pub use angle::{Axis, parse_angle, write_angle};

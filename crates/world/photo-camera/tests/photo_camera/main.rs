@@ -5,6 +5,7 @@ mod camera;
 mod check;
 mod ellipsoid;
 mod orientation;
+mod voids;
 
 use photo_camera::{Affine, Axis, Camera, Ellipsoid, Geodetic, Orientation, parse_angle};
 
