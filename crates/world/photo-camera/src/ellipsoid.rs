@@ -114,8 +114,8 @@ impl Ellipsoid {
 
     /// Nearest crossing in front of `eye` (m) by a ray, with the surface at `height` (m): distance along the unit `direction` (m).
     ///
-    /// The surface is the ellipsoid whose half axes are both longer by `height`. Its geodetic heights differ from `height` by at
-    /// most `e^4 |height|`-sized terms, so [`Ellipsoid::place`] corrects the crossing to 1e-9 m by secants.
+    /// The search begins at the ellipsoid whose half axes are longer by `height`. Its geodetic heights are not quite `height`, so
+    /// secants correct the crossing by the height of [`Ellipsoid::place`]. None where the ray passes the body.
     pub fn crossing(&self, eye: DVec3, direction: DVec3, height: f64) -> Option<f64> {
         let polar = self.semi_major * (1.0 - self.eccentricity_squared).sqrt() + height;
         let half_axes = DVec3::new(self.semi_major + height, self.semi_major + height, polar);

@@ -5,7 +5,10 @@
 //!                                                    |
 //!  angles or axes --> Orientation --> Camera --> project --> pixel
 //!                        Affine ---^     |
+//!                     CameraFile <--> |  \-- check: control points --> Residuals
 //!                                       ray <-- pixel;  ray --> plane, body --> ground point
+//!
+//!  heights with voids --> holes --> fill: harmonic and four other ways --> Filled
 //! ```
 //!
 //! # Units
@@ -22,6 +25,8 @@ mod camera;
 mod check;
 mod ellipsoid;
 mod error;
+mod file;
+mod frame;
 mod orientation;
 pub mod voids;
 
@@ -31,4 +36,6 @@ pub use camera::{Camera, Image, Ray};
 pub use check::{ControlPoint, Residuals, check};
 pub use ellipsoid::{Ellipsoid, Geodetic, LocalFrame};
 pub use error::CameraError;
+pub use file::CameraFile;
+pub use frame::FramePixel;
 pub use orientation::Orientation;

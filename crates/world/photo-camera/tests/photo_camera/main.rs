@@ -4,6 +4,8 @@ mod angle;
 mod camera;
 mod check;
 mod ellipsoid;
+mod file;
+mod frame;
 mod orientation;
 mod voids;
 
