@@ -1,0 +1,139 @@
+//! The camera file: JSON that says its units in the names of its keys.
+//!
+//! ```json
+//! {
+//!   "format": 1,
+//!   "focal_length_m": 0.15,
+//!   "principal_point_m": [0.0, 0.0],
+//!   "perspective_centre_m": [0.0, 0.0, 1740000.0],
+//!   "omega_phi_kappa_rad": [0.0, 0.0, 0.0],
+//!   "affine_x_um": [20.0, 0.0, 0.0],
+//!   "affine_y_um": [0.0, 20.0, 0.0],
+//!   "body": { "semi_major_axis_m": 1737400.0, "eccentricity_squared": 0.0 }
+//! }
+//! ```
+//!
+//! `image_axes`, three rows of three numbers, may stand in place of `omega_phi_kappa_rad`. The rows of the affine are A1, B1, C1
+//! and A2, B2, C2. Unknown and repeated keys are refused. Numbers are read to one unit in the last place.
+
+use diagnostics::Problem;
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+use crate::{Affine, Camera, CameraError, Ellipsoid, Orientation};
+
+/// Format number of camera files that this code reads and writes.
+const FORMAT: u64 = 1;
+
+/// What to do about a text that is no camera file.
+const HELP: &str = "correct the file at this place; the doc of the crate `photo-camera` shows a whole one";
+
+/// A camera file: the camera, and the body in whose georectangular axes it stands.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CameraFile {
+    /// The camera of the photograph.
+    pub camera: Camera,
+    /// The body under the camera.
+    pub body: Ellipsoid,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Written {
+    format: u64,
+    focal_length_m: f64,
+    principal_point_m: [f64; 2],
+    perspective_centre_m: [f64; 3],
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    omega_phi_kappa_rad: Option<[f64; 3]>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    image_axes: Option<[[f64; 3]; 3]>,
+    affine_x_um: [f64; 3],
+    affine_y_um: [f64; 3],
+    body: WrittenBody,
+}
+
+#[derive(Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct WrittenBody {
+    semi_major_axis_m: f64,
+    eccentricity_squared: f64,
+}
+
+impl CameraFile {
+    /// Reads the text of a camera file; `name` is the file as the user named it.
+    ///
+    /// # Errors
+    ///
+    /// If the text is no camera file of format 1, with line and column; or if a figure makes no camera, with its key.
+    pub fn read(name: &str, text: &str) -> Result<Self, Problem> {
+        let written: Written = serde_json::from_str(text).map_err(|error| {
+            let at = format!("{name}:{}:{}", error.line(), error.column());
+            Problem::of_file(at, format!("the camera file cannot be read: {error}"))
+                .expected("a camera file of format 1")
+                .help(HELP)
+        })?;
+        if written.format != FORMAT {
+            return Err(Problem::of_file(name, format!("`format` is {}, not {FORMAT}", written.format))
+                .key("format")
+                .found(written.format.to_string())
+                .expected(FORMAT.to_string())
+                .help("write the camera file anew with this version"));
+        }
+        written.meant(name)
+    }
+
+    /// The text of the file; the orientation is written as axes, which keep every digit.
+    pub fn write(&self) -> String {
+        let [affine_x_um, affine_y_um] = self.camera.affine().rows();
+        let written = Written {
+            format: FORMAT,
+            focal_length_m: self.camera.focal_length(),
+            principal_point_m: self.camera.principal_point(),
+            perspective_centre_m: self.camera.centre().to_array(),
+            omega_phi_kappa_rad: None,
+            image_axes: Some(self.camera.orientation().axes().map(|axis| axis.to_array())),
+            affine_x_um,
+            affine_y_um,
+            body: WrittenBody {
+                semi_major_axis_m: self.body.semi_major(),
+                eccentricity_squared: self.body.eccentricity_squared(),
+            },
+        };
+        serde_json::to_string_pretty(&written).expect("numbers under fixed keys always make JSON") + "\n"
+    }
+}
+
+impl Written {
+    fn meant(&self, name: &str) -> Result<CameraFile, Problem> {
+        let refused = |key: &'static str| {
+            move |error: CameraError| Problem::of_file(name, format!("`{key}`: {error}")).key(key).help(HELP)
+        };
+        let affine = Affine::new(self.affine_x_um, self.affine_y_um).map_err(refused("affine_x_um"))?;
+        let centre = DVec3::from(self.perspective_centre_m);
+        let camera =
+            Camera::new(self.focal_length_m, self.principal_point_m, centre, self.orientation(name)?, affine)
+                .map_err(refused("focal_length_m"))?;
+        let body = Ellipsoid::new(self.body.semi_major_axis_m, self.body.eccentricity_squared)
+            .map_err(refused("body"))?;
+        Ok(CameraFile { camera, body })
+    }
+
+    fn orientation(&self, name: &str) -> Result<Orientation, Problem> {
+        let (key, made) = match (self.omega_phi_kappa_rad, self.image_axes) {
+            (Some(angles), None) => ("omega_phi_kappa_rad", Orientation::from_angles(angles)),
+            (None, Some(axes)) => ("image_axes", Orientation::from_axes(axes.map(DVec3::from))),
+            (angles, _) => {
+                let found = if angles.is_some() { "both" } else { "neither" };
+                let title =
+                    format!("the orientation is given by {found} of `omega_phi_kappa_rad` and `image_axes`");
+                return Err(Problem::of_file(name, title)
+                    .key("omega_phi_kappa_rad")
+                    .found(found)
+                    .expected("one of the two")
+                    .help("give the three angles or the three axes, not both"));
+            }
+        };
+        made.map_err(|error| Problem::of_file(name, format!("`{key}`: {error}")).key(key).help(HELP))
+    }
+}
