@@ -37,6 +37,8 @@
 //! | `sampled.blending` | `hiding`, `additive` | `hiding` | how a light point meets what is behind it |
 //! | `sampled.veil` | `points`, `stack-only` | `points` | whether calligraphic points dim those behind them |
 //! | `sampled.spot_px` | 0.05 to 100 | 0.6 | deviation of the beam's spot |
+//! | `sampled.beam_order` | `near-to-far`, `nearest-neighbour` | `near-to-far` | order in which the beam draws its points |
+//! | `sampled.beam_layer` | `both`, `raster`, `beam` | `both` | layers that a picture shows |
 //! | `sampled.ground_half_side_m` | 0.1 to 100000 | 32 | half the side of the innermost square of ground |
 //! | `sampled.ground_cells` | 8 to 16384, a multiple of 4 | 128 | most cells along half the side of every square of ground |
 //! | `sampled.ground_error_px` | 0 to 100 | 0.5 | error of the ground in frame 0 that is allowed, in pixels; 0 always takes most cells |

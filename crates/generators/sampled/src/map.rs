@@ -18,7 +18,7 @@ pub fn fill(plane: &mut [f32], picture: &Picture, gathered: &Gathered, screen: &
             let area = area_of(at, width);
             let pixel = SIDE * (at / width % SIDE) + at % width % SIDE;
             let is_full = picture.readings[area].lost_in >> pixel & 1 == 1;
-            areas[area] | u8::from(is_full) * Loss::Stack.bit()
+            areas[area] | (u8::from(is_full) * Loss::Stack.bit())
         })
         .collect();
     let of_store = gathered.lost_points.iter().map(|point| point.middle);

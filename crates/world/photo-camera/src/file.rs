@@ -66,19 +66,19 @@ impl CameraFile {
     /// # Errors
     ///
     /// If the text is no camera file of format 1, with line and column; or if a figure makes no camera, with its key.
-    pub fn read(name: &str, text: &str) -> Result<Self, Problem> {
-        let written: Written = serde_json::from_str(text).map_err(|error| {
+    pub fn read(name: &str, text: &str) -> Result<Self, Box<Problem>> {
+        let written: Result<Written, Problem> = serde_json::from_str(text).map_err(|error| {
             let at = format!("{name}:{}:{}", error.line(), error.column());
             Problem::of_file(at, format!("the camera file cannot be read: {error}"))
                 .expected("a camera file of format 1")
                 .help(HELP)
-        })?;
+        });
+        let written = written.map_err(Box::new)?;
         if written.format != FORMAT {
-            return Err(Problem::of_file(name, format!("`format` is {}, not {FORMAT}", written.format))
-                .key("format")
-                .found(written.format.to_string())
-                .expected(FORMAT.to_string())
-                .help("write the camera file anew with this version"));
+            let problem = Problem::of_file(name, format!("`format` is {}, not {FORMAT}", written.format));
+            let problem =
+                problem.key("format").found(written.format.to_string()).expected(FORMAT.to_string());
+            return Err(Box::new(problem.help("write the camera file anew with this version")));
         }
         written.meant(name)
     }
@@ -105,9 +105,11 @@ impl CameraFile {
 }
 
 impl Written {
-    fn meant(&self, name: &str) -> Result<CameraFile, Problem> {
+    fn meant(&self, name: &str) -> Result<CameraFile, Box<Problem>> {
         let refused = |key: &'static str| {
-            move |error: CameraError| Problem::of_file(name, format!("`{key}`: {error}")).key(key).help(HELP)
+            move |error: CameraError| {
+                Box::new(Problem::of_file(name, format!("`{key}`: {error}")).key(key).help(HELP))
+            }
         };
         let affine = Affine::new(self.affine_x_um, self.affine_y_um).map_err(refused("affine_x_um"))?;
         let centre = DVec3::from(self.perspective_centre_m);
@@ -119,7 +121,7 @@ impl Written {
         Ok(CameraFile { camera, body })
     }
 
-    fn orientation(&self, name: &str) -> Result<Orientation, Problem> {
+    fn orientation(&self, name: &str) -> Result<Orientation, Box<Problem>> {
         let (key, made) = match (self.omega_phi_kappa_rad, self.image_axes) {
             (Some(angles), None) => ("omega_phi_kappa_rad", Orientation::from_angles(angles)),
             (None, Some(axes)) => ("image_axes", Orientation::from_axes(axes.map(DVec3::from))),
@@ -127,13 +129,13 @@ impl Written {
                 let found = if angles.is_some() { "both" } else { "neither" };
                 let title =
                     format!("the orientation is given by {found} of `omega_phi_kappa_rad` and `image_axes`");
-                return Err(Problem::of_file(name, title)
-                    .key("omega_phi_kappa_rad")
-                    .found(found)
-                    .expected("one of the two")
-                    .help("give the three angles or the three axes, not both"));
+                let problem = Problem::of_file(name, title).key("omega_phi_kappa_rad").found(found);
+                let help = "give the three angles or the three axes, not both";
+                return Err(Box::new(problem.expected("one of the two").help(help)));
             }
         };
-        made.map_err(|error| Problem::of_file(name, format!("`{key}`: {error}")).key(key).help(HELP))
+        made.map_err(|error| {
+            Box::new(Problem::of_file(name, format!("`{key}`: {error}")).key(key).help(HELP))
+        })
     }
 }

@@ -50,7 +50,9 @@ fn object(id: &str, x: f64, y: f64) -> String {
 #[test]
 fn a_plain_scenario_has_nothing_on_the_ground() {
     let (scenario, plain) = scenery("").unwrap();
-    assert_eq!(plain, Scenery::still(scenario.sun.first().unwrap()));
+    let start = plain.start().copied();
+    assert!(start.is_some(), "the pose of frame 0");
+    assert_eq!(plain, Scenery::still(scenario.sun.first().unwrap()).with_start(start));
 }
 
 #[test]

@@ -112,9 +112,7 @@ fn a_closed_pipe_is_quiet() {
 #[test]
 fn a_help_offers_what_the_command_takes() {
     let of = |command: &str| help(&command.split(' ').map(str::to_owned).collect::<Vec<_>>());
-    for command in
-        ["trigger", "trace", "sizing", "lockstep", "timing columns", "study error", "study economy"]
-    {
+    for command in ["trigger", "trace", "lockstep", "timing columns", "study error", "study economy"] {
         let text = of(command);
         assert!(text.contains("Hardware model by name or path"), "{command}: {text}");
         assert!(!text.contains("`exact`") && !text.contains("`lunsim`"), "{command}: {text}");
@@ -124,6 +122,11 @@ fn a_help_offers_what_the_command_takes() {
         assert!(text.contains("or `lunsim`"), "{command}: {text}");
         assert!(!text.contains("`exact`"), "{command}: {text}");
     }
+    let sizing = of("sizing");
+    assert!(
+        sizing.contains("a generator whose frames have deadlines") && !sizing.contains("`exact`"),
+        "{sizing}"
+    );
     assert!(of("probe").contains("`lunsim`") && of("replay").contains("`exact`"));
     assert!(of("explain").contains("`lunsim`") && of("explain").contains("`exact`"));
 }

@@ -46,7 +46,7 @@ fn ground(latitude: &str, longitude: &str, height: f64) -> glam::DVec3 {
 fn thesis_camera() -> Camera {
     let orientation = Orientation::from_angles([0.8341764, -0.4563699, 3.0761254]).expect("finite angles");
     let affine =
-        Affine::new([20.11323959, 6.01620794, -34_954.59484], [-6.022849824, 20.10938801, -22_566.71593]);
+        Affine::new([20.11323959, 6.01620794, -34954.59484], [-6.022849824, 20.10938801, -22566.71593]);
     let centre = glam::DVec3::new(-2_693_765.9, -4_304_520.4, 3_859_018.3);
     Camera::new(0.153197, [2e-6, 0.0], centre, orientation, affine.expect("an affine")).expect("a camera")
 }
