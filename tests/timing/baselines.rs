@@ -113,7 +113,7 @@ fn of_generator(name: &str, baseline: &TimingRecord, sets: &[(&str, &str)]) -> T
 fn scenarios_of_the_sampled_generator_hold_their_baselines() {
     let mut failed = Vec::new();
     for name in SAMPLED {
-        let baseline = timing::read(&path(name, "sampled")).unwrap_or_else(|e| panic!("{e}"));
+        let baseline = timing::read(path(name, "sampled")).unwrap_or_else(|e| panic!("{e}"));
         let comparison = compare(&baseline, &of_generator(name, &baseline, &[]), &Tolerance::default());
         if !comparison.is_met() {
             failed.push(comparison.text(12));
@@ -125,7 +125,7 @@ fn scenarios_of_the_sampled_generator_hold_their_baselines() {
 /// One tick more for a corner is told as such, and as other inputs.
 #[test]
 fn a_slower_corner_of_the_sampled_generator_is_named() {
-    let baseline = timing::read(&path("night-landing", "sampled")).unwrap_or_else(|e| panic!("{e}"));
+    let baseline = timing::read(path("night-landing", "sampled")).unwrap_or_else(|e| panic!("{e}"));
     let slower = of_generator("night-landing", &baseline, &[("sampler.corner_ticks", "2")]);
     let text = compare(&baseline, &slower, &Tolerance::default()).text(1000);
     assert!(text.contains("geometry") && text.contains("inputs"), "{text}");
