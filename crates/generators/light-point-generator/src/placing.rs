@@ -60,7 +60,7 @@ impl Optics<'_> {
         let middle = reading.shown(written);
         let least = LeastDiameter::between_sweeps(spacing(written, reading));
         let disc = Disc::of_light(light, DVec3::from_array(view.eye), self.focal(), least)?;
-        if !self.is_beside(middle, disc.diameter) {
+        if !self.reaches_picture(middle, disc.diameter) {
             return None;
         }
         let chords = Chords::of(&disc, middle, reading);
@@ -100,7 +100,7 @@ impl Optics<'_> {
     }
 
     /// Whether a disc may reach the picture.
-    fn is_beside(&self, middle: [f64; 2], diameter: f64) -> bool {
+    fn reaches_picture(&self, middle: [f64; 2], diameter: f64) -> bool {
         let size = [self.reading.columns, self.reading.lines];
         (0..2).all(|axis| (-diameter..=size[axis] as f64 + diameter).contains(&middle[axis]))
     }

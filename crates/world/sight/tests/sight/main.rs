@@ -8,16 +8,14 @@ mod voids;
 
 use sight::Posts;
 
-/// Splitmix64: random numbers that are the same in every run.
+/// Random numbers that are the same in every run.
 struct Random(u64);
 
 impl Random {
     fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut mixed = self.0;
-        mixed = (mixed ^ mixed >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        mixed = (mixed ^ mixed >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((mixed ^ mixed >> 31) >> 11) as f64 / (1u64 << 53) as f64
+        let unit = quantities::unit_interval(self.0, &[]);
+        self.0 = quantities::hash_words(self.0, &[]);
+        unit
     }
 
     fn between(&mut self, low: f64, high: f64) -> f64 {

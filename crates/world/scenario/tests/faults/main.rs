@@ -1,7 +1,11 @@
 //! Every kind of fault of a scenario and of a path file is found, at its place.
 
+mod paths;
+mod things;
+
 use std::fs;
 
+use crate::paths::path_faults;
 use proptest::prelude::*;
 use quantities::Rate;
 use scenario::{Length, Overrides, Scenario};
@@ -183,214 +187,11 @@ fn files_that_are_no_scenario() {
     assert!(Scenario::read(&good).is_ok());
 }
 
-/// Messages about a path file of this name and text.
-fn path_faults(name: &str, text: &str) -> Vec<String> {
-    let folder = tempfile::tempdir().unwrap();
-    fs::write(folder.path().join(name), text).unwrap();
-    let start = GOOD.find("keyframes").unwrap();
-    let end = GOOD.find("[raster]").unwrap();
-    let scenario = format!("{}file = '{name}'\n{}", &GOOD[..start], &GOOD[end..]);
-    match Scenario::parse(folder.path().join("s.toml").to_str().unwrap(), &scenario) {
-        Ok(_) => Vec::new(),
-        Err(list) => {
-            let records = list.iter().map(diagnostics::Problem::record);
-            let place = |line: Option<usize>, column: Option<usize>| {
-                line.zip(column).map_or(String::new(), |(line, column)| format!("{line}:{column} "))
-            };
-            records.map(|record| place(record.line, record.column) + &record.title).collect()
-        }
-    }
-}
-
-#[test]
-fn good_path_files() {
-    assert_eq!(path_faults("p.csv", "\u{feff}y_m,\"x_m\",t_s\r\n1,2,0\r\n\r\n# halt\r\n1,2,5\r\n"), [""; 0]);
-    assert_eq!(path_faults("p.csv", "frame,t_s,x_m,y_m,z_m\n0,0,1,2,\n1,1e0,1,2,\n"), [""; 0]);
-    assert_eq!(path_faults("p.tum", "# c\n5 1 2 -3 0 0 0 1\n6\t1 2 -3  0 0 0 1\n"), [""; 0]);
-}
-
-#[test]
-fn faults_of_path_files_have_line_and_column() {
-    let header = "t_s,x_m,y_m,heading_deg\n";
-    let csv = |rows: &str| path_faults("p.csv", &format!("{header}{rows}"));
-    assert_eq!(
-        csv("0,1,2,3\n1,nan,2,3\n"),
-        ["3:3 `x_m` must be a number from -10000000 to 10000000, not nan"]
-    );
-    assert_eq!(csv("0,1,2,inf\n"), ["2:7 `heading_deg` must be a number from -36000 to 36000, not inf"]);
-    assert_eq!(
-        csv("0,1,,3\n1,x,2,3\n"),
-        [
-            "2:5 `y_m` must be a number from -10000000 to 10000000, not nothing",
-            "3:3 `x_m` must be a number from -10000000 to 10000000, not x",
-        ]
-    );
-    assert_eq!(csv("0,1e8,2,3\n").len(), 1);
-    assert_eq!(
-        csv("1e300,1,2,3\n"),
-        [
-            "2:1 `t_s` must be a number of seconds below 1e11; t_ms, t_us and t_ns are columns of smaller units, not 1e300"
-        ]
-    );
-    assert_eq!(csv("0,1,2,3\n0,1,2,4\n"), ["3:1 t = 0 s after t = 0 s: times must ascend"]);
-    assert_eq!(csv("0,1,2\n"), ["2:1 a row of 3 cells under a header of 4"]);
-    assert_eq!(csv(""), ["1:1 a path file without rows"]);
-    assert_eq!(path_faults("p.csv", ""), ["1:1 an empty path file"]);
-    assert_eq!(
-        path_faults("p.csv", "t_s,x_m,speed\n0,1,2\n"),
-        ["1:1 missing column `y_m`", "1:9 unknown column `speed`",]
-    );
-    assert_eq!(path_faults("p.csv", "t_s,x_m,y_m,x_m\n0,1,2,3\n"), ["1:13 column `x_m` stands twice"]);
-    assert_eq!(
-        path_faults("p.csv", "t_s,x_m,y_m,z_m\n0,1,2,3\n1,1,2,\n"),
-        ["2:1 z_m is given for some waypoints only; expected for all or for none",]
-    );
-    assert_eq!(path_faults("p.tum", "0 1 2 3 0 0 0 2\n"), ["1:1 a quaternion of length 2"]);
-    assert_eq!(path_faults("p.tum", "0 1 2 3\n"), ["1:1 a row of 4 numbers"]);
-    assert_eq!(
-        path_faults("p.tum", "0 1 2 3 0 0 0 1\n1 1 2 NaN 0 0 0 1\n"),
-        ["2:7 `tz` must be a number from -10000000 to 10000000, not NaN",]
-    );
-    assert!(path_faults("p.txt", "")[0].contains("of a kind that is not known"));
-}
-
-#[test]
-fn a_table_full_of_faults_is_reported_by_its_first() {
-    let rows = "0,nan,2\n".repeat(1000);
-    let found = path_faults("p.csv", &format!("t_s,x_m,y_m\n{rows}"));
-    assert_eq!(found.len(), 21);
-    assert_eq!(found[20], "980 more faults of this file are not listed");
-    let falling: String = (0..50).map(|row| format!("{},0,0\n", 50 - row)).collect();
-    let found = path_faults("p.csv", &format!("t_s,x_m,y_m\n{falling}"));
-    assert_eq!(found[20], "29 more faults of this file are not listed", "of times that fall too");
-}
-
-#[test]
-fn a_path_file_that_is_missing_or_no_text() {
-    let folder = tempfile::tempdir().unwrap();
-    let text = GOOD.replace("keyframes = [", "file = 'no.csv'\nunused = [");
-    let name = folder.path().join("s.toml");
-    let list = Scenario::parse(name.to_str().unwrap(), &text).unwrap_err().to_string();
-    assert!(list.contains("no such file") && list.contains("unknown key `path.unused`"), "{list}");
-    fs::write(folder.path().join("no.csv"), [0xff, 0xfe]).unwrap();
-    let list = Scenario::parse(name.to_str().unwrap(), &text).unwrap_err().to_string();
-    assert!(list.contains("the file is UTF-16 text"), "{list}");
-}
-
 /// The one fault of the good scenario with more tables.
 fn fault_of(tables: &str) -> String {
     let (line, title) = fault("[sun]", &format!("{tables}\n[sun]"));
     assert!(line.is_some(), "{tables}: {title}");
     title
-}
-
-const LANDER: &str = "[[object]]\nid = 'lm'\nmodel = 'lander'\nx_m = 60\ny_m = 90\n";
-const FLAG: &str = "[[object]]\nid = 'flag'\nmodel = 'flag'\nx_m = 60\ny_m = 90\npresent = false\n";
-
-#[test]
-fn objects_that_cannot_be() {
-    for (tables, expected) in [
-        (LANDER.replace("'lander'", "'landr'"), "must be one of \"lander\""),
-        (LANDER.replace("model = 'lander'\n", ""), "missing key `object[0].model` or `object[0].file`"),
-        (LANDER.replace("model", "file = 'a.obj'\nmodel"), "both say what it is"),
-        (LANDER.replace("model = 'lander'", "file = '../a.obj'"), "stays in the scenario's folder"),
-        (LANDER.replace("'lm'", "'l m'"), "letters, digits and dashes"),
-        (LANDER.replace("x_m = 60", "x_m = nan"), "not nan"),
-        (format!("{LANDER}scale = 0\n"), "above 0"),
-        (format!("{LANDER}{}", LANDER.replace("lander", "rover")), "two objects are called \"lm\""),
-    ] {
-        let found = fault_of(&tables);
-        assert!(found.contains(expected), "{tables}: {found}");
-    }
-    let text = GOOD.replace("[sun]", &format!("{}\n[sun]", LANDER.replace("'lander'", "'landr'")));
-    let list = Scenario::parse("t.toml", &text).unwrap_err().to_string();
-    assert!(list.contains("did you mean \"lander\"?"), "{list}");
-}
-
-#[test]
-fn groups_that_cannot_be() {
-    let group = "[[group]]\nname = 'stage'\n";
-    let member = format!("{LANDER}group = 'stage'\n");
-    assert_eq!(faults(&GOOD.replace("[sun]", &format!("{group}{member}[sun]"))), []);
-    for (tables, expected) in [
-        (member.clone(), "an object of a group, and no group"),
-        (format!("{group}{}", member.replace("stage", "stag")), "must be one of \"stage\""),
-        (format!("{group}{group}{member}"), "two groups are called \"stage\""),
-        // A group with a fault says nothing about who names it.
-        (format!("{group}sun = {{ azimuth_deg = 1 }}\n{member}"), "missing key `group[0].sun.elevation_deg`"),
-        (format!("{}{member}", group.replace("name", "nam")), "missing key `group[0].name`"),
-    ] {
-        let found = faults(&GOOD.replace("[sun]", &format!("{tables}\n[sun]")));
-        assert!(found[0].1.contains(expected), "{tables}: {found:?}");
-        let of_objects = found.iter().filter(|(_, title)| title.contains("object"));
-        assert_eq!(
-            of_objects.count(),
-            usize::from(expected.contains("object") || expected.contains("one of"))
-        );
-    }
-}
-
-#[test]
-fn channels_that_cannot_be() {
-    let left = "[[channel]]\nname = 'left'\nheading_deg = -50\n";
-    assert_eq!(faults(&GOOD.replace("[sun]", &format!("{left}[sun]"))), []);
-    for (tables, expected) in [
-        (left.replace("'left'", "'../left'"), "letters, digits and dashes"),
-        (left.replace("name = 'left'\n", ""), "missing key `channel[0].name`"),
-        (format!("{left}{}", left.replace("left", "Left")), "two channels are called \"left\""),
-        (format!("{left}pitch_deg = 91\n"), "must be a number from -90 to 90 degrees"),
-        (format!("{left}roll_deg = nan\n"), "not nan"),
-        (format!("{left}field_of_view_deg = [0, 30]\n"), "0.1 to 170"),
-        (format!("{left}field_of_view_deg = 50\n"), "is one angle, without `raster.lines`"),
-        ((0..17).map(|k| left.replace("left", &format!("c{k}"))).collect(), "17 channels"),
-    ] {
-        let found = fault_of(&tables);
-        assert!(found.contains(expected), "{tables}: {found}");
-    }
-}
-
-#[test]
-fn shapes_that_are_no_solids() {
-    let folder = tempfile::tempdir().unwrap();
-    let dented =
-        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0.1 0.1 0.1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 5\nf 3 4 5\n";
-    fs::write(folder.path().join("dent.obj"), dented).unwrap();
-    let name = folder.path().join("s.toml");
-    for (file, expected) in [("dent.obj", "dent.obj"), ("gone.obj", "no such file")] {
-        let object = LANDER.replace("model = 'lander'", &format!("file = '{file}'"));
-        let text = GOOD.replace("[sun]", &format!("{object}\n[sun]"));
-        let list = Scenario::parse(name.to_str().unwrap(), &text).unwrap_err();
-        assert!(list.len() == 1 && list.to_string().contains(expected), "{list}");
-    }
-}
-
-#[test]
-fn events_that_cannot_happen() {
-    let event = |time: f64, rest: &str| format!("[[event]]\nt_s = {time:?}\n{rest}\n");
-    let add = "action = 'add'\nobject = 'flag'";
-    let delete = "action = 'delete'\nobject = 'lm'";
-    let to = "action = 'move'\nobject = 'lm'\nx_m = 5\ny_m = 5";
-    for (events, expected) in [
-        (event(1.0, "action = 'add'\nobject = 'flg'"), "must be one of \"lm\", \"flag\""),
-        (event(1.0, "action = 'ad'\nobject = 'flag'"), "must be one of \"move\""),
-        (event(-1.0, add), "of at least 0"),
-        (event(1.0, "action = 'move'\nobject = 'lm'\nx_m = 5"), "missing key `event[0].y_m`"),
-        (event(1.0, &format!("{delete}\nx_m = 5")), "unknown key `event[0].x_m`"),
-        (event(1.0, &add.replace("flag", "lm")), "\"lm\" is added at t = 1 s and stands already"),
-        (event(1.0, &delete.replace("lm", "flag")), "\"flag\" is deleted at t = 1 s and does not stand"),
-        (event(1.0, &to.replace("lm", "flag")), "\"flag\" is moved at t = 1 s and does not stand"),
-        (event(2.0, to) + &event(2.0, delete), "two events of \"lm\" at t = 2 s"),
-        (event(3.0, to) + &event(2.0, delete), "\"lm\" is moved at t = 3 s and does not stand"),
-    ] {
-        let found = fault_of(&format!("{LANDER}{FLAG}{events}"));
-        assert!(found.contains(expected), "{events}: {found}");
-    }
-    assert!(fault_of(&event(1.0, add)).contains("an event without an object"));
-    let good = format!("{LANDER}{FLAG}{}{}{}", event(3.0, delete), event(1.0, to), event(3.0, add));
-    assert_eq!(faults(&GOOD.replace("[sun]", &format!("{good}[sun]"))), []);
-    let text = GOOD.replace("[sun]", &format!("{FLAG}{}[sun]", event(1.0, &add.replace("flag", "flg"))));
-    let list = Scenario::parse("t.toml", &text).unwrap_err().to_string();
-    assert!(list.contains("did you mean \"flag\"?"), "{list}");
 }
 
 /// Rules of generated ground are the landscape's, its names are not the keys.
@@ -564,7 +365,7 @@ fn single_keys_go_over_those_of_the_file() {
     }
 }
 
-const FULL: &str = include_str!("../../../../docs/scenario-format.md");
+const FULL: &str = include_str!("../../../../../docs/scenario-format.md");
 
 proptest! {
     #[test]
