@@ -12,6 +12,7 @@ mod faults;
 mod filters;
 mod flux;
 mod ground;
+mod judged;
 mod overlays;
 mod overload;
 mod rows_of_lamps;
