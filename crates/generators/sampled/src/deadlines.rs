@@ -3,15 +3,14 @@
 use std::collections::BTreeMap;
 
 use light_points::BeamPoint;
+use scene_sampler::{Picture, Point, SIDE};
 use timing::{Cause, Deadline, Missed, Slack};
 
+use crate::drawn::Drawn;
 use crate::hardware::Memory;
-use crate::lights::Point;
-use crate::picture::Picture;
 use crate::policy::Overload;
 use crate::session::Session;
 use crate::store::Gathered;
-use crate::tile::SIDE;
 use crate::work::{self, Course, Work};
 
 /// A feature has a place in the list of a sub-area that it may cover; its slack is a tick a place.
@@ -43,7 +42,7 @@ impl<'a> Judged<'a> {
         let limited = [
             (list_entries.or(list_depth).is_some(), LIST),
             (points.is_some(), STORE),
-            (session.parameters.has_limited_stacks(), STACK),
+            (session.parameters.sampling.has_limited_stacks(), STACK),
             (session.parameters.overload == Overload::Extend, UPDATE),
         ];
         let limited = limited.into_iter().filter_map(|(is_there, kind)| is_there.then_some(kind));
@@ -81,7 +80,7 @@ impl<'a> Judged<'a> {
     }
 
     /// Places in the lists, where those are limited.
-    pub fn lists(&mut self, picture: &Picture) {
+    pub fn lists(&mut self, Drawn { picture, lost }: &Drawn) {
         let Memory { list_entries, list_depth, .. } = self.session.hardware.memory;
         if let Some(depth) = list_depth {
             picture.readings.iter().for_each(|reading| self.add_kept(LIST, depth, reading.triangles));
@@ -89,7 +88,7 @@ impl<'a> Judged<'a> {
             self.add_kept(LIST, most, picture.entries as u32);
         }
         let [columns, _] = self.session.screen.counts();
-        for lost in &picture.lost {
+        for lost in lost {
             self.add(LIST, -i64::from(lost.short), || Missed {
                 part: Some(format!("sub-area.{}.triangle.{}", lost.sub_area, lost.triangle)),
                 ..Missed::of(LIST, lost.sub_area / columns, Cause::Occupied)

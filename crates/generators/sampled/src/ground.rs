@@ -1,11 +1,12 @@
 //! The ground of a frame as a mesh, on rings that are chosen once for a mission.
 
 use generator::Stage;
-use ground_mesh::{GroundMesh, MeshError, Rings, Wish};
+use ground_mesh::{GroundMesh, MeshError, Rings, Vertex, Wish};
+use landscape::Sun;
+use rayon::prelude::*;
+use scene_sampler::{Camera, Corner, Ground, Wedge};
 
-use crate::camera::Camera;
 use crate::parameters::Parameters;
-use crate::wedge::Wedge;
 
 /// The coarsest rings whose error in frame 0 is within that of the run parameters, or those of most cells.
 pub fn rings(stage: &Stage, run: &Parameters) -> Rings {
@@ -33,6 +34,19 @@ pub fn mesh(stage: &Stage, rings: Rings, camera: &Camera) -> Result<GroundMesh, 
     let mut mesh = GroundMesh::default();
     mesh.fill_where(&stage.landscape, camera.eye, rings, |area| wedge.may_show(area))?;
     Ok(mesh)
+}
+
+/// A mesh as faces: light and colour at its vertices.
+pub fn faces<'a>(stage: &Stage, mesh: &'a GroundMesh, camera: &Camera, sun: &Sun) -> Ground<'a> {
+    let law = *stage.landscape.photometry();
+    let shaded = |vertex: &Vertex| {
+        let to_eye = (camera.eye - vertex.place).normalize_or_zero().to_array();
+        let light = sun.shade(vertex.slopes, to_eye, law);
+        let colour = vertex.albedo.map(|albedo| (albedo * light).clamp(0.0, 1.0));
+        Corner { place: camera.place(vertex.place), colour }
+    };
+    let corners = mesh.vertices().par_iter().map(shaded).collect();
+    Ground { corners, triangles: mesh.triangles(), map: None }
 }
 
 /// The mesh of a camera and its error against the closed form of the ground, in words.

@@ -2,6 +2,7 @@
 
 use diagnostics::{ProblemList, Problems, Reader, TomlFile};
 use light_points::BeamBudget;
+use scene_sampler::Reading;
 use serde_json::{Value, json};
 
 /// The file as the program carries it.
@@ -55,6 +56,26 @@ impl Hardware {
         let file = TomlFile::parse("built-in programs/sampled.toml", SHIPPED, &problems);
         let read = file.and_then(|file| Self::read(&file.root(&problems)));
         problems.resolve(read)
+    }
+
+    /// Ticks of the sampler for the list of a sub-area.
+    pub(crate) fn list_ticks(&self, reading: &Reading) -> u64 {
+        reading.entries().max(self.least_ticks)
+    }
+
+    /// Ticks for which the slowest sampling point of a sub-area holds the sampler up, beyond one an entry.
+    pub(crate) fn stack_ticks(&self, reading: &Reading) -> u64 {
+        u64::from(reading.depth) * (self.insert_ticks - 1)
+    }
+
+    /// Ticks of a sub-area from its first entry to its last calligraphic point.
+    pub(crate) fn ticks(&self, reading: &Reading) -> u64 {
+        self.list_ticks(reading) + self.stack_ticks(reading) + u64::from(reading.calligraphic)
+    }
+
+    /// Ticks in which the pixels of a sub-area are written.
+    pub(crate) fn pixel_ticks(&self, reading: &Reading) -> u64 {
+        u64::from(reading.pixels).div_ceil(self.pixels_tick)
     }
 
     /// What decides when a sub-area is read out, for the record of a run whose pictures depend on it.

@@ -117,44 +117,34 @@
 //! Remote shadow, texture, far silhouettes and vehicle tracks are listed as omissions. Insertions that a nearer feature undoes
 //! take no time, and discs of the sky take no place in lists.
 
-mod band;
-mod beam;
-mod camera;
 mod deadlines;
-mod faces;
+mod drawn;
 mod faults;
 mod fields;
 mod ground;
 mod hardware;
 mod inputs;
-mod judged;
 mod ladders;
-mod lights;
 mod map;
 mod overload;
 mod parameters;
-mod picture;
-mod point;
 mod policy;
-mod reading;
 mod row;
 mod rows;
 mod sampled;
-mod scene;
 #[cfg(test)]
 mod scenes;
 mod session;
 mod shown;
 mod sizing;
 mod store;
-mod tile;
 mod timed;
-mod wedge;
 mod work;
 
 pub use hardware::{Hardware, Memory};
-pub use parameters::{BeamLayer, BeamOrder, Parameters};
+pub use parameters::Parameters;
 pub use policy::Overload;
 pub use row::ROW;
 pub use sampled::Sampled;
+pub use scene_sampler::{BeamLayer, BeamOrder};
 pub use timed::Clocked;

@@ -2,17 +2,18 @@
 
 use generator::Loss;
 use raster::Screen;
+use scene_sampler::{SIDE, area_of};
 
-use crate::picture::{Picture, area_of};
+use crate::drawn::Drawn;
 use crate::store::Gathered;
-use crate::tile::SIDE;
 
-/// Fills the plane with the losses of each pixel. Lists and lateness are of whole sub-areas, whose readings `picture` must have; stacks
+/// Fills the plane with the losses of each pixel. Lists and lateness are of whole sub-areas, whose readings `drawn` must have; stacks
 /// are of pixels; a lost light marks the pixel of its middle.
-pub fn fill(plane: &mut [f32], picture: &Picture, gathered: &Gathered, screen: &Screen, late: &[bool]) {
+pub fn fill(plane: &mut [f32], drawn: &Drawn, gathered: &Gathered, screen: &Screen, late: &[bool]) {
+    let Drawn { picture, lost } = drawn;
     let [width, height] = screen.size().map(|pixels| pixels as usize);
     let mut areas: Vec<u8> = late.iter().map(|is_late| u8::from(*is_late) * Loss::Late.bit()).collect();
-    picture.lost.iter().for_each(|lost| areas[lost.sub_area as usize] |= Loss::List.bit());
+    lost.iter().for_each(|lost| areas[lost.sub_area as usize] |= Loss::List.bit());
     let mut bits: Vec<u8> = (0..plane.len())
         .map(|at| {
             let area = area_of(at, width);
@@ -71,7 +72,10 @@ mod tests {
         });
         assert_lost(&short, Loss::List, |[x, _]| x < 8);
         let shallow = bits(10, |generator| Sampled {
-            parameters: Parameters { translucent: Some(0), ..generator.parameters },
+            parameters: Parameters {
+                sampling: scene_sampler::Parameters { translucent: Some(0), ..generator.parameters.sampling },
+                ..generator.parameters
+            },
             ..generator
         });
         assert_lost(&shallow, Loss::Stack, |[x, _]| x < 8);

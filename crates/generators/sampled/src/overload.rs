@@ -3,10 +3,10 @@
 use std::cmp::Ordering;
 
 use raster::{Lists, Screen};
+use scene_sampler::Scene;
 
 use crate::hardware::Memory;
 use crate::policy::Overload;
-use crate::scene::Scene;
 
 /// A triangle that found no place in the list of a sub-area.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

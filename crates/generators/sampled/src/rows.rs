@@ -4,13 +4,11 @@ use generator::Stage;
 use quantities::Timebase;
 use raster::Screen;
 use scenario::View;
+use scene_sampler::{Camera, Reading, SIDE};
 use signal::{Probe, Signal, Unit, Waveform, Wire};
 
-use crate::camera::Camera;
 use crate::hardware::Hardware;
 use crate::parameters::Parameters;
-use crate::reading::Reading;
-use crate::tile::SIDE;
 use crate::work::frame_ticks;
 
 /// Place of a sub-area in its row.
@@ -84,8 +82,9 @@ pub(crate) fn wires(stage: &Stage, screen: &Screen, run: &Parameters, hardware: 
     let mean = frame_ticks(hardware, stage.view.update) as f64 / screen.sub_areas() as f64;
     // A stack without limit is shown as deep as a list.
     let deepest = run
+        .sampling
         .translucent
-        .zip(run.lights)
+        .zip(run.sampling.lights)
         .map_or(mean, |(surfaces, lights)| f64::from(surfaces) + f64::from(lights) + 1.0);
     let scales =
         [PLANE, stage.view.field.tan_half_width, stage.view.ranges[1], mean, mean, deepest, 1.0, mean];
@@ -127,7 +126,7 @@ impl Rows<'_> {
             self.camera.projection.ray(middle).x * PLANE,
             self.range(middle, reading.q),
             reading.entries() as f64,
-            reading.ticks(self.hardware) as f64,
+            self.hardware.ticks(reading) as f64,
             f64::from(reading.depth),
             reading.rest,
             f64::from(reading.lights()),

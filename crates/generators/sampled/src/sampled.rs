@@ -9,7 +9,6 @@ use signal::Signal;
 
 use crate::hardware::Hardware;
 use crate::parameters::Parameters;
-use crate::picture::PLANES;
 use crate::row::NAME;
 use crate::rows;
 use crate::session::Session;
@@ -27,6 +26,12 @@ pub struct Sampled {
 const fn counter(name: &'static str) -> Counter {
     Counter { name, joined: Joined::Sum }
 }
+
+/// Those of the picture, and the map of what was lost.
+const PLANES: [PlaneKind; 8] = {
+    let [a, b, c, d, e, f, g] = scene_sampler::PLANES;
+    [a, b, c, d, e, f, g, PlaneKind::Overload]
+};
 
 /// What a frame took and lost.
 const COUNTERS: [Counter; 14] = [
@@ -56,7 +61,7 @@ impl Generator for Sampled {
     }
 
     fn planes(&self) -> &'static [PlaneKind] {
-        PLANES
+        &PLANES
     }
 
     fn signals(&self) -> &'static [Signal] {
@@ -82,30 +87,19 @@ impl Generator for Sampled {
 
     fn record(&self) -> Value {
         let Self { parameters: run, hardware: Hardware { memory, beam, .. } } = self;
-        let mut record = json!({
-            "pattern": run.pattern.name(),
-            "rotate": run.rotate,
-            "filter": format!("{:?}", run.filter).to_lowercase(),
-            "translucent": run.translucent,
-            "lights": run.lights,
-            "shared_stack": run.shared_stack,
-            "least_diameter_px": run.least_diameter,
-            "normalise": run.normalise,
-            "blending": format!("{:?}", run.blending).to_lowercase(),
-            "veil": format!("{:?}", run.veil).to_lowercase(),
-            "spot_px": run.spot,
-            "beam_order": format!("{:?}", run.beam_order).to_lowercase(),
-            "beam_layer": format!("{:?}", run.beam_layer).to_lowercase(),
-            "ground_half_side_m": run.ground_half_side,
-            "ground_cells": run.ground_cells,
-            "ground_error_px": run.ground_error,
-            "overload": run.overload.word(),
-            "list_entries": memory.list_entries,
-            "list_depth": memory.list_depth,
-            "points": memory.points,
-            "jump_us": beam.jump_ns as f64 / 1e3,
-            "dwell_us": beam.dwell_ns as f64 / 1e3,
-        });
+        let mut record = run.sampling.record();
+        let own = [
+            ("ground_half_side_m", json!(run.ground_half_side)),
+            ("ground_cells", json!(run.ground_cells)),
+            ("ground_error_px", json!(run.ground_error)),
+            ("overload", json!(run.overload.word())),
+            ("list_entries", json!(memory.list_entries)),
+            ("list_depth", json!(memory.list_depth)),
+            ("points", json!(memory.points)),
+            ("jump_us", json!(beam.jump_ns as f64 / 1e3)),
+            ("dwell_us", json!(beam.dwell_ns as f64 / 1e3)),
+        ];
+        own.into_iter().for_each(|(key, value)| record[key] = value);
         if self.remembers_frames() {
             record["sampler"] = self.hardware.sampler_record();
         }

@@ -7,22 +7,20 @@ use generator::{
 use ground_mesh::Rings;
 use raster::{Lists, Screen};
 use scenario::Pose;
+use scene_sampler::{Camera, Filled, SIDE, Scene, judged_faces};
 use serde_json::Value;
 use signal::{Probe, Wire};
-use translucency::{FeatureError, Losses};
+use translucency::Losses;
 
+use crate::drawn::Drawn;
 use crate::fields::Fields;
 use crate::hardware::Hardware;
 use crate::overload::LostEntry;
 use crate::parameters::Parameters;
-use crate::picture::{self, Picture};
-use crate::point::SamplingPoint;
 use crate::row::NAME;
 use crate::rows::{self, Rows};
-use crate::scene::Scene;
 use crate::store::Gathered;
-use crate::tile::{SIDE, Sampler};
-use crate::{ground, judged, map, overload, store};
+use crate::{ground, map, overload, store};
 
 /// How much the limits of the stacks can change a colour of a sampling point, in millionths of white, rounded up.
 fn largest_loss_ppm(losses: &Losses) -> u64 {
@@ -69,8 +67,7 @@ impl Session {
     /// # Errors
     /// If the pose cannot be drawn.
     pub fn gather(&self, frame: u64, pose: &Pose) -> Result<Gathered, FrameError> {
-        self.check(frame, pose)?;
-        let mut scene = Scene::new(&self.stage, &self.parameters, self.rings, &self.screen, frame, pose)?;
+        let mut scene = self.scene(frame, pose)?;
         let lost_points = store::limit(&mut scene.lights, self.hardware.memory.points, &self.screen);
         Ok(Gathered { scene, lost_points })
     }
@@ -83,27 +80,35 @@ impl Session {
     ///
     /// # Errors
     /// If a light is no number.
-    pub fn picture(&self, scene: &Scene, frame: u64, is_read: bool) -> Result<Picture, FrameError> {
+    pub fn drawn(&self, scene: &Scene, frame: u64, is_read: bool) -> Result<Drawn, FrameError> {
+        let (lists, lost) = self.lists(scene);
         let Self { stage, screen, parameters, hardware, .. } = self;
-        picture::draw(scene, screen, parameters, hardware, &stage.view, frame, is_read)
+        let (run, view) = (&parameters.sampling, &stage.view);
+        let picture = scene_sampler::draw(scene, &lists, screen, run, hardware.beam, view, frame, is_read)?;
+        Ok(Drawn { picture, lost })
     }
 }
 
 impl Session {
-    /// The sub-area that holds a pixel of frame `frame` from `pose`.
-    fn filled(&self, frame: u64, pose: &Pose, pixel: [usize; 2]) -> Result<Filled, FrameError> {
-        let Gathered { scene, .. } = self.gather(frame, pose)?;
-        let refused = |error: FeatureError| FrameError::Refused { frame, reason: error.to_string() };
-        let (lists, lost) =
-            overload::lists(&scene, &self.screen, self.parameters.overload, &self.hardware.memory);
-        let number = (pixel[1] / SIDE) * self.screen.counts()[0] as usize + pixel[0] / SIDE;
-        let mut sampler = Sampler::new(&self.parameters).map_err(refused)?;
-        sampler.fill(&scene, &lists, &self.screen.sub_area(number), number).map_err(refused)?;
-        Ok(Filled { scene, lists, lost, sampler, number })
+    /// A scene's lists within the limits of the list memory, and what found no place in them.
+    fn lists(&self, scene: &Scene) -> (Lists, Vec<LostEntry>) {
+        overload::lists(scene, &self.screen, self.parameters.overload, &self.hardware.memory)
+    }
+
+    /// Gathers frame `frame` from `pose` without the limits of the light point store.
+    fn scene(&self, frame: u64, pose: &Pose) -> Result<Scene, FrameError> {
+        self.check(frame, pose)?;
+        let camera = Camera::new(pose, &self.stage.view);
+        let mesh = ground::mesh(&self.stage, self.rings, &camera);
+        let mesh = mesh.map_err(|error| FrameError::Refused { frame, reason: error.to_string() })?;
+        let sun = self.stage.scenery.sun(pose.time);
+        let ground = ground::faces(&self.stage, &mesh, &camera, &sun);
+        Scene::new(&self.stage, &self.parameters.sampling, &self.screen, camera, ground, (frame, pose.time))
     }
 
     /// What a frame took and lost, with its late sub-areas, and whether its picture shows a new frame.
-    fn counted(&self, gathered: &Gathered, picture: &Picture, late: u64, is_new: bool) -> FrameCounts {
+    fn counted(&self, gathered: &Gathered, drawn: &Drawn, late: u64, is_new: bool) -> FrameCounts {
+        let Drawn { picture, lost } = drawn;
         let scene = &gathered.scene;
         let calligraphic = scene.lights.points.iter().filter(|point| point.is_calligraphic).count() as u64;
         FrameCounts::of([
@@ -115,7 +120,7 @@ impl Session {
             ("calligraphic", calligraphic),
             ("lost_surfaces", picture.losses.translucent),
             ("lost_lights", picture.losses.lights),
-            ("lost_entries", picture.lost.len() as u64),
+            ("lost_entries", lost.len() as u64),
             ("lost_points", gathered.lost_points.len() as u64),
             ("beam_dropped", picture.beam.dropped.len() as u64),
             ("late_sub_areas", late),
@@ -139,19 +144,21 @@ impl GeneratorSession for Session {
         let scene = &gathered.scene;
         let wants_map = planes.get(PlaneKind::Overload).is_some();
         let is_read = probe.is_on() || wants_map || self.remembers_frames();
-        let mut picture = self.picture(scene, shown.frame, is_read)?;
-        let late = self.show_late(&mut picture, scene, shown.frame)?;
+        let mut drawn = self.drawn(scene, shown.frame, is_read)?;
+        let picture = &mut drawn.picture;
+        let late = self.show_late(picture, scene, shown.frame)?;
         let Self { screen, hardware, parameters, .. } = self;
-        picture.beam.draw(&scene.lights.points, parameters, screen, &mut picture.colours);
-        picture::fill(&picture, scene, planes);
+        picture.beam.draw(&scene.lights.points, &parameters.sampling, screen, &mut picture.colours);
+        scene_sampler::fill(picture, scene, planes);
         if shown.is_dark {
             planes.fill_sky();
         }
         if let Some(plane) = planes.get_mut(PlaneKind::Overload) {
-            map::fill(plane, &picture, &gathered, screen, &self.late(&picture.readings));
+            map::fill(plane, &drawn, &gathered, screen, &self.late(&drawn.picture.readings));
         }
-        Rows { screen, camera: &scene.camera, hardware, readings: &picture.readings }.record(frame, probe);
-        Ok(self.counted(&gathered, &picture, late, shown.is_new))
+        Rows { screen, camera: &scene.camera, hardware, readings: &drawn.picture.readings }
+            .record(frame, probe);
+        Ok(self.counted(&gathered, &drawn, late, shown.is_new))
     }
 
     fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
@@ -181,23 +188,20 @@ impl GeneratorSession for Session {
 
     /// The ground mesh of the frame with its error; lists and stacks of every sampling point of the pixel.
     fn explain(&self, frame: u64, pose: &Pose, pixel: [usize; 2]) -> Result<Vec<Fact>, FrameError> {
-        let filled = self.filled(frame, pose, pixel)?;
-        let Filled { scene, lists, lost, number, .. } = &filled;
-        let entries = lists.of(*number).len() + scene.lights.of(*number).len();
-        let lost = lost.iter().filter(|lost| lost.sub_area as usize == *number).count();
+        let scene = self.gather(frame, pose)?.scene;
+        let refused = |reason: String| FrameError::Refused { frame, reason };
+        let (lists, lost) = self.lists(&scene);
+        let filled = Filled::new(&scene, &lists, &self.screen, &self.parameters.sampling, pixel)
+            .map_err(|error| refused(error.to_string()))?;
+        let lost = lost.iter().filter(|lost| lost.sub_area as usize == filled.number()).count();
         let without = if lost > 0 { format!(", {lost} without a place") } else { String::new() };
         let ground = ground::told(&self.stage, self.rings, &scene.camera);
-        let ground = ground.map_err(|error| FrameError::Refused { frame, reason: error.to_string() })?;
+        let sub_area = format!("{}: {} entries{without}", filled.number(), filled.entries());
         let mut facts = vec![
-            Fact::new("ground mesh", ground),
-            Fact::new("sub-area", format!("{number}: {entries} entries{without}")),
+            Fact::new("ground mesh", ground.map_err(|error| refused(error.to_string()))?),
+            Fact::new("sub-area", sub_area),
         ];
-        let stack = filled.sampler.stack();
-        let first = (pixel[1] % SIDE * SIDE + pixel[0] % SIDE) * stack.samples();
-        for point in 0..stack.samples() {
-            let words = format!("{point}: {}", told(scene, stack, first + point));
-            facts.push(Fact::new("sampling point", words));
-        }
+        facts.extend(filled.facts());
         Ok(facts)
     }
 
@@ -208,61 +212,22 @@ impl GeneratorSession for Session {
         pixel: [usize; 2],
         number: usize,
     ) -> Result<Option<Value>, FrameError> {
-        let filled = self.filled(frame, pose, pixel)?;
-        let stack = filled.sampler.stack();
-        let point = SamplingPoint {
-            scene: &filled.scene,
-            run: &self.parameters,
-            lists: &filled.lists,
-            lost: &filled.lost,
-            stack,
-            sub_area: filled.number,
-            area: self.screen.sub_area(filled.number),
-            pixel,
-            number,
-        };
-        Ok((number < stack.samples()).then(|| point.document()))
+        let scene = self.gather(frame, pose)?.scene;
+        let (lists, lost) = self.lists(&scene);
+        let filled = Filled::new(&scene, &lists, &self.screen, &self.parameters.sampling, pixel)
+            .map_err(|error| FrameError::Refused { frame, reason: error.to_string() })?;
+        let of_area = lost.iter().filter(|lost| lost.sub_area as usize == filled.number());
+        let lost: Vec<u32> = of_area.map(|lost| lost.triangle).collect();
+        Ok(filled.document(number, &lost))
     }
 
     fn faces(&self, frame: u64, pose: &Pose) -> Result<Option<FaceScene>, FrameError> {
-        self.check(frame, pose)?;
-        let scene = Scene::new(&self.stage, &self.parameters, self.rings, &self.screen, frame, pose)?;
-        Ok(Some(judged::faces(scene, &self.parameters)))
+        Ok(Some(judged_faces(self.scene(frame, pose)?, &self.parameters.sampling)))
     }
 
     fn beam_list(&self, frame: u64, pose: &Pose) -> Result<Option<Vec<BeamEntry>>, FrameError> {
         let Gathered { scene, .. } = self.gather(frame, pose)?;
-        let picture = self.picture(&scene, frame, false)?;
-        Ok(Some(picture.beam.entries(&scene.lights.points)))
+        let drawn = self.drawn(&scene, frame, false)?;
+        Ok(Some(drawn.picture.beam.entries(&scene.lights.points)))
     }
-}
-
-/// The sub-area of a pixel with its stacks filled.
-struct Filled {
-    scene: Scene,
-    lists: Lists,
-    lost: Vec<LostEntry>,
-    sampler: Sampler,
-    /// Number of the sub-area.
-    number: usize,
-}
-
-/// The stack of a sampling point in words, near to far.
-fn told(scene: &Scene, stack: &translucency::Stack, sample: usize) -> String {
-    let layer = |layer: translucency::Layer<'_>| {
-        let label = scene.faces.labels[layer.feature.id() as usize].name();
-        let at = if layer.q > 0.0 && layer.q.is_finite() {
-            format!(" at {:.3} m", 1.0 / layer.q)
-        } else {
-            String::new()
-        };
-        format!("{label}{at}, weight {:.4}", layer.weight())
-    };
-    let mut words: Vec<String> = stack.layers(sample).map(layer).collect();
-    if let Some(loss) = stack.loss_at(sample) {
-        words.push(format!("lost to the limits: at most {:.4} of light", loss.bound[1]));
-    }
-    let [red, green, blue] = stack.colour_at(sample);
-    words.push(format!("red {red:.4}, green {green:.4}, blue {blue:.4}"));
-    words.join("; ")
 }

@@ -2,13 +2,11 @@
 
 use generator::FrameError;
 use scenario::Pose;
+use scene_sampler::{Picture, Reading, Scene};
 
 use crate::fields::Field;
 use crate::overload;
-use crate::picture::Picture;
 use crate::policy::Overload;
-use crate::reading::Reading;
-use crate::scene::Scene;
 use crate::session::Session;
 use crate::work::{self, Course};
 
@@ -61,7 +59,7 @@ impl Session {
     fn course(&self, scene: &Scene, frame: u64) -> Result<Course, FrameError> {
         let readings = match self.hardware.insert_ticks {
             1 => self.counts(scene),
-            _ => self.picture(scene, frame, true)?.readings,
+            _ => self.drawn(scene, frame, true)?.picture.readings,
         };
         Ok(Course::of(&readings, &self.hardware))
     }
@@ -99,7 +97,7 @@ impl Session {
             return Ok(count);
         };
         let earlier = self.gather(before, &self.pose(before)?)?.scene;
-        let shown = self.picture(&earlier, before, false)?;
+        let shown = self.drawn(&earlier, before, false)?.picture;
         picture.show_earlier(Some(&shown), earlier.camera, late, &self.screen);
         Ok(count)
     }
@@ -133,7 +131,9 @@ mod tests {
     /// Frames of a policy at 166 frames a second: six ticks, of which rows are due at 3 and 6. Read out is at 3, 4, 6 and 7.
     fn drawn(overload: Overload, frames: &[u64]) -> Vec<(Planes, u64, u64)> {
         let (generator, update) = scenes::slow(166);
-        let parameters = Parameters { overload, beam_layer: BeamLayer::Raster, ..generator.parameters };
+        let sampling =
+            scene_sampler::Parameters { beam_layer: BeamLayer::Raster, ..generator.parameters.sampling };
+        let parameters = Parameters { overload, sampling, ..generator.parameters };
         let stage = scenes::moving(effects(), update, 6);
         let course = stage.scenery.course().to_vec();
         let session = Sampled { parameters, ..generator }.prepare(stage).unwrap();
@@ -149,7 +149,7 @@ mod tests {
     /// Values of a plane in a sub-area of the 2 x 2.
     fn tile(planes: &Planes, kind: PlaneKind, number: usize) -> Vec<f32> {
         let values = planes.get(kind).unwrap();
-        (0..256).filter(|at| crate::picture::area_of(*at, 16) == number).map(|at| values[at]).collect()
+        (0..256).filter(|at| scene_sampler::area_of(*at, 16) == number).map(|at| values[at]).collect()
     }
 
     #[test]

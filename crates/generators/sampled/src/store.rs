@@ -1,9 +1,7 @@
 //! The light point store: which points of a frame find a place.
 
 use raster::Screen;
-
-use crate::lights::{Lights, Point};
-use crate::scene::Scene;
+use scene_sampler::{Lights, Point, Scene};
 
 /// The scene of a frame, within the limits of the light point store.
 pub(crate) struct Gathered {

@@ -4,13 +4,13 @@ use generator::{FrameError, PrepareError, SizedFigure, Stage, Timed};
 use light_points::BeamPoint;
 use quantities::Rate;
 use scenario::{Pose, Scenario};
+use scene_sampler::Picture;
 use timing::{EventHash, FrameTiming, Task, UnitUse};
 
 use crate::deadlines::Judged;
 use crate::hardware::Hardware;
 use crate::inputs::inputs_hash;
 use crate::parameters::Parameters;
-use crate::picture::Picture;
 use crate::policy::Overload;
 use crate::session::Session;
 use crate::sizing;
@@ -98,21 +98,22 @@ impl Timed for Clocked {
             return Ok(self.never_begun(frame, ticks));
         }
         let gathered = self.session.gather(frame, pose)?;
-        let picture = self.session.picture(&gathered.scene, frame, true)?;
+        let drawn = self.session.drawn(&gathered.scene, frame, true)?;
+        let picture = &drawn.picture;
         let course = Course::of(&picture.readings, hardware);
-        let work = Work::of(&gathered.scene, &picture, screen);
+        let work = Work::of(&gathered.scene, &drawn, screen);
         let mut judged = Judged::none_of(&self.session);
         judged.frame_tasks(&work, ticks);
-        judged.lists(&picture);
+        judged.lists(&drawn);
         judged.store(&gathered);
-        judged.stacks(&picture);
+        judged.stacks(picture);
         judged.sub_areas(&course, ticks);
         judged.update(Some(course.end()), ticks);
         let beam_field = self.beam_field(&course, ticks);
-        judged.beam(&gathered, &picture, beam_field);
+        judged.beam(&gathered, picture, beam_field);
         let tasks = work.tasks(&picture.readings, hardware);
         let units = work.units(&tasks, &course);
-        let events = self.events(&picture, &course, beam_field[0]);
+        let events = self.events(picture, &course, beam_field[0]);
         Ok(timing_of(frame, ticks, judged, (units, tasks), &events))
     }
 
@@ -220,9 +221,8 @@ mod tests {
     /// The pane covers sub-areas 0 and 2, and there is no slot for it: each of 64 pixels loses it at 4 sampling points.
     #[test]
     fn full_stacks_are_misses_of_their_sub_areas() {
-        let (generator, rate) = scenes::slow(10);
-        let parameters = Parameters { translucent: Some(0), ..generator.parameters };
-        let generator = crate::Sampled { parameters, ..generator };
+        let (mut generator, rate) = scenes::slow(10);
+        generator.parameters.sampling.translucent = Some(0);
         let clocked = Clocked::new(
             scenes::stage(scenes::pane_and_stars(), rate),
             generator.parameters,
@@ -235,8 +235,8 @@ mod tests {
         let told: Vec<_> = ours.map(|missed| (missed.sweep, missed.part.as_deref())).collect();
         assert_eq!(told, [(0, Some("sub-area.0")), (1, Some("sub-area.2"))]);
         // Without limits there is no such deadline.
-        let parameters = Parameters { translucent: None, lights: None, ..generator.parameters };
-        let generator = crate::Sampled { parameters, ..generator };
+        generator.parameters.sampling.translucent = None;
+        generator.parameters.sampling.lights = None;
         let clocked = Clocked::new(
             scenes::stage(scenes::pane_and_stars(), rate),
             generator.parameters,

@@ -3,12 +3,11 @@
 use generator::Label;
 use quantities::Rate;
 use raster::Screen;
+use scene_sampler::{Reading, Scene};
 use timing::{Task, UnitUse};
 
+use crate::drawn::Drawn;
 use crate::hardware::Hardware;
-use crate::picture::Picture;
-use crate::reading::Reading;
-use crate::scene::Scene;
 
 /// The units, in the order in which a feature meets them.
 pub const GEOMETRY: &str = "geometry";
@@ -68,10 +67,10 @@ impl Course {
         let (mut handed_over, mut written) = (0, 0);
         let mut course = Self { read_out: Vec::with_capacity(readings.len()), has_waited: false };
         for reading in readings {
-            let done: u64 = handed_over + reading.ticks(hardware);
+            let done: u64 = handed_over + hardware.ticks(reading);
             course.has_waited |= done < written;
             handed_over = done.max(written);
-            written = handed_over + reading.pixel_ticks(hardware);
+            written = handed_over + hardware.pixel_ticks(reading);
             course.read_out.push(written);
         }
         course
@@ -100,13 +99,13 @@ pub struct Work {
 
 impl Work {
     /// The work of a scene and its picture.
-    pub fn of(scene: &Scene, picture: &Picture, screen: &Screen) -> Self {
+    pub fn of(scene: &Scene, Drawn { picture, lost }: &Drawn, screen: &Screen) -> Self {
         let lights = scene.faces.labels.iter().filter(|label| **label == Label::Light).count();
         let listed: usize = (0..screen.sub_areas()).map(|area| scene.lights.of(area).len()).sum();
         Self {
             features: scene.faces.work.faces + (lights + scene.discs.len()) as u64,
             corners: scene.faces.work.corners,
-            pairs: picture.entries + picture.lost.len() as u64 + listed as u64,
+            pairs: picture.entries + lost.len() as u64 + listed as u64,
             drawn: picture.beam.drawn.len() as u64,
             dropped: picture.beam.dropped.len() as u64,
         }
@@ -130,13 +129,13 @@ impl Work {
             (GEOMETRY, "corners", self.corners, self.corners * hardware.corner_ticks),
             (LISTS, "pairs", self.pairs, self.pairs),
             (SAMPLER, "entries", entries, entries),
-            (SAMPLER, "short-lists", short, sum(&|reading| reading.list_ticks(hardware)) - entries),
-            (STACK, "insertions", deepest, sum(&|reading| reading.stack_ticks(hardware))),
+            (SAMPLER, "short-lists", short, sum(&|reading| hardware.list_ticks(reading)) - entries),
+            (STACK, "insertions", deepest, sum(&|reading| hardware.stack_ticks(reading))),
             (
                 PIXELS,
                 "pixels",
                 sum(&|reading| u64::from(reading.pixels)),
-                sum(&|reading| reading.pixel_ticks(hardware)),
+                sum(&|reading| hardware.pixel_ticks(reading)),
             ),
             (LIGHT_POINTS, "discs", discs, discs),
             (BEAM, "points", self.drawn, beam_ticks(hardware, self.drawn)),

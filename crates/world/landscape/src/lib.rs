@@ -36,7 +36,7 @@ mod texture;
 pub use albedo::{AlbedoMap, AlbedoMapError, Texels};
 pub use axes::Attitude;
 pub use bank::{Bank, BankError, CornerWords, Georeference, Level, WORDS};
-pub use light::{GroupLight, Sun, SweepLight};
+pub use light::{GroupLight, Sun, SweepLight, shade};
 pub use lunoid::{LUNOID_RADIUS, parabolic_drop, spherical_drop};
 pub use map_frame::{FileCoordinates, MapFrame, SPACING_RULE};
 pub use photometry::Photometry;

@@ -27,20 +27,27 @@ impl Sun {
     }
 
     /// Lambert's factor `max(n.s, 0)` for ground of slopes `[hx, hy]`; 0 is local shadow.
-    pub fn reflectivity(&self, [hx, hy]: [f64; 2]) -> f64 {
-        let [north, east, up] = self.direction();
-        ((up - hx * north - hy * east) / (1.0 + hx * hx + hy * hy).sqrt()).max(0.0)
+    pub fn reflectivity(&self, slopes: [f64; 2]) -> f64 {
+        reflectivity(self.direction(), slopes)
     }
 
     /// What ground of slopes `[hx, hy]` and albedo 1 sends along `to_eye`, the unit vector from it to the eye (north,
     /// east, up), under `photometry`; 0 is local shadow.
     pub fn shade(&self, slopes: [f64; 2], to_eye: [f64; 3], photometry: Photometry) -> f64 {
-        let ([hx, hy], sun) = (slopes, self.direction());
-        let mu0 = self.reflectivity(slopes);
-        let mu = (to_eye[2] - hx * to_eye[0] - hy * to_eye[1]) / (1.0 + hx * hx + hy * hy).sqrt();
-        let cos_g = sun[0] * to_eye[0] + sun[1] * to_eye[1] + sun[2] * to_eye[2];
-        mu0 * photometry.factor(mu0, mu, cos_g)
+        shade(self.direction(), slopes, to_eye, photometry)
     }
+}
+
+/// [`Sun::shade`] by the sun's unit vector, for whoever shades many places under one sun.
+pub fn shade(sun: [f64; 3], [hx, hy]: [f64; 2], to_eye: [f64; 3], photometry: Photometry) -> f64 {
+    let mu0 = reflectivity(sun, [hx, hy]);
+    let mu = (to_eye[2] - hx * to_eye[0] - hy * to_eye[1]) / (1.0 + hx * hx + hy * hy).sqrt();
+    let cos_g = sun[0] * to_eye[0] + sun[1] * to_eye[1] + sun[2] * to_eye[2];
+    mu0 * photometry.factor(mu0, mu, cos_g)
+}
+
+fn reflectivity([north, east, up]: [f64; 3], [hx, hy]: [f64; 2]) -> f64 {
+    ((up - hx * north - hy * east) / (1.0 + hx * hx + hy * hy).sqrt()).max(0.0)
 }
 
 /// Light in the axes of one sweep: the sun vector scaled by the albedo, so that Lambert's law needs no further

@@ -37,18 +37,29 @@ impl Surface<'_> {
         self.morphed(tile, own.level, at, self.fraction_at(tile, at))
     }
 
+    /// Adds a tile to a mesh: its vertices (x, y, z; m) row by row, and its triangles by the numbers of their corners, counter-clockwise
+    /// seen from above. Vertices that stitching leaves out belong to no triangle.
+    pub fn add_tile(&self, tile: Tile, vertices: &mut Vec<[f64; 3]>, triangles: &mut Vec<[u32; 3]>) {
+        let level = self.own(tile).level;
+        let cells = self.terrain.cells(level);
+        let first = vertices.len();
+        for at in (0..=cells).flat_map(|j| (0..=cells).map(move |i| [i, j])) {
+            let [x, y] = self.terrain.place(tile, level, at);
+            vertices.push([x, y, self.height(tile, at)]);
+        }
+        let stitched = self.stitched(tile);
+        let number = |[i, j]: [usize; 2]| (first + j * (cells + 1) + i) as u32;
+        for [a, b] in blocks(cells) {
+            let in_tile = |[i, j]: [usize; 2]| number([a + i, b + j]);
+            triangles.extend(block(cells, [a, b], stitched).map(|corners| corners.map(in_tile)));
+        }
+    }
+
     /// Triangles of a tile as places of their corners (m), counter-clockwise seen from above.
     pub fn triangles(&self, tile: Tile) -> Vec<[[f64; 3]; 3]> {
-        let level = self.own(tile).level;
-        let vertex = |at: [usize; 2]| {
-            let [x, y] = self.terrain.place(tile, level, at);
-            [x, y, self.height(tile, at)]
-        };
-        let block = |[a, b]: [usize; 2]| {
-            let corners = move |[i, j]: [usize; 2]| [a + i, b + j];
-            self.block(tile, [a, b]).into_iter().map(move |triangle| triangle.map(corners).map(vertex))
-        };
-        self.blocks(tile).flat_map(block).collect()
+        let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
+        self.add_tile(tile, &mut vertices, &mut triangles);
+        triangles.into_iter().map(|corners| corners.map(|corner| vertices[corner as usize])).collect()
     }
 
     /// Height (m) of the surface under a place (m); that of the nearest border beyond the terrain.
@@ -58,11 +69,12 @@ impl Surface<'_> {
         let cells = self.terrain.cells(level);
         let scaled = within.map(|cell| cell / (1 << level) as f64);
         let size = cells.min(2);
-        let block =
+        let first =
             scaled.map(|cell| (cell / size as f64) as usize * size).map(|cell| cell.min(cells - size));
-        let local = [0, 1].map(|axis| scaled[axis] - block[axis] as f64);
-        let vertex = |[i, j]: [usize; 2]| self.height(tile, [block[0] + i, block[1] + j]);
-        let held = self.block(tile, block).into_iter().map(|triangle| (triangle, weights(&triangle, local)));
+        let local = [0, 1].map(|axis| scaled[axis] - first[axis] as f64);
+        let vertex = |[i, j]: [usize; 2]| self.height(tile, [first[0] + i, first[1] + j]);
+        let triangles = block(cells, first, self.stitched(tile));
+        let held = triangles.map(|triangle| (triangle, weights(&triangle, local)));
         // A place on an edge may be outside of both triangles by rounding: the one that it is least outside of holds it.
         let best = held.max_by(|(_, a), (_, b)| least(a).total_cmp(&least(b)));
         best.map_or(f64::NAN, |(triangle, weights)| {
@@ -102,56 +114,46 @@ impl Surface<'_> {
         mean + (1.0 - fraction) * (whole - mean)
     }
 
-    /// First vertices of the blocks of a tile: two by two cells, or its only cell.
-    fn blocks(&self, tile: Tile) -> impl Iterator<Item = [usize; 2]> + use<> {
-        let cells = self.terrain.cells(self.own(tile).level);
-        let step = cells.min(2);
-        (0..cells).step_by(step).flat_map(move |b| (0..cells).step_by(step).map(move |a| [a, b]))
+    /// Which sides, in the order of [`Side::ALL`], lack the vertices that the neighbour lacks.
+    fn stitched(&self, tile: Tile) -> [bool; 4] {
+        let own = self.own(tile).level;
+        Side::ALL.map(|side| {
+            let other = beyond(self.terrain, self.state, tile, side);
+            self.stitch == Stitch::FineSide && other.is_some_and(|other| other.level > own)
+        })
     }
+}
 
-    /// Triangles of the block that begins at a vertex.
-    fn block(&self, tile: Tile, [a, b]: [usize; 2]) -> Vec<BlockTriangle> {
-        let cells = self.terrain.cells(self.own(tile).level);
-        let mut triangles = cells_of(cells.min(2));
-        for side in Side::ALL {
-            let (odd, even) = match side {
-                Side::Left => ([0, 1], [0, 0]),
-                Side::Right => ([2, 1], [2, 0]),
-                Side::Bottom => ([1, 0], [0, 0]),
-                Side::Top => ([1, 2], [0, 2]),
-            };
-            let is_on_side = cells > 1 && side.holds([a + odd[0], b + odd[1]], cells);
-            if is_on_side && self.is_stitched(tile, side) {
-                collapse(&mut triangles, odd, even);
-            }
-        }
-        triangles
-    }
+/// First vertices of the blocks of a tile of so many cells a side: two by two cells, or its only cell.
+fn blocks(cells: usize) -> impl Iterator<Item = [usize; 2]> {
+    let step = cells.min(2);
+    (0..cells).step_by(step).flat_map(move |b| (0..cells).step_by(step).map(move |a| [a, b]))
+}
 
-    /// Whether a side lacks the vertices that the neighbour lacks.
-    fn is_stitched(&self, tile: Tile, side: Side) -> bool {
-        let other = beyond(self.terrain, self.state, tile, side);
-        self.stitch == Stitch::FineSide && other.is_some_and(|other| other.level > self.own(tile).level)
-    }
+/// Triangles of the block that begins at a vertex of a tile of so many cells a side.
+fn block(cells: usize, [a, b]: [usize; 2], stitched: [bool; 4]) -> impl Iterator<Item = BlockTriangle> {
+    // Vertices in the middle of a stitched side move into the corner before them.
+    let moved = [([0, 1], [0, 0]), ([2, 1], [2, 0]), ([1, 0], [0, 0]), ([1, 2], [0, 2])];
+    let is_moved: [bool; 4] = std::array::from_fn(|side| {
+        let [i, j] = moved[side].0;
+        cells > 1 && stitched[side] && Side::ALL[side].holds([a + i, b + j], cells)
+    });
+    let corner = move |at: [usize; 2]| {
+        let side = (0..4).find(|side| is_moved[*side] && moved[*side].0 == at);
+        side.map_or(at, |side| moved[side].1)
+    };
+    let has_area = |[p, q, r]: &BlockTriangle| p != q && q != r && r != p;
+    cells_of(cells.min(2)).map(move |triangle| triangle.map(corner)).filter(has_area)
 }
 
 /// Triangles of one cell, or of two by two: each cell is cut from top left to bottom right.
-fn cells_of(side: usize) -> Vec<BlockTriangle> {
-    let cells = (0..side).flat_map(|b| (0..side).map(move |a| [a, b]));
-    let cut = |[a, b]: [usize; 2]| {
+fn cells_of(side: usize) -> impl Iterator<Item = BlockTriangle> {
+    let cells = (0..side).flat_map(move |b| (0..side).map(move |a| [a, b]));
+    cells.flat_map(|[a, b]| {
         let [bottom_left, bottom_right] = [[a, b], [a + 1, b]];
         let [top_left, top_right] = [[a, b + 1], [a + 1, b + 1]];
         [[top_left, bottom_left, bottom_right], [top_left, bottom_right, top_right]]
-    };
-    cells.flat_map(cut).collect()
-}
-
-/// Moves a vertex into another; triangles that lose their area go.
-fn collapse(triangles: &mut Vec<BlockTriangle>, from: [usize; 2], into: [usize; 2]) {
-    for triangle in triangles.iter_mut() {
-        *triangle = triangle.map(|corner| if corner == from { into } else { corner });
-    }
-    triangles.retain(|[p, q, r]| p != q && q != r && r != p);
+    })
 }
 
 /// Weights of the corners of a triangle at a place in its block, with the sum 1.

@@ -10,7 +10,7 @@ fn crowded() -> Shot {
     let part = |what: u64, k: u64| unit_interval(7, &[what, k]);
     let mut shot = Shot::new(40, 32, 40.0);
     shot.ground = level_ground(2000.0, 0.5);
-    shot.run.translucent = Some(2);
+    shot.run.sampling.translucent = Some(2);
     let light = |id: u32| {
         let k = u64::from(id);
         let at = [40.0 * part(1, k), 32.0 * part(2, k)];

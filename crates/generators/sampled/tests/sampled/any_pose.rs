@@ -31,9 +31,9 @@ fn furnished(seed: u64) -> Shot {
     shot.pose.attitude.heading = 7.0 * part(3);
     shot.pose.yoke = [0.0, PI, 0.7, -FRAC_PI_2][seed as usize % 4];
     shot.view.laws.curvature = [Curvature::None, Curvature::Parabolic, Curvature::Exact][seed as usize % 3];
-    shot.run.pattern = [Pattern::Four, Pattern::Sixteen, Pattern::OffCentre16][seed as usize % 3];
-    shot.run.filter = [Filter::Box, Filter::Tent, Filter::Gaussian][seed as usize / 3 % 3];
-    shot.run.blending = [Blending::Hiding, Blending::Additive][seed as usize % 2];
+    shot.run.sampling.pattern = [Pattern::Four, Pattern::Sixteen, Pattern::OffCentre16][seed as usize % 3];
+    shot.run.sampling.filter = [Filter::Box, Filter::Tent, Filter::Gaussian][seed as usize / 3 % 3];
+    shot.run.sampling.blending = [Blending::Hiding, Blending::Additive][seed as usize % 2];
     let eye = DVec3::from_array(shot.pose.eye);
     let near = |k: u64| {
         let size = [1e-9, 0.04, 1.0, 300.0][(k + seed) as usize % 4];

@@ -9,7 +9,7 @@ use scenario::LightPoint;
 /// A beacon whose disc is 3.7 pixels wide, before a black sky.
 fn beacon() -> (Shot, [f64; 2], f64) {
     let mut shot = Shot::new(32, 32, 370.0);
-    shot.run.pattern = Pattern::Sixteen;
+    shot.run.sampling.pattern = Pattern::Sixteen;
     let at = [16.3, 12.4];
     let distance = 100.0;
     let lamp = shot.lamp(0, at, distance / shot.eye().ray(at).length(), 1.0);
@@ -60,7 +60,7 @@ fn a_beacon_sets_behind_a_wall() {
 /// Green light of the far lamp behind a near one of intensity 0.8, as a share of its own.
 fn far_share(numbers: [u32; 2], veil: Accumulation) -> f64 {
     let mut shot = Shot::new(32, 32, 300.0);
-    shot.run.veil = veil;
+    shot.run.sampling.veil = veil;
     let at = [15.2, 14.7];
     let lamp = |id: u32, depth: f64, colour: [f64; 3], intensity: f64| {
         let lamp = shot.lamp(id, at, depth, 1.0);

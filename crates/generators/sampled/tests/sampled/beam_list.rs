@@ -30,7 +30,7 @@ fn the_list_says_what_the_beam_layer_shows() {
     assert_eq!(numbers, [0, 1], "near to far; what is hidden is not sent");
     let shares = points.iter().map(|point| point.attenuation / f64::from(point.aperture)).collect::<Vec<_>>();
     assert!((shares[0] - 1.0).abs() < 1e-12 && (shares[1] - 0.25).abs() < 1e-12, "{shares:?}");
-    shot.run.beam_layer = BeamLayer::Beam;
+    shot.run.sampling.beam_layer = BeamLayer::Beam;
     let area = |diameter: f64| std::f64::consts::PI * diameter * diameter / 4.0;
     let sent = points.iter().map(|point| point.display_intensity * area(point.diameter_px)).sum::<f64>();
     assert!(is_same_sum(light(&shot.draw()), sent));
@@ -40,7 +40,7 @@ fn the_list_says_what_the_beam_layer_shows() {
 fn layers_add_up_to_the_picture() {
     let mut shot = three_lamps();
     let [both, raster, beam] = [BeamLayer::Both, BeamLayer::Raster, BeamLayer::Beam].map(|layer| {
-        shot.run.beam_layer = layer;
+        shot.run.sampling.beam_layer = layer;
         shot.draw()
     });
     for pixel in 0..48 * 32 {
@@ -62,7 +62,7 @@ fn the_nearest_neighbour_cuts_jumps_and_no_light() {
         ([[0.0; 2]].into_iter().chain(places).collect::<Vec<_>>()).windows(2).map(jump).sum::<f64>()
     };
     let usual = path(&shot);
-    shot.run.beam_order = BeamOrder::NearestNeighbour;
+    shot.run.sampling.beam_order = BeamOrder::NearestNeighbour;
     assert!(path(&shot) < 0.7 * usual, "{} {usual}", path(&shot));
     assert!(is_same_sum(light(&shot.draw()), far));
 }
@@ -99,6 +99,6 @@ fn a_frame_tells_the_largest_loss() {
     let mut shot = Shot::new(16, 16, 300.0);
     shot.effects.sheets = vec![shot.filling(0, 10.0, [0.5; 3], 0.5), shot.filling(1, 20.0, [1.0; 3], 0.5)];
     assert_eq!(shot.draw().counts["loss_bound_ppm"], 0);
-    shot.run.translucent = Some(1);
+    shot.run.sampling.translucent = Some(1);
     assert_eq!(shot.draw().counts["loss_bound_ppm"], 500_000);
 }

@@ -9,7 +9,7 @@ const SIDE: u32 = 26;
 /// Red of a lamp that is seen at a place on the screen (pixels).
 fn lamp_at(filter: Filter, at: [f64; 2]) -> Vec<f64> {
     let mut shot = Shot::new(SIDE, SIDE, 150.0);
-    shot.run.filter = filter;
+    shot.run.sampling.filter = filter;
     shot.pose.eye[2] = 100.0;
     let distance = 100.0;
     shot.effects.lights = vec![shot.lamp(0, at, distance / shot.eye().ray(at).length(), 1.3)];
@@ -37,7 +37,7 @@ fn a_filter_does_not_show_where_sub_areas_meet() {
 fn an_even_picture_stays_even_up_to_the_border() {
     for filter in [Filter::Box, Filter::Tent, Filter::Gaussian] {
         let mut shot = Shot::new(SIDE, SIDE, 150.0);
-        shot.run.filter = filter;
+        shot.run.sampling.filter = filter;
         shot.effects.sheets = vec![shot.filling(0, 5.0, [0.25, 0.5, 0.75], 0.0)];
         let frame = shot.draw();
         for index in 0..(SIDE * SIDE) as usize {

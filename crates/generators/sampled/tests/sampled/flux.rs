@@ -10,7 +10,7 @@ const DIAMETER: f64 = 0.3;
 /// Sum of all pixels with the lamp at a distance (m), somewhere in a pixel near the middle, and what it should be.
 fn sum_at(step: u32, distance: f64, normalise: bool) -> [f64; 2] {
     let mut shot = Shot::new(48, 48, FOCAL);
-    shot.run.normalise = normalise;
+    shot.run.sampling.normalise = normalise;
     let within = |factor: f64| (f64::from(step) * factor).fract();
     let at = [24.0 + within(0.37), 20.0 + within(0.59)];
     let depth = distance / (shot.eye().ray(at).length());

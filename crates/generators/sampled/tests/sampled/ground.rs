@@ -15,7 +15,7 @@ const LINES: u32 = 30;
 fn askew(pattern: Pattern) -> Shot {
     let mut shot = Shot::new(COLUMNS, LINES, 50.0);
     shot.ground = level_ground(HOME, 0.7);
-    shot.run.pattern = pattern;
+    shot.run.sampling.pattern = pattern;
     shot.run.ground_half_side = 64.0;
     shot.pose.eye[2] = 3.0;
     (shot.pose.attitude.pitch, shot.pose.attitude.heading) = (radians(-12.0), radians(35.0));

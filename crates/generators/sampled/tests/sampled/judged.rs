@@ -32,7 +32,9 @@ fn more_sampling_points_come_nearer_to_the_areas() {
     shot.effects.sheets = vec![pane, wall];
     let areas = by_area(&shot);
     let off = |pattern: Pattern| {
-        let drawn = Shot { run: sampled::Parameters { pattern, ..shot.run }, ..shot.clone() }.draw();
+        let mut shot = shot.clone();
+        shot.run.sampling.pattern = pattern;
+        let drawn = shot.draw();
         let pairs = drawn.plane(PlaneKind::Red).iter().zip(&areas);
         pairs.map(|(drawn, area)| (f64::from(*drawn) - area).abs()).sum::<f64>() / areas.len() as f64
     };

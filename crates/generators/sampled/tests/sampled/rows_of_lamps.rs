@@ -10,7 +10,7 @@ const LINES: u32 = 24;
 /// Hundred lamps on posts along a road, with `slots` for lights.
 fn road(slots: Option<u32>) -> Shot {
     let mut shot = Shot::new(COLUMNS, LINES, 60.0);
-    shot.run.lights = slots;
+    shot.run.sampling.lights = slots;
     let lamp = |id: u32| {
         let at = glam::DVec3::new(2000.0 + 8.0 + 3.0 * f64::from(id), 2003.0, 3.0);
         LightPoint { intensity: 0.4, colour: [1.0, 0.8, 0.5], ..crate::shots::lamp(id, at, 0.4) }

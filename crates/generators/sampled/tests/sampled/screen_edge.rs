@@ -11,7 +11,7 @@ const FOCAL: f64 = 200.0;
 fn leaving(beyond: f64, wider: u32, calligraphic: bool) -> Frame {
     let mut shot = Shot::new(COLUMNS + 2 * wider, 16, FOCAL);
     // The sharpest spot, so that its light is in its pixel.
-    shot.run.spot = 0.05;
+    shot.run.sampling.spot = 0.05;
     let at = [f64::from(COLUMNS + wider) + beyond, 6.1];
     let lamp = shot.lamp(0, at, 100.0 / shot.eye().ray(at).length(), 1.0);
     shot.effects.lights = vec![LightPoint { calligraphic, intensity: 0.7, ..lamp }];

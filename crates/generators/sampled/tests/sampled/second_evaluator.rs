@@ -31,8 +31,8 @@ fn scene(seed: u64) -> Shot {
     let part = |what: u64, k: u64| unit_interval(seed, &[what, k]);
     let between = |low: f64, high: f64, what: u64, k: u64| low + (high - low) * part(what, k);
     let mut shot = Shot::new(COLUMNS, LINES, between(14.0, 45.0, 0, 0));
-    shot.run.translucent = None;
-    shot.run.lights = None;
+    shot.run.sampling.translucent = None;
+    shot.run.sampling.lights = None;
     shot.run.ground_half_side = between(100.0, 800.0, 0, 5);
     shot.ground = level_ground(HOME, ALBEDO);
     shot.pose.eye[2] = between(1.0, 6.0, 0, 1);

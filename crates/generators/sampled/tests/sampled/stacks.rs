@@ -11,7 +11,7 @@ const GROUND: [f64; 3] = [0.4, 0.35, 0.3];
 fn plain() -> Shot {
     let mut shot = Shot::new(11, 9, 20.0);
     shot.pose.eye[2] = 100.0;
-    shot.run.normalise = false;
+    shot.run.sampling.normalise = false;
     shot
 }
 
@@ -70,8 +70,8 @@ fn the_nearest_are_kept_when_slots_are_few() {
         .map(|(id, depth, intensity, level)| wide_lamp(&shot, id, depth, intensity, grey(level)))
         .to_vec();
     for (translucent, lights, expected) in [(4, 1, 0.65535), (1, 1, 0.697), (4, 2, 0.72087), (4, 0, 0.501)] {
-        shot.run.translucent = Some(translucent);
-        shot.run.lights = Some(lights);
+        shot.run.sampling.translucent = Some(translucent);
+        shot.run.sampling.lights = Some(lights);
         check(&shot, grey(expected));
     }
 }

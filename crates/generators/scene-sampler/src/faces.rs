@@ -35,6 +35,8 @@ pub struct Corner {
 pub enum Paint {
     /// Opaque, with the colours of three corners of the frame.
     Corners([u32; 3]),
+    /// Opaque, at three corners of the frame, with the colours of the ground's map.
+    Mapped([u32; 3]),
     /// One colour and translucency all over.
     Flat(Feature),
     /// Dust: translucency follows from the path; number of the sheet in the frame.
@@ -75,6 +77,15 @@ pub enum Look {
         /// Priority of its feature.
         priority: i32,
     },
+    /// Distance from three corners of the frame, the look of each pixel from the ground's map.
+    Mapped {
+        /// Numbers of the corners.
+        corners: [u32; 3],
+        /// Number of its feature.
+        id: u32,
+        /// Priority of its feature.
+        priority: i32,
+    },
     /// From the plane of this number.
     Plane(u32),
 }
@@ -86,6 +97,19 @@ pub enum Surface {
     Ready(Feature),
     /// Dust; number of the sheet in the frame.
     Dust(u32),
+    /// Ground whose colours stand in a map.
+    Mapped(Mapped),
+}
+
+/// Ground whose colours are looked up in each pixel's middle.
+#[derive(Debug, Clone, Copy)]
+pub struct Mapped {
+    /// Number of its feature.
+    pub id: u32,
+    /// Priority of its feature.
+    pub priority: i32,
+    /// Nearness (1/m) of its farthest and its nearest corner.
+    pub between: [f64; 2],
 }
 
 /// Triangles on the screen with their distance and look, in one order.
@@ -187,7 +211,7 @@ impl Faces {
     pub fn plane(&self, triangle: u32, camera: &Camera) -> Option<DistancePlane> {
         match self.looks[triangle as usize] {
             Look::Plane(plane) => Some(self.planes[plane as usize].0),
-            Look::Corners { corners, .. } => {
+            Look::Corners { corners, .. } | Look::Mapped { corners, .. } => {
                 let places = corners.map(|corner| self.corners[corner as usize].place);
                 DistancePlane::new(places, &camera.projection)
             }
@@ -203,6 +227,12 @@ impl Faces {
                 let corners = corners.map(|corner| self.corners[corner as usize]);
                 Some((plane, Surface::Ready(shaded(corners, id, priority, plane, camera))))
             }
+            Look::Mapped { corners, id, priority } => {
+                // What lies nearer than where features are cut is not seen.
+                let q = corners.map(|corner| 1.0 / self.corners[corner as usize].place.z.max(NEAR));
+                let between = [q[0].min(q[1]).min(q[2]), q[0].max(q[1]).max(q[2])];
+                Some((self.plane(triangle, camera)?, Surface::Mapped(Mapped { id, priority, between })))
+            }
         }
     }
 
@@ -211,6 +241,9 @@ impl Faces {
         let surface = match paint {
             Paint::Corners(corners) => {
                 return Look::Corners { corners, id: face.id, priority: face.priority };
+            }
+            Paint::Mapped(corners) => {
+                return Look::Mapped { corners, id: face.id, priority: face.priority };
             }
             Paint::Flat(feature) => Surface::Ready(feature),
             Paint::Dust(sheet) => Surface::Dust(sheet),

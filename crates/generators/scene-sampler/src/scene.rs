@@ -2,17 +2,16 @@
 
 use generator::{FrameError, Label, Stage};
 use glam::DVec3;
-use ground_mesh::{MeshError, Rings, Vertex, body_triangles};
-use landscape::Sun;
+use ground_mesh::body_triangles;
 use raster::Screen;
-use rayon::prelude::*;
-use scenario::{Effects, LightPoint, Medium, Overlay, Pose, Sheet, SkyDisc};
+use scenario::{Effects, LightPoint, Medium, Overlay, Sheet, SkyDisc};
 use solids::{Body, Kind};
 use translucency::{Feature, FeatureError};
 
 use crate::camera::Camera;
-use crate::faces::{Corner, Face, FaceError, Faces, Paint, Sides};
-use crate::ground;
+use crate::faces::{Face, FaceError, Faces, Paint, Sides};
+use crate::ground::Ground;
+use crate::ground_map::GroundMap;
 use crate::lights::{Lights, Optics, Point};
 use crate::parameters::Parameters;
 
@@ -28,45 +27,37 @@ pub struct Scene {
     pub lights: Lights,
     /// Discs of the sky, the nearer first, with the numbers of their features.
     pub discs: Vec<(SkyDisc, u32)>,
+    /// Colours of the ground, where they are looked up pixel by pixel.
+    pub ground_map: Option<GroundMap>,
 }
 
 /// Priority of the nearest disc of the sky over stars, which are as far. Chosen.
 pub const DISC_PRIORITY: i32 = 1000;
 
-/// Triangles that a thread clips at a time. Chosen: the order of the list does not depend on it.
-const CHUNK: usize = 1024;
-
-/// Chunks that are clipped before they are put into the list. Chosen: few enough that they take little memory.
-const CHUNKS: usize = 32;
-
 /// Distance (m) of the plane on which overlays lie: any would do.
 const OVERLAY_DEPTH: f64 = 1.0;
 
 impl Scene {
-    /// Gathers frame `frame` from `pose`, with ground on `rings`.
+    /// Gathers frame `frame` at `time` (s), seen by `camera`, with its ground.
     ///
-    /// # Errors If the mesh cannot be made, or a corner is no number.
+    /// # Errors If a corner is no number.
     pub fn new(
         stage: &Stage,
         run: &Parameters,
-        rings: Rings,
         screen: &Screen,
-        frame: u64,
-        pose: &Pose,
+        camera: Camera,
+        ground: Ground<'_>,
+        (frame, time): (u64, f64),
     ) -> Result<Self, FrameError> {
         let refused = |reason: String| FrameError::Refused { frame, reason };
-        let mut gathering = Gathering {
-            stage,
-            screen,
-            camera: Camera::new(pose, &stage.view),
-            faces: Faces::default(),
-            dust: Vec::new(),
-        };
-        gathering.ground(rings, &stage.scenery.sun(pose.time)).map_err(|error| refused(error.to_string()))?;
-        gathering.bodies(pose.time).map_err(|error| refused(error.to_string()))?;
-        let effects = by_number(stage.scenery.effects(pose.time));
-        gathering.sheets(&effects.sheets).map_err(|error| refused(error.to_string()))?;
-        gathering.overlays(&effects.overlays).map_err(|error| refused(error.to_string()))?;
+        let of_face = |error: FaceError| refused(error.to_string());
+        let ground_map = ground.map.clone();
+        let faces = ground.faces(&camera, screen).map_err(of_face)?;
+        let mut gathering = Gathering { stage, screen, camera, faces, dust: Vec::new() };
+        gathering.bodies(time).map_err(of_face)?;
+        let effects = by_number(stage.scenery.effects(time));
+        gathering.sheets(&effects.sheets).map_err(of_face)?;
+        gathering.overlays(&effects.overlays).map_err(of_face)?;
         let Gathering { camera, mut faces, dust, .. } = gathering;
         let discs = effects.discs.iter().map(|disc| (*disc, faces.number(Label::Silhouette))).collect();
         let optics = Optics::new(run).map_err(|error| refused(error.to_string()))?;
@@ -74,7 +65,7 @@ impl Scene {
             |light: &LightPoint| Point::new(light, faces.number(Label::Light), &camera, screen, &optics);
         let points: Result<Vec<Option<Point>>, FeatureError> = effects.lights.iter().map(point).collect();
         let points = points.map_err(|error| refused(error.to_string()))?.into_iter().flatten().collect();
-        Ok(Self { camera, faces, dust, lights: Lights::new(points, screen), discs })
+        Ok(Self { camera, faces, dust, lights: Lights::new(points, screen), discs, ground_map })
     }
 }
 
@@ -86,15 +77,6 @@ fn by_number(mut effects: Effects) -> Effects {
     effects
 }
 
-/// Why ground or bodies cannot be gathered.
-#[derive(Debug, thiserror::Error)]
-enum GatherError {
-    #[error(transparent)]
-    Mesh(#[from] MeshError),
-    #[error(transparent)]
-    Face(#[from] FaceError),
-}
-
 struct Gathering<'a> {
     stage: &'a Stage,
     screen: &'a Screen,
@@ -104,36 +86,6 @@ struct Gathering<'a> {
 }
 
 impl Gathering<'_> {
-    /// The ground as triangles, shaded at their corners. It comes before all else: numbers of corners are those of its vertices.
-    fn ground(&mut self, rings: Rings, sun: &Sun) -> Result<(), GatherError> {
-        let (camera, law) = (self.camera, *self.stage.landscape.photometry());
-        let mesh = ground::mesh(self.stage, rings, &camera)?;
-        let shaded = |vertex: &Vertex| {
-            let to_eye = (camera.eye - vertex.place).normalize_or_zero().to_array();
-            let light = sun.shade(vertex.slopes, to_eye, law);
-            let colour = vertex.albedo.map(|albedo| (albedo * light).clamp(0.0, 1.0));
-            Corner { place: camera.place(vertex.place), colour }
-        };
-        let corners: Vec<Corner> = mesh.vertices().par_iter().map(shaded).collect();
-        let id = self.faces.number(Label::Terrain);
-        let screen = self.screen;
-        let clipped = |triangles: &[[u32; 3]]| {
-            let mut faces = Faces::default();
-            for triangle in triangles {
-                let places = triangle.map(|corner| corners[corner as usize].place);
-                let face = Face { corners: places, id, priority: 0, sides: Sides::Front };
-                faces.add(&face, Paint::Corners(*triangle), &camera, screen)?;
-            }
-            Ok(faces)
-        };
-        for triangles in mesh.triangles().chunks(CHUNKS * CHUNK) {
-            let parts: Result<Vec<Faces>, FaceError> = triangles.par_chunks(CHUNK).map(clipped).collect();
-            parts?.into_iter().for_each(|part| self.faces.append(part));
-        }
-        self.faces.corners = corners;
-        Ok(())
-    }
-
     /// Rocks, man-made things and what moves.
     fn bodies(&mut self, time: f64) -> Result<(), FaceError> {
         let scenery = &self.stage.scenery;

@@ -3,7 +3,6 @@
 use raster::{Lists, SubArea};
 use translucency::Stack;
 
-use crate::hardware::Hardware;
 use crate::scene::Scene;
 use crate::tile::{SIDE, pixels};
 
@@ -77,26 +76,6 @@ impl Reading {
     /// Light points whose discs meet it, calligraphic or not.
     pub fn lights(&self) -> u32 {
         self.raster_points + self.calligraphic
-    }
-
-    /// Ticks of the sampler for the list.
-    pub fn list_ticks(&self, hardware: &Hardware) -> u64 {
-        self.entries().max(hardware.least_ticks)
-    }
-
-    /// Ticks for which the slowest sampling point holds the sampler up, beyond one an entry.
-    pub fn stack_ticks(&self, hardware: &Hardware) -> u64 {
-        u64::from(self.depth) * (hardware.insert_ticks - 1)
-    }
-
-    /// Ticks of the sub-area from its first entry to its last calligraphic point.
-    pub fn ticks(&self, hardware: &Hardware) -> u64 {
-        self.list_ticks(hardware) + self.stack_ticks(hardware) + u64::from(self.calligraphic)
-    }
-
-    /// Ticks in which its pixels are written.
-    pub fn pixel_ticks(&self, hardware: &Hardware) -> u64 {
-        u64::from(self.pixels).div_ceil(hardware.pixels_tick)
     }
 }
 

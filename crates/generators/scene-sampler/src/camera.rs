@@ -78,16 +78,26 @@ impl Camera {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use quantities::{Rate, radians};
-    use scenario::{Effects, FieldOfView};
+    use scenario::{Display, FieldOfView, Laws};
 
-    use crate::scenes;
+    use super::*;
 
     fn camera(heading: f64, pitch: f64, yoke: f64) -> Camera {
-        let stage = scenes::stage(Effects::default(), Rate::new(30, 1).unwrap());
-        let field = FieldOfView { tan_half_width: 0.5, tan_half_height: 0.5 };
-        let view = View { columns: 200, lines: 100, field, ..stage.view };
+        let rate = Rate::new(30, 1).unwrap();
+        let view = View {
+            columns: 200,
+            lines: 100,
+            field: FieldOfView { tan_half_width: 0.5, tan_half_height: 0.5 },
+            update: rate,
+            refresh: rate,
+            display: Display { white: 1.0, gamma: 1.0 },
+            laws: Laws { curvature: Curvature::None, ..Laws::default() },
+            ranges: [1.0, 100.0],
+            yoke: None,
+            levels: None,
+            shadows: None,
+        };
         let attitude = Attitude { roll: 9.0, pitch: radians(pitch), heading: radians(heading) };
         Camera::new(&Pose { time: 0.0, eye: [0.0, 0.0, 2.0], attitude, yoke: radians(yoke) }, &view)
     }

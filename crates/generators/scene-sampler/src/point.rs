@@ -5,7 +5,6 @@ use raster::{Coverage, Lists, SubArea};
 use serde_json::{Value, json};
 use translucency::{Feature, Layer, Loss, Stack};
 
-use crate::overload::LostEntry;
 use crate::parameters::Parameters;
 use crate::scene::Scene;
 use crate::tile::{SIDE, pixels};
@@ -15,7 +14,8 @@ pub struct SamplingPoint<'a> {
     pub scene: &'a Scene,
     pub run: &'a Parameters,
     pub lists: &'a Lists,
-    pub lost: &'a [LostEntry],
+    /// Triangles that found no place in the list.
+    pub lost: &'a [u32],
     pub stack: &'a Stack,
     /// Number of the sub-area.
     pub sub_area: usize,
@@ -32,12 +32,11 @@ impl SamplingPoint<'_> {
     pub fn document(&self) -> Value {
         let sample = self.pixel_of_area() * self.stack.samples() + self.number;
         let rest = self.stack.layers(sample).last().map_or(1.0, |layer| layer.rest());
-        let lost = self.lost.iter().filter(|lost| lost.sub_area as usize == self.sub_area);
         json!({
             "place_px": self.place(),
             "sub_area": self.sub_area,
             "list": self.entries(),
-            "lost_entries": lost.map(|lost| self.triangle(lost.triangle)).collect::<Vec<_>>(),
+            "lost_entries": self.lost.iter().map(|lost| self.triangle(*lost)).collect::<Vec<_>>(),
             "stack": self.stack.layers(sample).map(|layer| self.layer(&layer)).collect::<Vec<_>>(),
             "rest": rest,
             "colour": self.stack.colour_at(sample),

@@ -1,13 +1,15 @@
 //! One sub-area: all its sampling points at once, then its pixels.
 
 use generator::Label;
+use glam::DVec3;
 use light_points::{Share, Veil, mask_under};
 use raster::{Coverage, DistancePlane, Filter, Lists, Sampling, Screen, SubArea, Weights};
 use scenario::{Sheet, SkyDisc};
 use translucency::{Feature, FeatureError, Losses, Stack};
 
 use crate::camera::Camera;
-use crate::faces::Surface;
+use crate::faces::{Mapped, Surface};
+use crate::ground_map::GroundMap;
 use crate::lights::Point;
 use crate::parameters::Parameters;
 use crate::scene::{DISC_PRIORITY, Scene};
@@ -101,6 +103,13 @@ impl Sampler {
             let Some((plane, surface)) = scene.faces.seen(face, &scene.camera) else { continue };
             match surface {
                 Surface::Ready(feature) => self.stack.add(feature, &plane, self.coverage.pixels()),
+                Surface::Mapped(ground) => {
+                    let Some(map) = &scene.ground_map else { continue };
+                    for (pixel, mask) in self.coverage.pixels() {
+                        let feature = mapped(ground, map, &plane, &scene.camera, middle(area, pixel))?;
+                        self.stack.add(feature, &plane, [(pixel, mask)]);
+                    }
+                }
                 Surface::Dust(sheet) => {
                     let (sheet, id) = &scene.dust[sheet as usize];
                     dust(&mut self.stack, &self.coverage, &plane, sheet, *id, area, &scene.camera)?;
@@ -225,15 +234,36 @@ fn dust(
 ) -> Result<(), FeatureError> {
     let normal = sheet.normal();
     for (pixel, mask) in coverage.pixels() {
-        let middle = [
-            f64::from(area.columns().start) + (pixel % SIDE) as f64 + 0.5,
-            f64::from(area.rows().start) + (pixel / SIDE) as f64 + 0.5,
-        ];
-        let share = sheet.translucency(camera.ray(middle).normalize().dot(normal));
+        let ahead = camera.ray(middle(area, pixel)).normalize();
+        let share = sheet.translucency(ahead.dot(normal));
         let feature = Feature::surface(id, i32::from(sheet.priority), sheet.colour, share)?;
         stack.add(feature, plane, [(pixel, mask)]);
     }
     Ok(())
+}
+
+/// The look of ground with a map at a place on the screen (pixels).
+///
+/// # Errors If the map's colour is none.
+pub fn mapped(
+    ground: Mapped,
+    map: &GroundMap,
+    plane: &DistancePlane,
+    camera: &Camera,
+    place: [f64; 2],
+) -> Result<Feature, FeatureError> {
+    // A pixel's middle may lie beside the triangle: no farther away than its corners.
+    let q = plane.at(place).clamp(ground.between[0], ground.between[1]);
+    let seen = camera.eye + camera.ray(place) / q;
+    // For light the map is flat.
+    let at = seen + DVec3::Z * camera.drop_at(seen);
+    Feature::surface(ground.id, ground.priority, map.at(at, camera.eye), 0.0)
+}
+
+/// Middle (pixels on the screen) of a pixel of a sub-area.
+fn middle(area: &SubArea, pixel: usize) -> [f64; 2] {
+    let first = [area.columns().start, area.rows().start].map(f64::from);
+    [first[0] + (pixel % SIDE) as f64 + 0.5, first[1] + (pixel / SIDE) as f64 + 0.5]
 }
 
 /// Numbers of the pixels of a sub-area, and their places on the screen.

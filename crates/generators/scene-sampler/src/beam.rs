@@ -3,10 +3,9 @@
 use std::collections::HashMap;
 
 use generator::BeamEntry;
-use light_points::{BeamPoint, Share, Spot, add_up, nearest_neighbour};
+use light_points::{BeamBudget, BeamPoint, Share, Spot, add_up, nearest_neighbour};
 use raster::Screen;
 
-use crate::hardware::Hardware;
 use crate::lights::Point;
 use crate::parameters::{BeamLayer, BeamOrder, Parameters};
 
@@ -27,7 +26,7 @@ impl Beam {
         points: &[Point],
         shares: Vec<(u32, u32, Share)>,
         run: &Parameters,
-        hardware: &Hardware,
+        budget: BeamBudget,
         field_ns: u64,
     ) -> Self {
         let shares = add_up(shares, points.len());
@@ -36,7 +35,7 @@ impl Beam {
             (intensity > 0.0).then(|| point.of_beam(intensity * point.disc.area()))
         });
         let mut drawn: Vec<BeamPoint> = lit.collect();
-        let dropped = hardware.beam.drop_faintest(&mut drawn, field_ns);
+        let dropped = budget.drop_faintest(&mut drawn, field_ns);
         if run.beam_order == BeamOrder::NearestNeighbour {
             nearest_neighbour(&mut drawn);
         }

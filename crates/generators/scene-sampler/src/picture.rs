@@ -2,8 +2,9 @@
 
 use generator::{FrameError, Label, PlaneKind, Planes};
 use glam::DVec3;
+use light_points::BeamBudget;
 use quantities::luminance;
-use raster::Screen;
+use raster::{Lists, Screen};
 use rayon::prelude::*;
 use scenario::View;
 use translucency::{FeatureError, Losses};
@@ -11,8 +12,6 @@ use translucency::{FeatureError, Losses};
 use crate::band::Band;
 use crate::beam::Beam;
 use crate::camera::Camera;
-use crate::hardware::Hardware;
-use crate::overload::{self, LostEntry};
 use crate::parameters::Parameters;
 use crate::reading::Reading;
 use crate::scene::Scene;
@@ -34,16 +33,14 @@ pub struct Picture {
     pub beam: Beam,
     /// Entries of all lists.
     pub entries: u64,
-    /// Entries that found no place in the lists, by sub-area.
-    pub lost: Vec<LostEntry>,
     /// Readings of all sub-areas, where they are asked for.
     pub readings: Vec<Reading>,
     /// Sub-areas that show an earlier frame, where there are any.
-    pub earlier: Option<Earlier>,
+    earlier: Option<Earlier>,
 }
 
 /// Sub-areas of a picture that show an earlier frame.
-pub struct Earlier {
+struct Earlier {
     /// Camera of the earlier frame.
     camera: Camera,
     /// Whether each sub-area shows it, in raster order.
@@ -87,22 +84,22 @@ pub fn area_of(at: usize, columns: usize) -> usize {
 /// # Errors If a light is no number.
 pub fn draw(
     scene: &Scene,
+    lists: &Lists,
     screen: &Screen,
     run: &Parameters,
-    hardware: &Hardware,
+    budget: BeamBudget,
     view: &View,
     frame: u64,
     is_read: bool,
 ) -> Result<Picture, FrameError> {
     let refused = |error: FeatureError| FrameError::Refused { frame, reason: error.to_string() };
-    let (lists, lost) = overload::lists(scene, screen, run.overload, &hardware.memory);
     let reading = |sampler: &Sampler, number: usize| {
         let area = screen.sub_area(number);
-        is_read.then(|| Reading::of(sampler.stack(), scene, &lists, &area, number))
+        is_read.then(|| Reading::of(sampler.stack(), scene, lists, &area, number))
     };
     let drawn = |sampler: &mut Result<Sampler, FeatureError>, number: usize| match sampler {
         Ok(sampler) => {
-            let tile = sampler.draw(scene, &lists, screen, number)?;
+            let tile = sampler.draw(scene, lists, screen, number)?;
             Ok((tile, reading(sampler, number)))
         }
         Err(error) => Err(*error),
@@ -112,7 +109,6 @@ pub fn draw(
         colours: Vec::with_capacity(pixels),
         surfaces: Vec::with_capacity(pixels),
         entries: lists.entries() as u64,
-        lost,
         ..Picture::default()
     };
     let mut band = Band::new(screen, usize::from(run.filter != raster::Filter::Box));
@@ -131,13 +127,13 @@ pub fn draw(
         band.hand_over(&mut picture.colours, &mut picture.surfaces);
     }
     let points = &scene.lights.points;
-    picture.beam = Beam::new(points, shares, run, hardware, (1e9 / view.update.hertz()) as u64);
+    picture.beam = Beam::new(points, shares, run, budget, (1e9 / view.update.hertz()) as u64);
     Ok(picture)
 }
 
-/// Fills the planes that a caller wants, except for the overload map.
+/// Fills those of [`PLANES`] that a caller wants.
 pub fn fill(picture: &Picture, scene: &Scene, planes: &mut Planes) {
-    for kind in PLANES.iter().copied().filter(|kind| *kind != PlaneKind::Overload) {
+    for kind in PLANES {
         let columns = planes.columns();
         let Some(values) = planes.get_mut(kind) else { continue };
         values.par_iter_mut().enumerate().for_each(|(at, value)| {
@@ -154,8 +150,8 @@ pub fn fill(picture: &Picture, scene: &Scene, planes: &mut Planes) {
     }
 }
 
-/// The planes that the generator fills.
-pub const PLANES: &[PlaneKind] = &[
+/// The planes that are filled.
+pub const PLANES: [PlaneKind; 7] = [
     PlaneKind::Intensity,
     PlaneKind::Range,
     PlaneKind::Label,
@@ -163,7 +159,6 @@ pub const PLANES: &[PlaneKind] = &[
     PlaneKind::Green,
     PlaneKind::Blue,
     PlaneKind::Distance,
-    PlaneKind::Overload,
 ];
 
 /// Ground range (m) of a surface that is as near as `q` (1/m).

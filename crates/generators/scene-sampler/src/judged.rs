@@ -15,9 +15,13 @@ use crate::faces::Surface;
 use crate::lights::Point;
 use crate::parameters::Parameters;
 use crate::scene::{DISC_PRIORITY, Scene};
+use crate::tile::mapped;
 
 /// Corners of the polygon that stands for a disc. Chosen: with the area of the disc it is off by 0.1 % of its radius at most.
 const CORNERS: u32 = 48;
+
+/// A look that leaves what is behind it as it is.
+const NOTHING: Look = Look { light: [0.0; 3], translucency: 1.0 };
 
 /// What a face of the judge is in the scene.
 #[derive(Debug, Clone, Copy)]
@@ -38,6 +42,7 @@ pub fn faces(scene: Scene, run: &Parameters) -> FaceScene {
         let Some((plane, surface)) = scene.faces.seen(number, &scene.camera) else { continue };
         let (priority, id) = match surface {
             Surface::Ready(feature) => (feature.priority(), feature.id()),
+            Surface::Mapped(ground) => (ground.priority, ground.id),
             Surface::Dust(sheet) => {
                 let (sheet, id) = &scene.dust[sheet as usize];
                 (i32::from(sheet.priority), *id)
@@ -118,8 +123,13 @@ fn look(scene: &Scene, source: Source, place: [f64; 2]) -> Look {
             Look { light: light.unwrap_or_default(), translucency: 0.0 }
         }
         Source::Triangle(number) => match scene.faces.seen(number, &scene.camera) {
-            None => Look { light: [0.0; 3], translucency: 1.0 },
+            None => NOTHING,
             Some((_, Surface::Ready(feature))) => of_feature(&feature, place),
+            Some((plane, Surface::Mapped(ground))) => {
+                let map = scene.ground_map.as_ref();
+                let feature = map.and_then(|map| mapped(ground, map, &plane, &scene.camera, place).ok());
+                feature.map_or(NOTHING, |feature| of_feature(&feature, place))
+            }
             Some((_, Surface::Dust(sheet))) => {
                 let sheet = &scene.dust[sheet as usize].0;
                 let share = sheet.translucency(scene.camera.ray(place).normalize().dot(sheet.normal()));

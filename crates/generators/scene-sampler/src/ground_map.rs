@@ -1,0 +1,134 @@
+//! Colours of the ground over the map, looked up pixel by pixel.
+
+use std::sync::Arc;
+
+use glam::DVec3;
+use landscape::{Landscape, shade};
+
+/// What the ground looks like at the posts of a grid on the map, linear between them.
+#[derive(Debug, Clone)]
+pub struct GroundMap {
+    axes: [Axis; 2],
+    texels: Texels,
+}
+
+#[derive(Debug, Clone)]
+enum Texels {
+    Colours(Arc<[[f32; 3]]>),
+    Slopes { slopes: Arc<[[f32; 2]]>, landscape: Arc<Landscape>, sun: [f64; 3] },
+}
+
+/// Posts along one axis of the map, evenly spaced but for the last of them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Axis {
+    /// Place of the first post (m).
+    pub first: f64,
+    /// Distance of most posts (m), above 0.
+    pub step: f64,
+    /// How many cells are `step` wide.
+    pub whole: usize,
+    /// Distance (m) of the posts behind those, above 0.
+    pub last_step: f64,
+    /// How many posts there are, at least 2.
+    pub posts: usize,
+}
+
+impl Axis {
+    /// The post before a place (m) and the share of the cell behind it, 0..=1; the border where the place lies beyond it.
+    fn cell(&self, place: f64) -> (usize, f64) {
+        let steps = (place - self.first) / self.step;
+        let whole = self.whole as f64;
+        let beyond = (place - self.first - whole * self.step) / self.last_step;
+        let at = if steps <= whole { steps } else { whole + beyond };
+        let at = at.clamp(0.0, (self.posts - 1) as f64);
+        let cell = (at as usize).min(self.posts - 2);
+        (cell, at - cell as f64)
+    }
+}
+
+impl GroundMap {
+    /// A map of `colours` (linear red, green, blue), row by row: posts along the second axis follow one another. `None` if their number is
+    /// not that of the posts.
+    pub fn of_colours(axes: [Axis; 2], colours: Arc<[[f32; 3]]>) -> Option<Self> {
+        holds(&axes, colours.len()).then_some(Self { axes, texels: Texels::Colours(colours) })
+    }
+
+    /// A map of slopes (to the north, to the east; m/m), in the same order. A place is lit by `sun`, a unit vector to it (north, east, up),
+    /// under the law of reflection of `landscape`, and has its albedo there.
+    pub fn of_slopes(
+        axes: [Axis; 2],
+        slopes: Arc<[[f32; 2]]>,
+        landscape: Arc<Landscape>,
+        sun: [f64; 3],
+    ) -> Option<Self> {
+        holds(&axes, slopes.len()).then_some(Self { axes, texels: Texels::Slopes { slopes, landscape, sun } })
+    }
+
+    /// Colour (linear red, green, blue) at a place (north, east, up; m) for an eye; beyond the border that of the border.
+    pub fn at(&self, place: DVec3, eye: DVec3) -> [f64; 3] {
+        match &self.texels {
+            Texels::Colours(colours) => self.between(colours, place),
+            Texels::Slopes { slopes, landscape, sun } => {
+                let to_eye = (eye - place).normalize_or_zero().to_array();
+                let light = shade(*sun, self.between(slopes, place), to_eye, *landscape.photometry());
+                landscape.albedo_at(place.x, place.y).map(|albedo| (albedo * light).clamp(0.0, 1.0))
+            }
+        }
+    }
+
+    /// Texels at the four posts around a place, mixed.
+    fn between<const N: usize>(&self, texels: &[[f32; N]], place: DVec3) -> [f64; N] {
+        let [(row, v), (column, u)] = [self.axes[0].cell(place.x), self.axes[1].cell(place.y)];
+        let post = |row: usize, column: usize| texels[row * self.axes[1].posts + column].map(f64::from);
+        let [a, b] = [row, row + 1].map(|row| mix(post(row, column), post(row, column + 1), u));
+        mix(a, b, v)
+    }
+}
+
+/// Whether a grid has as many posts.
+fn holds(axes: &[Axis; 2], texels: usize) -> bool {
+    axes.iter().all(|axis| axis.posts >= 2) && axes[0].posts * axes[1].posts == texels
+}
+
+fn mix<const N: usize>(a: [f64; N], b: [f64; N], share: f64) -> [f64; N] {
+    std::array::from_fn(|channel| (1.0 - share) * a[channel] + share * b[channel])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Posts at 10, 12, 14, 14.5 and 15 along the first axis, 0 and 4 along the second; red is the place's first part, green the second.
+    fn map() -> GroundMap {
+        let north = Axis { first: 10.0, step: 2.0, whole: 2, last_step: 0.5, posts: 5 };
+        let east = Axis { first: 0.0, step: 4.0, whole: 1, last_step: 4.0, posts: 2 };
+        let colour = |x: f32| [0.0, 4.0].map(|y| [x, y, 1.0]);
+        let colours: Vec<_> = [10.0, 12.0, 14.0, 14.5, 15.0].into_iter().flat_map(colour).collect();
+        GroundMap::of_colours([north, east], colours.into()).unwrap()
+    }
+
+    fn at([north, east]: [f64; 2]) -> [f64; 3] {
+        map().at(DVec3::new(north, east, 0.0), DVec3::Z)
+    }
+
+    #[test]
+    fn a_plane_comes_back_between_posts_of_any_distance() {
+        for place in [[10.0, 0.0], [11.3, 2.5], [14.0, 4.0], [14.2, 1.0], [14.9, 3.9], [15.0, 0.5]] {
+            let [red, green, blue] = at(place);
+            assert!((red - place[0]).abs() < 1e-6 && (green - place[1]).abs() < 1e-6, "{place:?}");
+            assert!((blue - 1.0).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn beyond_the_border_it_is_the_borders() {
+        assert_eq!(at([-5.0, 99.0]), [10.0, 4.0, 1.0]);
+        assert_eq!(at([99.0, -1.0]), [15.0, 0.0, 1.0]);
+    }
+
+    #[test]
+    fn colours_must_be_as_many_as_posts() {
+        let axis = Axis { first: 0.0, step: 1.0, whole: 1, last_step: 1.0, posts: 2 };
+        assert!(GroundMap::of_colours([axis; 2], vec![[0.0; 3]; 3].into()).is_none());
+    }
+}
