@@ -1,6 +1,6 @@
 //! Where an eye may stand and how it may look; and which poses a machine with sweeps could draw too.
 
-use generator::{FrameError, Stage, check_eye};
+use generator::{FrameError, Stage, check_eye, check_free_eye};
 use landscape::Landscape;
 use quantities::{degrees, sin_cos};
 use scenario::{FieldOfView, Pose, Projection};
@@ -11,9 +11,6 @@ const SWEPT_DEG: f64 = 80.0;
 
 /// The same where the law `as-reported` has rays.
 const POLE_DEG: f64 = 90.0;
-
-/// Farther from the origin than this (m) along any axis no eye stands: distances keep their digits.
-const FARTHEST: f64 = 1e9;
 
 /// Whether a machine with sweeps could draw `pose`: the eye stands over the finest level of `landscape`, above its
 /// ground, and nadir and zenith lie outside the picture. Then ground is seen from the first sample of the sweeps on.
@@ -27,34 +24,8 @@ pub fn is_swept(landscape: &Landscape, field: FieldOfView, pose: &Pose) -> bool 
 /// If it is no pose, if the eye is in the ground, or if the projection law has no rays for it.
 pub fn check(stage: &Stage, frame: u64, pose: &Pose) -> Result<(), FrameError> {
     let Stage { landscape, view, .. } = stage;
-    check_numbers(frame, pose)?;
-    check_height(landscape, frame, pose)?;
+    check_free_eye(landscape, frame, pose)?;
     check_law(view.laws.projection, view.field, frame, pose)
-}
-
-fn check_numbers(frame: u64, pose: &Pose) -> Result<(), FrameError> {
-    let attitude = pose.attitude;
-    let angles = [attitude.roll, attitude.pitch, attitude.heading, pose.yoke];
-    let near = |at: &f64| at.abs() <= FARTHEST;
-    match pose.eye.iter().all(near) && angles.iter().all(|angle| angle.is_finite()) {
-        true => Ok(()),
-        false => Err(unsupported(
-            frame,
-            format!(
-                "an eye at {:?} m with angles of {angles:?} rad: expected numbers, those of the eye within {FARTHEST:e} m",
-                pose.eye
-            ),
-        )),
-    }
-}
-
-/// Where there is no ground there is none to be under.
-fn check_height(landscape: &Landscape, frame: u64, pose: &Pose) -> Result<(), FrameError> {
-    let [x, y, height] = pose.eye;
-    match landscape.height(x, y) {
-        Some(ground) if height <= ground => Err(FrameError::EyeUnderGround { frame, below: ground - height }),
-        _ => Ok(()),
-    }
 }
 
 /// `as-reported` turns elevations into lines by a tangent, which has a pole; `corrected` leaves pitch out, and `exact` has

@@ -49,6 +49,30 @@ pub enum FrameError {
     },
 }
 
+/// Farther from the origin than this (m) along any axis no eye stands: distances keep their digits.
+const FARTHEST: f64 = 1e9;
+
+/// The eye stands anywhere but in the ground of `landscape`: for generators whose sight does not begin at the ground.
+///
+/// # Errors
+/// If the eye is in the ground, or far beyond everything, or an angle is no number.
+pub fn check_free_eye(landscape: &Landscape, frame: u64, pose: &Pose) -> Result<(), FrameError> {
+    let attitude = pose.attitude;
+    let angles = [attitude.roll, attitude.pitch, attitude.heading, pose.yoke];
+    if !(pose.eye.iter().all(|at| at.abs() <= FARTHEST) && angles.iter().all(|angle| angle.is_finite())) {
+        let reason = format!(
+            "an eye at {:?} m with angles of {angles:?} rad: expected numbers, those of the eye within {FARTHEST:e} m",
+            pose.eye
+        );
+        return Err(FrameError::Refused { frame, reason });
+    }
+    let [x, y, height] = pose.eye;
+    match landscape.height(x, y) {
+        Some(ground) if height <= ground => Err(FrameError::EyeUnderGround { frame, below: ground - height }),
+        _ => Ok(()),
+    }
+}
+
 /// The eye is over the finest level of `landscape` and above its ground: sight begins there.
 ///
 /// # Errors

@@ -34,7 +34,7 @@ use std::ops::Range;
 
 pub use beam_list::BeamEntry;
 pub use counts::{Counter, FrameCounts, Joined};
-pub use error::{FrameError, PrepareError, check_eye};
+pub use error::{FrameError, PrepareError, check_eye, check_free_eye};
 pub use faces::{FaceScene, Look, Looks, ScreenFace};
 pub use fact::Fact;
 pub use omission::{Omission, Weight};

@@ -12,7 +12,7 @@ use diagnostics::{Layers, Problem, ProblemList, Problems, TomlFile};
 use generator::{Generator, PrepareError, Role, Row, Session, Stage};
 
 /// All rows, in the order in which they are listed.
-pub static ROWS: &[&Row] = &[&exact::ROW, &lunsim::ROW, &sampled::ROW];
+pub static ROWS: &[&Row] = &[&exact::ROW, &lunsim::ROW, &sampled::ROW, &lod_mesh::ROW];
 
 /// The row of that name.
 pub fn find(name: &str) -> Option<&'static Row> {
@@ -84,9 +84,18 @@ pub fn configure_with(row: &Row, sets: &[(&str, &str)]) -> Result<Arc<dyn Genera
     configure(row, problems.resolve(lines)?)
 }
 
-/// A key of `--set` as a file of one line.
+/// A key of `--set` as a file of one line. A word such as `drop-smallest` needs no quotes.
 pub fn set_line(key: &str, value: &str, problems: &Problems) -> Option<TomlFile> {
-    TomlFile::parse("--set", &format!("{key} = {value}"), problems)
+    let line = if is_word(value) { format!("{key} = \"{value}\"") } else { format!("{key} = {value}") };
+    TomlFile::parse("--set", &line, problems)
+}
+
+/// Whether a value is a word that can be nothing else in TOML.
+fn is_word(value: &str) -> bool {
+    let is_in_word = |letter: char| letter.is_ascii_alphanumeric() || letter == '-' || letter == '_';
+    value.starts_with(|letter: char| letter.is_ascii_alphabetic())
+        && value.chars().all(is_in_word)
+        && !["true", "false", "inf", "nan"].contains(&value)
 }
 
 /// Format of an overlay over a generator.
@@ -231,6 +240,20 @@ mod tests {
                 expected.trim_start_matches("one of ").trim_start_matches("only ").split(", ").collect();
             assert_eq!(known, documented, "{table}");
         }
+    }
+
+    #[test]
+    fn a_word_needs_no_quotes() {
+        let row = find("sampled").unwrap();
+        let record = |value: &str| {
+            configure_with(row, &[("sampled.overload", value)])
+                .map(|found| found.record()["overload"].clone())
+        };
+        assert_eq!(record("drop-farthest").unwrap(), record("\"drop-farthest\"").unwrap());
+        for wrong in ["true", "nan", "4late", "late,", "late late", ""] {
+            assert!(record(wrong).is_err(), "{wrong}");
+        }
+        assert_eq!(configure_with(row, &[("sampled.rotate", "true")]).unwrap().record()["rotate"], true);
     }
 
     #[test]

@@ -49,6 +49,12 @@ impl<'a> Filled<'a> {
         self.lists.of(self.number).len() + self.scene.lights.of(self.number).len()
     }
 
+    /// How near the opaque surface of the pixel is (1/m); `None` for sky.
+    pub fn nearness(&self) -> Option<f64> {
+        let pixel = self.pixel[1] % SIDE * SIDE + self.pixel[0] % SIDE;
+        self.sampler.stack().surface(pixel).map(|(_, q)| q)
+    }
+
     /// The stack of every sampling point of the pixel in words, near to far.
     pub fn facts(&self) -> Vec<Fact> {
         let stack = self.sampler.stack();

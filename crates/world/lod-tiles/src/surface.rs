@@ -37,6 +37,26 @@ impl Surface<'_> {
         self.morphed(tile, own.level, at, self.fraction_at(tile, at))
     }
 
+    /// Level and fraction of a tile.
+    pub fn tile_state(&self, tile: Tile) -> TileState {
+        self.own(tile)
+    }
+
+    /// Sides (m) of a cell of a tile at its level.
+    pub fn cell(&self, tile: Tile) -> [f64; 2] {
+        let level = self.own(tile).level;
+        let [from, to] = [[0, 0], [1, 1]].map(|at| self.terrain.place(tile, level, at));
+        [to[0] - from[0], to[1] - from[1]]
+    }
+
+    /// How many vertices of a tile have morphed.
+    pub fn morphing(&self, tile: Tile) -> u64 {
+        let cells = self.terrain.cells(self.own(tile).level);
+        let at = (0..=cells).flat_map(|j| (0..=cells).map(move |i| [i, j]));
+        let is_odd = |[i, j]: &[usize; 2]| i % 2 == 1 || j % 2 == 1;
+        at.filter(|at| is_odd(at) && self.fraction_at(tile, *at) > 0.0).count() as u64
+    }
+
     /// Adds a tile to a mesh: its vertices (x, y, z; m) row by row, and its triangles by the numbers of their corners, counter-clockwise
     /// seen from above. Vertices that stitching leaves out belong to no triangle.
     pub fn add_tile(&self, tile: Tile, vertices: &mut Vec<[f64; 3]>, triangles: &mut Vec<[u32; 3]>) {
@@ -82,12 +102,17 @@ impl Surface<'_> {
         })
     }
 
+    /// The same without morphing, at the same levels.
+    pub fn unmorphed(&self, place: [f64; 2]) -> f64 {
+        Surface { state: &self.state.switched(), ..*self }.under(place)
+    }
+
     fn own(&self, tile: Tile) -> TileState {
         self.state.tile(self.terrain.number(tile))
     }
 
-    /// How far a vertex of a tile has morphed.
-    fn fraction_at(&self, tile: Tile, at: [usize; 2]) -> f64 {
+    /// How far vertex i, j of a tile has morphed, 0 to 1: on an edge as the edge decides.
+    pub fn fraction_at(&self, tile: Tile, at: [usize; 2]) -> f64 {
         let own = self.own(tile);
         let cells = self.terrain.cells(own.level);
         match Side::ALL.into_iter().find(|side| side.holds(at, cells)) {
@@ -97,21 +122,13 @@ impl Surface<'_> {
     }
 
     /// Height of a vertex that has become the next level's by a fraction.
-    fn morphed(&self, tile: Tile, level: usize, [i, j]: [usize; 2], fraction: f64) -> f64 {
-        let height = |at| self.terrain.height(tile, level, at);
-        let whole = height([i, j]);
-        let between = match (i % 2, j % 2) {
-            (0, 0) => return whole,
-            (_, 0) => [[i - 1, j], [i + 1, j]],
-            (0, _) => [[i, j + 1], [i, j - 1]],
-            _ => [[i - 1, j + 1], [i + 1, j - 1]],
-        };
+    fn morphed(&self, tile: Tile, level: usize, at: [usize; 2], fraction: f64) -> f64 {
+        let whole = self.terrain.height(tile, level, at);
         // The coarsest level has nothing to become, and its cells may have no vertex beyond.
         if fraction == 0.0 || level + 1 >= self.levels {
             return whole;
         }
-        let mean = (height(between[0]) + height(between[1])) / 2.0;
-        mean + (1.0 - fraction) * (whole - mean)
+        self.terrain.mean(tile, level, at).map_or(whole, |mean| mean + (1.0 - fraction) * (whole - mean))
     }
 
     /// Which sides, in the order of [`Side::ALL`], lack the vertices that the neighbour lacks.

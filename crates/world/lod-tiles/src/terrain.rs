@@ -55,6 +55,11 @@ impl Terrain {
         self.order
     }
 
+    /// Lowest and highest places (m) of the posts.
+    pub fn extent(&self) -> [[f64; 2]; 2] {
+        [0, 1].map(|end| [0, 1].map(|axis| self.places[axis][end * (self.places[axis].len() - 1)]))
+    }
+
     /// Cells of a side of a tile at a level.
     pub fn cells(&self, level: usize) -> usize {
         1 << (self.order as usize - level)
@@ -86,6 +91,24 @@ impl Terrain {
     pub fn height(&self, tile: Tile, level: usize, at: [usize; 2]) -> f64 {
         let [column, row] = self.post(tile, level, at);
         self.heights[row * self.places[0].len() + column]
+    }
+
+    /// Mean height (m) of the two vertices between which vertex i, j of a tile lies at the next level; `None` if that level has it too. The
+    /// level must not be the coarsest that tiles can have.
+    pub fn mean(&self, tile: Tile, level: usize, [i, j]: [usize; 2]) -> Option<f64> {
+        let between = match (i % 2, j % 2) {
+            (0, 0) => return None,
+            (_, 0) => [[i - 1, j], [i + 1, j]],
+            (0, _) => [[i, j + 1], [i, j - 1]],
+            _ => [[i - 1, j + 1], [i + 1, j - 1]],
+        };
+        let [a, b] = between.map(|at| self.height(tile, level, at));
+        Some((a + b) / 2.0)
+    }
+
+    /// How far (m, upwards) a vertex lies above where it will lie when its level has become the next one.
+    pub fn delta(&self, tile: Tile, level: usize, at: [usize; 2]) -> f64 {
+        self.mean(tile, level, at).map_or(0.0, |mean| self.height(tile, level, at) - mean)
     }
 
     /// Place and height (m) of the middle post of a tile.

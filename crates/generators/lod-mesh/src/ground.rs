@@ -1,0 +1,157 @@
+//! The ground of a frame: tiles in view, at their levels, morphed.
+
+use glam::DVec3;
+use landscape::shade;
+use lod_tiles::{State, Surface, Tile};
+use rayon::prelude::*;
+use scene_sampler::{Camera, Corner, Ground};
+
+use crate::frustum::Frustum;
+use crate::live;
+use crate::parameters::{GroundLight, Show, Transition};
+use crate::session::Session;
+
+/// The tiles of a frame as a mesh, in the axes of the map.
+#[derive(Debug, Default)]
+pub struct Mesh {
+    /// Vertices: north, east, up (m).
+    pub vertices: Vec<DVec3>,
+    /// Numbers of the corners of each triangle, counter-clockwise seen from above.
+    pub triangles: Vec<[u32; 3]>,
+    /// Tiles of the mesh with the number of their first vertex, in the order of the terrain.
+    pub tiles: Vec<(Tile, u32)>,
+    /// How many of the vertices move at all.
+    pub morphing: u64,
+}
+
+/// State of the tiles for an eye.
+pub fn state(session: &Session, eye: DVec3) -> State {
+    let state = State::new(&session.posts.terrain, &session.table.levels, [eye.y, eye.x, eye.z]);
+    match session.run.transition {
+        Transition::Morph => state,
+        Transition::Switch => state.switched(),
+    }
+}
+
+/// The surface of a state.
+pub fn surface<'a>(session: &'a Session, state: &'a State) -> Surface<'a> {
+    let run = &session.run;
+    Surface {
+        terrain: &session.posts.terrain,
+        state,
+        levels: session.table.levels.count(),
+        edges: run.edges,
+        stitch: run.stitch,
+    }
+}
+
+/// The tiles of a surface that a camera may show.
+pub fn mesh(session: &Session, surface: &Surface<'_>, camera: &Camera) -> Mesh {
+    let frustum = Frustum::new(camera);
+    let terrain = surface.terrain;
+    let in_view = |(tile, heights): &(Tile, _)| {
+        let cells = terrain.cells(0);
+        let corner = |at: usize| {
+            let [east, north] = terrain.place(*tile, 0, [at, at]);
+            [north, east]
+        };
+        frustum.may_show([corner(0), corner(cells)], heights)
+    };
+    let tiles: Vec<_> = terrain
+        .tiles()
+        .zip(session.posts.heights.iter().cloned())
+        .filter(in_view)
+        .map(|(tile, _)| tile)
+        .collect();
+    let parts: Vec<Mesh> = tiles.par_iter().map(|tile| of_tile(surface, *tile)).collect();
+    let mut mesh = Mesh::default();
+    parts.into_iter().for_each(|part| mesh.append(part));
+    mesh
+}
+
+fn of_tile(surface: &Surface<'_>, tile: Tile) -> Mesh {
+    let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
+    surface.add_tile(tile, &mut vertices, &mut triangles);
+    let vertices = vertices.into_iter().map(|[east, north, up]| DVec3::new(north, east, up)).collect();
+    Mesh { vertices, triangles, tiles: vec![(tile, 0)], morphing: surface.morphing(tile) }
+}
+
+impl Mesh {
+    fn append(&mut self, part: Self) {
+        let first = self.vertices.len() as u32;
+        self.vertices.extend(part.vertices);
+        self.triangles.extend(part.triangles.into_iter().map(|corners| corners.map(|corner| corner + first)));
+        self.tiles.extend(part.tiles.into_iter().map(|(tile, own)| (tile, own + first)));
+        self.morphing += part.morphing;
+    }
+}
+
+/// A mesh as faces with their light at `time` (s).
+pub fn faces<'a>(
+    session: &Session,
+    surface: &Surface<'_>,
+    mesh: &'a Mesh,
+    camera: &Camera,
+    time: f64,
+) -> Ground<'a> {
+    let stage = &session.stage;
+    let sun = stage.scenery.sun(time).direction();
+    let triangles = &mesh.triangles;
+    let map = match session.run.light {
+        GroundLight::Map => session.map(sun),
+        GroundLight::Live => None,
+    };
+    let place = |vertex: &DVec3| Corner { place: camera.place(*vertex), colour: [0.0; 3] };
+    let mut corners: Vec<Corner> = mesh.vertices.par_iter().map(place).collect();
+    match &map {
+        Some(_) if session.run.show == Show::Light => return Ground { corners, triangles, map },
+        Some(map) => {
+            let colour = |vertex: &DVec3| map.at(*vertex, camera.eye);
+            corners
+                .par_iter_mut()
+                .zip(&mesh.vertices)
+                .for_each(|(corner, vertex)| corner.colour = colour(vertex));
+        }
+        None => {
+            let slopes = live::slopes(surface, mesh);
+            let lit = mesh.vertices.par_iter().zip(&slopes);
+            corners.par_iter_mut().zip(lit).for_each(|(corner, (vertex, slopes))| {
+                let to_eye = (camera.eye - *vertex).normalize_or_zero().to_array();
+                let light = shade(sun, *slopes, to_eye, *stage.landscape.photometry());
+                corner.colour = stage
+                    .landscape
+                    .albedo_at(vertex.x, vertex.y)
+                    .map(|albedo| (albedo * light).clamp(0.0, 1.0));
+            });
+        }
+    }
+    if session.run.show == Show::Levels {
+        tint(surface, mesh, &mut corners);
+    }
+    Ground { corners, triangles, map: None }
+}
+
+/// Colours of the levels, the finest first; they repeat. Chosen: neighbours differ in hue and in lightness.
+const COLOURS: [[f64; 3]; 6] = [
+    [0.90, 0.25, 0.20],
+    [0.95, 0.75, 0.20],
+    [0.30, 0.75, 0.30],
+    [0.25, 0.75, 0.90],
+    [0.30, 0.35, 0.95],
+    [0.80, 0.35, 0.85],
+];
+
+/// Gives every corner the colour of its tile's level, on the way to the next level's by its own fraction, under its light.
+fn tint(surface: &Surface<'_>, mesh: &Mesh, corners: &mut [Corner]) {
+    for (tile, first) in &mesh.tiles {
+        let level = surface.tile_state(*tile).level;
+        let cells = surface.terrain.cells(level);
+        let [own, next] = [level, level + 1].map(|level| COLOURS[level % COLOURS.len()]);
+        let at = (0..=cells).flat_map(|j| (0..=cells).map(move |i| [i, j]));
+        for (corner, at) in corners[*first as usize..].iter_mut().zip(at) {
+            let share = surface.fraction_at(*tile, at);
+            let light = corner.colour.into_iter().fold(0.0, f64::max);
+            corner.colour = [0, 1, 2].map(|k| light * ((1.0 - share) * own[k] + share * next[k]));
+        }
+    }
+}

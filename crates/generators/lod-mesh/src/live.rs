@@ -1,0 +1,66 @@
+//! Slopes of the ground as it is drawn, so that light moves with the vertices.
+
+use glam::DVec3;
+use lod_tiles::{Side, Surface, Tile};
+use rayon::prelude::*;
+
+use crate::ground::Mesh;
+
+/// Slopes of all vertices to the north and to the east (m/m), by the heights of the surface a cell away on both sides. The cell is that of the
+/// coarsest tile that has the vertex, so both sides of an edge agree.
+pub fn slopes(surface: &Surface<'_>, mesh: &Mesh) -> Vec<[f64; 2]> {
+    let parts =
+        mesh.tiles.par_iter().map(|(tile, first)| of_tile(surface, *tile, &mesh.vertices[*first as usize..]));
+    let parts: Vec<Vec<[f64; 2]>> = parts.collect();
+    parts.into_iter().flatten().collect()
+}
+
+/// Slopes of the vertices of a tile, which come first in `vertices`.
+fn of_tile(surface: &Surface<'_>, tile: Tile, vertices: &[DVec3]) -> Vec<[f64; 2]> {
+    let level = surface.tile_state(tile).level;
+    let cells = surface.terrain.cells(level);
+    let number = |[i, j]: [usize; 2]| j * (cells + 1) + i;
+    let slope = |at: [usize; 2]| {
+        let is_inside = at.iter().all(|index| (1..cells).contains(index));
+        if !is_inside {
+            return on_border(surface, tile, at, vertices[number(at)]);
+        }
+        let [i, j] = at;
+        let [west, east, south, north] =
+            [[i - 1, j], [i + 1, j], [i, j - 1], [i, j + 1]].map(|at| vertices[number(at)]);
+        [(north.z - south.z) / (north.x - south.x), (east.z - west.z) / (east.y - west.y)]
+    };
+    (0..=cells).flat_map(|j| (0..=cells).map(move |i| [i, j])).map(slope).collect()
+}
+
+/// Slopes at a vertex of a tile's border. Beyond the ground its own border goes on level, so a difference there is one-sided.
+fn on_border(surface: &Surface<'_>, tile: Tile, at: [usize; 2], vertex: DVec3) -> [f64; 2] {
+    let step = step(surface, tile, at);
+    let [low, high] = surface.terrain.extent();
+    let along = |axis: usize| {
+        let place = [vertex.y, vertex.x];
+        let ends = [-1.0, 1.0].map(|sign| {
+            let mut end = place;
+            end[axis] = (place[axis] + sign * step[axis]).clamp(low[axis], high[axis]);
+            end
+        });
+        let [before, behind] = ends.map(|end| surface.under(end));
+        (behind - before) / (ends[1][axis] - ends[0][axis])
+    };
+    [along(1), along(0)]
+}
+
+/// Cells (east, north; m) of the coarsest tile that has a vertex.
+fn step(surface: &Surface<'_>, tile: Tile, at: [usize; 2]) -> [f64; 2] {
+    let cells = surface.terrain.cells(surface.tile_state(tile).level);
+    let beyond = |side: Side, tile: Tile| side.beyond(surface.terrain, tile);
+    let sides: Vec<Side> = Side::ALL.into_iter().filter(|side| side.holds(at, cells)).collect();
+    let mut tiles = vec![tile];
+    tiles.extend(sides.iter().filter_map(|side| beyond(*side, tile)));
+    // At a corner the tile across it has the vertex too.
+    if let [first, second] = sides[..] {
+        tiles.extend(beyond(first, tile).and_then(|next| beyond(second, next)));
+    }
+    let cell = |tile: &Tile| surface.cell(*tile);
+    tiles.iter().map(cell).fold([0.0; 2], |most, cell| [most[0].max(cell[0]), most[1].max(cell[1])])
+}

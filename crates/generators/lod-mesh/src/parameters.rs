@@ -1,0 +1,189 @@
+//! Run parameters of the generator, as `[lod]` and `--set lod.KEY=VALUE` give them.
+
+use diagnostics::Reader;
+use lod_tiles::{Edges, Stitch};
+
+/// Run parameters that no other generator has, and those of sampling.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Parameters {
+    /// How a scene is sampled.
+    pub sampling: scene_sampler::Parameters,
+    /// Order n of a tile: it has `2^n` cells a side.
+    pub order: u32,
+    /// Distance of posts (m); `None` parts the longer side of the ground into [`USUAL_CELLS`](crate::terrain::USUAL_CELLS).
+    pub spacing: Option<f64>,
+    /// Most levels; `None` is all that tiles of the order have.
+    pub levels: Option<u32>,
+    /// Ends of the ranges of all levels (m), the finest first; empty where they follow from `tolerance`.
+    pub ranges: Vec<f64>,
+    /// Error of a level (pixels) that is allowed where its range begins.
+    pub tolerance: f64,
+    /// Shares (0 to 1) of the ranges over which levels morph: one for all, or one each.
+    pub shares: Vec<f64>,
+    /// How a level becomes the next one.
+    pub transition: Transition,
+    /// Who decides on edges.
+    pub edges: Edges,
+    /// How tiles are joined.
+    pub stitch: Stitch,
+    /// Where the light of the ground comes from.
+    pub light: GroundLight,
+    /// What the ground shows.
+    pub show: Show,
+}
+
+/// How a level becomes the next one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Transition {
+    /// Vertices move until the level is the next one.
+    Morph,
+    /// At once, at the end of the range.
+    Switch,
+}
+
+/// Where the light of the ground comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum GroundLight {
+    /// The slopes of the finest posts, looked up pixel by pixel: the same at all levels.
+    Map,
+    /// The slopes of the vertices as they are drawn.
+    Live,
+}
+
+/// What the ground shows.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Show {
+    /// Its light.
+    Light,
+    /// Levels and fractions as colours, under its light.
+    Levels,
+}
+
+impl Default for Parameters {
+    /// Morphing over two fifths of a range is the document's own example for its three levels (chapter 6). All else is chosen.
+    fn default() -> Self {
+        Self {
+            sampling: scene_sampler::Parameters::default(),
+            order: 5,
+            spacing: None,
+            levels: None,
+            ranges: Vec::new(),
+            tolerance: 1.0,
+            shares: vec![0.4],
+            transition: Transition::Morph,
+            edges: Edges::Shared,
+            stitch: Stitch::FineSide,
+            light: GroundLight::Map,
+            show: Show::Light,
+        }
+    }
+}
+
+/// Words of the keys, with what they mean.
+const TRANSITIONS: [(&str, Transition); 2] = [("morph", Transition::Morph), ("switch", Transition::Switch)];
+const EDGES: [(&str, Edges); 2] = [("shared", Edges::Shared), ("per-tile", Edges::PerTile)];
+const STITCHES: [(&str, Stitch); 2] = [("fine-side", Stitch::FineSide), ("none", Stitch::None)];
+const LIGHTS: [(&str, GroundLight); 2] = [("map", GroundLight::Map), ("live", GroundLight::Live)];
+const SHOWS: [(&str, Show); 2] = [("light", Show::Light), ("levels", Show::Levels)];
+
+impl Parameters {
+    /// The parameters of a `[lod]` table; the default where the table has no key.
+    pub(crate) fn read(table: &Reader) -> Option<Self> {
+        let usual = Self::default();
+        let sampling = scene_sampler::Parameters::read(table);
+        let order = table.u32("order").between(1, 12).default(usual.order);
+        let spacing = table.f64("spacing_m").between(0.01, 1e6).unit("m").optional();
+        let levels = table.u32("levels").between(1, 13).optional();
+        let ranges = table.f64_list("ranges_m").above(0.0).unit("m").default(usual.ranges);
+        let tolerance = table.f64("tolerance_px").between(0.01, 1e4).unit("pixels").default(usual.tolerance);
+        let shares = table.f64_list("morph_percent").between(0.0, 100.0).unit("percent").default(vec![40.0]);
+        let transition = table.one_of("transition", &TRANSITIONS).default(usual.transition);
+        let edges = table.one_of("edges", &EDGES).default(usual.edges);
+        let stitch = table.one_of("stitch", &STITCHES).default(usual.stitch);
+        let light = table.one_of("light", &LIGHTS).default(usual.light);
+        let show = table.one_of("show", &SHOWS).default(usual.show);
+        let read = Self {
+            sampling: sampling?,
+            order: order?,
+            spacing: known(table, "spacing_m", spacing)?,
+            levels: known(table, "levels", levels)?,
+            ranges: ranges?,
+            tolerance: tolerance?,
+            shares: shares?.into_iter().map(|percent| percent / 100.0).collect(),
+            transition: transition?,
+            edges: edges?,
+            stitch: stitch?,
+            light: light?,
+            show: show?,
+        };
+        read.check(table)
+    }
+
+    /// How many levels are asked for.
+    pub fn level_count(&self) -> usize {
+        let all = self.order + 1;
+        self.levels.map_or(all, |levels| levels.min(all)) as usize
+    }
+
+    /// What keys ask for together.
+    fn check(self, table: &Reader) -> Option<Self> {
+        let (asked, all) = (self.levels.unwrap_or(1), self.order + 1);
+        let falling = self.ranges.windows(2).position(|pair| pair[1] <= pair[0]);
+        let fault = if asked > all {
+            let words = format!("{asked} levels of tiles of order {}", self.order);
+            Some(("levels", words, format!("at most {all}, or a higher `order`")))
+        } else if let Some(before) = falling {
+            let [end, next] = [self.ranges[before], self.ranges[before + 1]];
+            let words =
+                format!("level {} ends at {next} m, where level {before} ends at {end} m", before + 1);
+            Some(("ranges_m", words, "ends that rise, the finest level first".to_owned()))
+        } else if !self.ranges.is_empty() && self.ranges.len() != self.level_count() {
+            let words = format!("{} ranges for {} levels", self.ranges.len(), self.level_count());
+            Some(("ranges_m", words, "as many ends as `levels`".to_owned()))
+        } else if ![1, self.level_count()].contains(&self.shares.len()) {
+            let words = format!("{} shares for {} levels", self.shares.len(), self.level_count());
+            Some(("morph_percent", words, "one number, or one for each level".to_owned()))
+        } else {
+            None
+        };
+        match fault {
+            Some((key, words, expected)) => {
+                table.report(table.problem(key, words).expected(expected));
+                None
+            }
+            None => Some(self),
+        }
+    }
+}
+
+/// An optional key: `None` where it is wrong, not where it is missing.
+fn known<T>(table: &Reader, key: &str, value: Option<T>) -> Option<Option<T>> {
+    (value.is_some() || !table.has(key)).then_some(value)
+}
+
+/// The word of a value.
+pub(crate) fn word<T: PartialEq>(words: &[(&'static str, T)], value: &T) -> &'static str {
+    words.iter().find(|(_, known)| known == value).map_or("", |(word, _)| word)
+}
+
+impl Parameters {
+    /// All parameters for the record of a run.
+    pub(crate) fn record(&self) -> serde_json::Value {
+        let mut record = self.sampling.record();
+        let own = [
+            ("order", self.order.into()),
+            ("spacing_m", self.spacing.into()),
+            ("levels", self.level_count().into()),
+            ("ranges_m", self.ranges.clone().into()),
+            ("tolerance_px", self.tolerance.into()),
+            ("morph_percent", self.shares.iter().map(|share| 100.0 * share).collect::<Vec<_>>().into()),
+            ("transition", word(&TRANSITIONS, &self.transition).into()),
+            ("edges", word(&EDGES, &self.edges).into()),
+            ("stitch", word(&STITCHES, &self.stitch).into()),
+            ("light", word(&LIGHTS, &self.light).into()),
+            ("show", word(&SHOWS, &self.show).into()),
+        ];
+        own.into_iter().for_each(|(key, value)| record[key] = value);
+        record
+    }
+}

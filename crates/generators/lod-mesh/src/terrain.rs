@@ -1,0 +1,130 @@
+//! Posts of a landscape's ground, cut into tiles.
+
+use std::ops::RangeInclusive;
+
+use generator::{PrepareError, Stage};
+use landscape::Landscape;
+use lod_tiles::{Terrain, Tile};
+use rayon::prelude::*;
+use scene_sampler::Axis;
+
+use crate::parameters::Parameters;
+use crate::row::NAME;
+
+/// Cells along the longer side of the ground where no spacing is asked for. Chosen: a million posts.
+pub const USUAL_CELLS: f64 = 1024.0;
+
+/// Most posts. Chosen: 1 GB of heights and slopes.
+const MOST_POSTS: usize = 64_000_000;
+
+/// Posts of a frame's ground. Along x they run to the east, along y to the north.
+pub struct Posts {
+    /// Heights in tiles.
+    pub terrain: Terrain,
+    /// Slopes of all posts to the north and to the east (m/m), row by row from the south.
+    pub slopes: Vec<[f32; 2]>,
+    /// Places of rows and columns on the map: north, then east.
+    pub axes: [Axis; 2],
+    /// Lowest and highest height of each tile (m), in the order of the terrain.
+    pub heights: Vec<RangeInclusive<f64>>,
+}
+
+impl Posts {
+    /// The posts of a stage's ground.
+    ///
+    /// # Errors
+    /// If there are too many, or the bank has no ground at one of them.
+    pub fn new(stage: &Stage, run: &Parameters) -> Result<Self, PrepareError> {
+        let refused = |what: String, remedy: &str| PrepareError::Unsupported {
+            generator: NAME,
+            what,
+            remedy: remedy.into(),
+        };
+        let [south, west, north, east] = extent(&stage.landscape);
+        let spacing = run.spacing.unwrap_or((north - south).max(east - west) / USUAL_CELLS);
+        let axes = [axis(south, north, spacing, run.order), axis(west, east, spacing, run.order)];
+        let count = axes[0].posts.saturating_mul(axes[1].posts);
+        if count > MOST_POSTS {
+            let what = format!("{count} posts (at most {MOST_POSTS})");
+            return Err(refused(what, "ask for a larger lod.spacing_m"));
+        }
+        let places = axes.map(|axis| places(&axis));
+        let Some((heights, slopes)) = sampled(&stage.landscape, &places, spacing) else {
+            return Err(refused("ground with holes".into(), "give it a bank whose levels nest"));
+        };
+        let [rows, columns] = places;
+        let terrain = Terrain::new(run.order, [columns, rows], heights)
+            .map_err(|error| refused(error.to_string(), "choose another lod.order or lod.spacing_m"))?;
+        let heights = terrain.tiles().map(|tile| heights_of(&terrain, tile)).collect();
+        Ok(Self { terrain, slopes, axes, heights })
+    }
+}
+
+/// South, west, north, east border (m) of all levels of a bank.
+fn extent(landscape: &Landscape) -> [f64; 4] {
+    let levels = landscape.bank().levels().iter().map(|level| level.extent());
+    let both = |a: [f64; 4], b: [f64; 4]| [a[0].min(b[0]), a[1].min(b[1]), a[2].max(b[2]), a[3].max(b[3])];
+    levels.reduce(both).unwrap_or_default()
+}
+
+/// Posts `spacing` apart from `first` to `last`. What is left for the last tile has as many cells as the others, and narrower ones.
+fn axis(first: f64, last: f64, spacing: f64, order: u32) -> Axis {
+    let side = 1_usize << order;
+    // The last cell is no narrower than a thousandth of a tile's.
+    let tiles = ((last - first) / (spacing * side as f64) - 1e-3).ceil().max(1.0) as usize;
+    let whole = (tiles - 1) * side;
+    let last_step = (last - first - whole as f64 * spacing) / side as f64;
+    Axis { first, step: spacing, whole, last_step, posts: tiles * side + 1 }
+}
+
+/// Places (m) of the posts along an axis.
+fn places(axis: &Axis) -> Vec<f64> {
+    let place = |post: usize| {
+        let beyond = post.saturating_sub(axis.whole);
+        axis.first + (post - beyond) as f64 * axis.step + beyond as f64 * axis.last_step
+    };
+    (0..axis.posts).map(place).collect()
+}
+
+/// Heights and slopes row by row, without features too small for the spacing; `None` if there is no ground at a post.
+fn sampled(
+    landscape: &Landscape,
+    [rows, columns]: &[Vec<f64>; 2],
+    spacing: f64,
+) -> Option<(Vec<f64>, Vec<[f32; 2]>)> {
+    let at = |post: usize| {
+        let (north, east) = (rows[post / columns.len()], columns[post % columns.len()]);
+        let ground = landscape.at_spacing(north, east, spacing)?;
+        Some((ground.height, ground.slopes.map(|slope| slope as f32)))
+    };
+    (0..rows.len() * columns.len()).into_par_iter().map(at).collect()
+}
+
+fn heights_of(terrain: &Terrain, tile: Tile) -> RangeInclusive<f64> {
+    let cells = terrain.cells(0);
+    let posts = (0..=cells).flat_map(|j| (0..=cells).map(move |i| [i, j]));
+    let heights = posts.map(|at| terrain.height(tile, 0, at));
+    let (low, high) = heights
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), height| (low.min(height), high.max(height)));
+    low..=high
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_tile_has_narrower_cells() {
+        // The document's example: 152 cells in tiles of 32 are 4 tiles, and one with 24 cells stretched to 32.
+        let axis = axis(10.0, 10.0 + 152.0 * 100.0, 100.0, 5);
+        assert_eq!((axis.whole, axis.posts, axis.last_step), (128, 161, 75.0));
+        let places = places(&axis);
+        assert_eq!((places[0], places[128], places[129], places[160]), (10.0, 12_810.0, 12_885.0, 15_210.0));
+    }
+
+    #[test]
+    fn whole_tiles_are_left_alone() {
+        let axis = axis(0.0, 640.0, 10.0, 5);
+        assert_eq!((axis.posts, axis.last_step), (65, 10.0));
+    }
+}

@@ -1,0 +1,34 @@
+//! Where the eye may stand.
+
+use generator::{Generator, PlaneKind, Planes};
+use lod_mesh::LodMesh;
+use signal::Probe;
+
+use crate::shots::{SIDE, draw, pose, run, session, sky, stage};
+
+#[test]
+fn beside_the_ground_there_is_nothing_and_the_rest_is_drawn() {
+    let session = session(stage(32), run());
+    // Looks north from south of the ground: ground begins ahead.
+    let planes = draw(&*session, 32, &pose([-400.0, SIDE / 2.0, 300.0], 0.0, -30.0));
+    let seen = 32 * 32 - sky(&planes);
+    assert!(seen > 100 && sky(&planes) > 100, "{seen}");
+}
+
+#[test]
+fn an_eye_in_the_ground_is_refused() {
+    let session = session(stage(32), run());
+    let mut planes = Planes::new(32, 32, &[PlaneKind::Intensity]);
+    let inside = pose([800.0, 800.0, -500.0], 0.0, 0.0);
+    let error = session.frame(3, &inside, &mut planes, &mut Probe::off()).unwrap_err().to_string();
+    assert!(error.contains("frame 3") && error.contains("under the ground"), "{error}");
+    let nowhere = pose([f64::NAN, 0.0, 10.0], 0.0, 0.0);
+    assert!(session.check(0, &nowhere).is_err());
+}
+
+#[test]
+fn too_many_posts_are_refused_with_their_number() {
+    let run = lod_mesh::Parameters { spacing: Some(0.1), ..run() };
+    let error = LodMesh { parameters: run }.prepare(stage(32)).err().unwrap().to_string();
+    assert!(error.contains("256032001 posts") && error.contains("lod.spacing_m"), "{error}");
+}

@@ -1,0 +1,9 @@
+//! Pictures of tiles: without cracks, without pops, in any order, by any number of threads, and near the judge.
+
+mod cracks;
+mod eye;
+mod order;
+mod parameters;
+mod pops;
+mod shots;
+mod told;

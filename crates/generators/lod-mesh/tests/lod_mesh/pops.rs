@@ -1,0 +1,45 @@
+//! A camera that hardly moves: what jumps in the picture is a pop.
+
+use generator::PlaneKind;
+use lod_mesh::{GroundLight, Parameters, Transition};
+
+use crate::shots::{draw, pose, run, session, stage};
+
+const PIXELS: usize = 64;
+
+/// Largest change of the intensity and of the distance (m) as a camera over the middle of a tile sinks by 2 micrometres, through the
+/// distance at which the tile changes its level.
+fn jumps(run: Parameters) -> [f64; 2] {
+    let stage = stage(PIXELS as u32);
+    let [x, y] = [760.0, 760.0];
+    let ground = stage.landscape.at_spacing(x, y, 10.0).unwrap().height;
+    let session = session(stage, run);
+    let picture = |above: f64| draw(&*session, PIXELS, &pose([x, y, ground + above], 0.0, -90.0));
+    let [before, behind] = [450.000_001, 449.999_999].map(picture);
+    [PlaneKind::Intensity, PlaneKind::Distance].map(|kind| {
+        let pairs = before.get(kind).unwrap().iter().zip(behind.get(kind).unwrap());
+        pairs.map(|(a, b)| f64::from((a - b).abs())).fold(0.0, f64::max)
+    })
+}
+
+#[test]
+fn light_of_a_map_does_not_pop() {
+    let [light, _] = jumps(run());
+    assert!(light < 0.5 / 255.0, "{light}");
+}
+
+#[test]
+fn a_switch_is_a_jump_in_distance() {
+    let switch = Parameters { transition: Transition::Switch, ..run() };
+    let [_, morphing] = jumps(run());
+    let [_, switching] = jumps(switch);
+    // A pixel is 7 m here. On an edge of two facets the grid of 1/256 pixel decides which of them is seen, 3 cm aside.
+    assert!(morphing < 0.06 && switching > 1.0, "{morphing} {switching}");
+}
+
+#[test]
+fn live_light_pops_where_levels_switch() {
+    let live = Parameters { light: GroundLight::Live, transition: Transition::Switch, ..run() };
+    let [light, _] = jumps(live);
+    assert!(light > 5.0 / 255.0, "{light}");
+}

@@ -1,0 +1,54 @@
+//! What is told of a pixel, of a frame, and of levels.
+
+use generator::PlaneKind;
+use signal::Probe;
+
+use crate::shots::{draw, pose, run, session, stage};
+
+#[test]
+fn a_pixel_tells_its_tile_and_its_heights() {
+    let session = session(stage(64), run());
+    // 500 m above the middle of a tile: a ninth of the second range is over, and nothing morphs yet.
+    let facts = session.explain(0, &pose([760.0, 760.0, 560.0], 0.0, -90.0), [32, 32]).unwrap();
+    let text = |name: &str| facts.iter().find(|fact| fact.what == name).unwrap().value.clone();
+    assert!(text("tile").starts_with("column 9, row 9"), "{}", text("tile"));
+    assert!(text("level").starts_with("1 (range to 900 m), 0.0000"), "{}", text("level"));
+    let heights = text("height");
+    let number = |word: &str| {
+        let part = heights.split("; ").find(|part| part.contains(word)).unwrap();
+        part.split(' ').next().unwrap().parse::<f64>().unwrap()
+    };
+    assert!((number("m as drawn") - number("m before morphing")).abs() < 1e-9, "{heights}");
+    assert!((number("m by the finest") - number("m by the landscape")).abs() < 3.0, "{heights}");
+}
+
+#[test]
+fn counters_are_of_the_tiles_in_view() {
+    let session = session(stage(64), run());
+    let mut planes = generator::Planes::new(64, 64, &[PlaneKind::Intensity]);
+    let counts =
+        session.frame(0, &pose([800.0, 800.0, 150.0], 0.0, -90.0), &mut planes, &mut Probe::off()).unwrap();
+    // 150 m of ground in view: 2 or 3 tiles of 80 m each way, and those that its relief brings in.
+    assert!((4..=25).contains(&counts["tiles"]), "{}", counts["tiles"]);
+    assert_eq!(counts["vertices"], counts["tiles"] * 81);
+    assert_eq!((counts["ground_triangles"], counts["morphing"]), (counts["tiles"] * 128, 0));
+}
+
+#[test]
+fn a_zone_shorter_than_a_tile_is_warned_of_with_its_number() {
+    let short = lod_mesh::Parameters { shares: vec![0.1], ..run() };
+    let omissions = session(stage(32), short).omissions();
+    let why = omissions.iter().map(|omission| omission.why.clone()).collect::<String>();
+    assert!(why.contains("45 m is shorter than a tile of 80 m"), "{why}");
+    assert!(session(stage(32), run()).omissions().is_empty());
+}
+
+#[test]
+fn distances_are_those_of_the_drawn_ground() {
+    let session = session(stage(65), lod_mesh::Parameters { levels: Some(1), ranges: vec![450.0], ..run() });
+    let eye = [803.0, 811.0, 300.0];
+    let planes = draw(&*session, 65, &pose(eye, 0.0, -90.0));
+    let middle = planes.get(PlaneKind::Distance).unwrap()[32 * 65 + 32];
+    let ground = stage(65).landscape.height(803.0, 811.0).unwrap();
+    assert!((f64::from(middle) - (300.0 - ground)).abs() < 1.5, "{middle} {ground}");
+}
