@@ -32,6 +32,7 @@ pub static ROW: Row = Row {
     parameters: None,
     gear: None,
     ladders: &[],
+    details: &[],
     configure: |_| Some(Arc::new(Exact)),
 };
 

@@ -39,7 +39,7 @@ pub use faces::{FaceScene, Look, Looks, ScreenFace};
 pub use fact::Fact;
 pub use omission::{Omission, Weight};
 pub use planes::{Label, Loss, Plane, PlaneKind, Planes, Shade};
-pub use row::{Against, ErrorLadder, Gear, Role, Row};
+pub use row::{Against, DetailWay, ErrorLadder, Gear, Role, Row};
 pub use timed::{SizedFigure, Timed};
 
 /// The world and the view: everything that generators share but the pose.
@@ -262,6 +262,16 @@ pub trait Session: Send + Sync {
     /// # Errors
     /// If the pose cannot be drawn.
     fn faces(&self, _frame: u64, _pose: &Pose) -> Result<Option<FaceScene>, FrameError> {
+        Ok(None)
+    }
+
+    /// Distance (m) along the view axis from `pose` to the ground as it is drawn; infinite for sky. Levels of detail are those for the first of
+    /// `levels`, at the moment when they change to or from those for the second; where both are `pose`, those of its picture. `None` if the
+    /// generator has no levels of detail.
+    ///
+    /// # Errors
+    /// If a pose cannot be drawn.
+    fn sounding(&self, _frame: u64, _pose: &Pose, _levels: [&Pose; 2]) -> Result<Option<f64>, FrameError> {
         Ok(None)
     }
 

@@ -59,6 +59,15 @@ pub enum Against {
     Itself(&'static [(&'static str, &'static str)]),
 }
 
+/// A way in which a generator treats levels of detail.
+#[derive(Debug, Clone, Copy)]
+pub struct DetailWay {
+    /// Name of the way.
+    pub name: &'static str,
+    /// Keys of run parameters, each with the value that makes this way.
+    pub sets: &'static [(&'static str, &'static str)],
+}
+
 /// A generator that is chosen by its own name. The hybrid machine has none: the name of a hardware model chooses it.
 #[derive(Debug, Clone, Copy)]
 pub struct Row {
@@ -78,6 +87,8 @@ pub struct Row {
     pub gear: Option<Gear>,
     /// The run parameters that a study of errors varies, ladder by ladder.
     pub ladders: &'static [ErrorLadder],
+    /// Its ways with levels of detail, the finest ground alone first; none where it has no levels.
+    pub details: &'static [DetailWay],
     /// Reads run parameters and gear, both as tables of one root, into a generator. A missing table is an empty one;
     /// faults are reported to the reader.
     pub configure: fn(&Reader) -> Option<Arc<dyn Generator>>,

@@ -1,5 +1,7 @@
 //! The ground of a frame: tiles in view, at their levels, morphed.
 
+use std::ops::Range;
+
 use glam::DVec3;
 use landscape::shade;
 use lod_tiles::{State, Surface, Tile};
@@ -18,15 +20,23 @@ pub struct Mesh {
     pub vertices: Vec<DVec3>,
     /// Numbers of the corners of each triangle, counter-clockwise seen from above.
     pub triangles: Vec<[u32; 3]>,
-    /// Tiles of the mesh with the number of their first vertex, in the order of the terrain.
-    pub tiles: Vec<(Tile, u32)>,
+    /// Tiles of the mesh with the number of their first vertex, in the order of the terrain. Vertices of a tile come row by row, then those of
+    /// finer neighbours on its edges.
+    tiles: Vec<(Tile, u32)>,
     /// How many of the vertices move at all.
     pub morphing: u64,
 }
 
 /// State of the tiles for an eye.
 pub fn state(session: &Session, eye: DVec3) -> State {
-    let state = State::new(&session.posts.terrain, &session.table.levels, [eye.y, eye.x, eye.z]);
+    at_change(session, eye, [eye; 2])
+}
+
+/// The same at the moment when levels change between those for two other eyes; they are the first one's.
+pub fn at_change(session: &Session, eye: DVec3, levels: [DVec3; 2]) -> State {
+    let in_tiles = |eye: DVec3| [eye.y, eye.x, eye.z];
+    let (terrain, levels) = (&session.posts.terrain, levels.map(in_tiles));
+    let state = State::at_change(terrain, &session.table.levels, in_tiles(eye), levels);
     match session.run.transition {
         Transition::Morph => state,
         Transition::Switch => state.switched(),
@@ -77,6 +87,18 @@ fn of_tile(surface: &Surface<'_>, tile: Tile) -> Mesh {
 }
 
 impl Mesh {
+    /// How many tiles it has.
+    pub fn tile_count(&self) -> u64 {
+        self.tiles.len() as u64
+    }
+
+    /// Its tiles with the numbers of their vertices.
+    pub fn tiles(&self) -> impl Iterator<Item = (Tile, Range<usize>)> {
+        let next = self.tiles.iter().skip(1).map(|(_, first)| *first as usize);
+        let ends = next.chain([self.vertices.len()]);
+        self.tiles.iter().zip(ends).map(|((tile, first), end)| (*tile, *first as usize..end))
+    }
+
     fn append(&mut self, part: Self) {
         let first = self.vertices.len() as u32;
         self.vertices.extend(part.vertices);
@@ -141,15 +163,16 @@ const COLOURS: [[f64; 3]; 6] = [
     [0.80, 0.35, 0.85],
 ];
 
-/// Gives every corner the colour of its tile's level, on the way to the next level's by its own fraction, under its light.
+/// Gives every corner the colour of its tile's level, on the way to the next level's by its own fraction, under its light. Vertices of a finer
+/// neighbour have not moved.
 fn tint(surface: &Surface<'_>, mesh: &Mesh, corners: &mut [Corner]) {
-    for (tile, first) in &mesh.tiles {
-        let level = surface.tile_state(*tile).level;
+    for (tile, vertices) in mesh.tiles() {
+        let level = surface.tile_state(tile).level;
         let cells = surface.terrain.cells(level);
         let [own, next] = [level, level + 1].map(|level| COLOURS[level % COLOURS.len()]);
         let at = (0..=cells).flat_map(|j| (0..=cells).map(move |i| [i, j]));
-        for (corner, at) in corners[*first as usize..].iter_mut().zip(at) {
-            let share = surface.fraction_at(*tile, at);
+        let shares = at.map(|at| surface.fraction_at(tile, at)).chain(std::iter::repeat(0.0));
+        for (corner, share) in corners[vertices].iter_mut().zip(shares) {
             let light = corner.colour.into_iter().fold(0.0, f64::max);
             corner.colour = [0, 1, 2].map(|k| light * ((1.0 - share) * own[k] + share * next[k]));
         }

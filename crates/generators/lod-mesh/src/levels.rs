@@ -35,7 +35,7 @@ impl LevelTable {
         let share = |level: usize| run.shares[level.min(run.shares.len() - 1)];
         let ends = match run.ranges.is_empty() {
             true => ends(&errors, share, side, focal / run.tolerance),
-            false => run.ranges.clone(),
+            false => run.ranges[..count].to_vec(),
         };
         let levels = ends.iter().enumerate().map(|(level, &end)| Level { end, share: share(level) });
         let levels = Levels::new(run.order, levels.collect()).map_err(|error| PrepareError::Unsupported {

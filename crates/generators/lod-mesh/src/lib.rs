@@ -32,7 +32,7 @@
 //! | `lod.morph_percent` | 0 to 100, one or one for each level | 40 | share of a range, at its far end, over which its level morphs |
 //! | `lod.transition` | `morph`, `switch` | `morph` | how a level becomes the next one |
 //! | `lod.edges` | `shared`, `per-tile` | `shared` | who decides how far an edge has morphed; the document's `per-tile` cracks |
-//! | `lod.stitch` | `fine-side`, `none` | `fine-side` | how tiles of different levels are joined; `none` leaves holes |
+//! | `lod.stitch` | `coarse-side`, `fine-side`, `none` | `coarse-side` | which tile adapts where levels differ; with `fine-side` ground moves a little when a neighbour changes its level; `none` leaves holes |
 //! | `lod.light` | `map`, `live` | `map` | where the light of the ground comes from |
 //! | `lod.show` | `light`, `levels` | `light` | what the ground shows: its light, or levels and fractions as colours |
 //! | `lod.pattern` | `1`, `4`, `8`, `16`, `grid16`, `lattice32`, `off-centre16` | `4` | sampling points of a pixel |
@@ -66,6 +66,7 @@ mod parameters;
 mod place;
 mod row;
 mod session;
+mod sounding;
 mod terrain;
 
 pub use lod_mesh::LodMesh;

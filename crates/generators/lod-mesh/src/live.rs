@@ -9,33 +9,34 @@ use crate::ground::Mesh;
 /// Slopes of all vertices to the north and to the east (m/m), by the heights of the surface a cell away on both sides. The cell is that of the
 /// coarsest tile that has the vertex, so both sides of an edge agree.
 pub fn slopes(surface: &Surface<'_>, mesh: &Mesh) -> Vec<[f64; 2]> {
+    let tiles: Vec<_> = mesh.tiles().collect();
     let parts =
-        mesh.tiles.par_iter().map(|(tile, first)| of_tile(surface, *tile, &mesh.vertices[*first as usize..]));
+        tiles.into_par_iter().map(|(tile, vertices)| of_tile(surface, tile, &mesh.vertices[vertices]));
     let parts: Vec<Vec<[f64; 2]>> = parts.collect();
     parts.into_iter().flatten().collect()
 }
 
-/// Slopes of the vertices of a tile, which come first in `vertices`.
+/// Slopes of the vertices of a tile: its own row by row, then those of finer neighbours.
 fn of_tile(surface: &Surface<'_>, tile: Tile, vertices: &[DVec3]) -> Vec<[f64; 2]> {
-    let level = surface.tile_state(tile).level;
-    let cells = surface.terrain.cells(level);
+    let cells = surface.terrain.cells(surface.tile_state(tile).level);
     let number = |[i, j]: [usize; 2]| j * (cells + 1) + i;
     let slope = |at: [usize; 2]| {
         let is_inside = at.iter().all(|index| (1..cells).contains(index));
         if !is_inside {
-            return on_border(surface, tile, at, vertices[number(at)]);
+            return across(surface, vertices[number(at)], step(surface, tile, at));
         }
         let [i, j] = at;
         let [west, east, south, north] =
             [[i - 1, j], [i + 1, j], [i, j - 1], [i, j + 1]].map(|at| vertices[number(at)]);
         [(north.z - south.z) / (north.x - south.x), (east.z - west.z) / (east.y - west.y)]
     };
-    (0..=cells).flat_map(|j| (0..=cells).map(move |i| [i, j])).map(slope).collect()
+    let own = (0..=cells).flat_map(|j| (0..=cells).map(move |i| [i, j]));
+    let inserted = vertices[(cells + 1) * (cells + 1)..].iter();
+    own.map(slope).chain(inserted.map(|vertex| across(surface, *vertex, surface.cell(tile)))).collect()
 }
 
-/// Slopes at a vertex of a tile's border. Beyond the ground its own border goes on level, so a difference there is one-sided.
-fn on_border(surface: &Surface<'_>, tile: Tile, at: [usize; 2], vertex: DVec3) -> [f64; 2] {
-    let step = step(surface, tile, at);
+/// Slopes between the surface a `step` (east, north; m) before and behind a vertex. Where the ground ends they are one-sided.
+fn across(surface: &Surface<'_>, vertex: DVec3, step: [f64; 2]) -> [f64; 2] {
     let [low, high] = surface.terrain.extent();
     let along = |axis: usize| {
         let place = [vertex.y, vertex.x];

@@ -72,7 +72,7 @@ impl Default for Parameters {
             shares: vec![0.4],
             transition: Transition::Morph,
             edges: Edges::Shared,
-            stitch: Stitch::FineSide,
+            stitch: Stitch::CoarseSide,
             light: GroundLight::Map,
             show: Show::Light,
         }
@@ -82,7 +82,8 @@ impl Default for Parameters {
 /// Words of the keys, with what they mean.
 const TRANSITIONS: [(&str, Transition); 2] = [("morph", Transition::Morph), ("switch", Transition::Switch)];
 const EDGES: [(&str, Edges); 2] = [("shared", Edges::Shared), ("per-tile", Edges::PerTile)];
-const STITCHES: [(&str, Stitch); 2] = [("fine-side", Stitch::FineSide), ("none", Stitch::None)];
+const STITCHES: [(&str, Stitch); 3] =
+    [("coarse-side", Stitch::CoarseSide), ("fine-side", Stitch::FineSide), ("none", Stitch::None)];
 const LIGHTS: [(&str, GroundLight); 2] = [("map", GroundLight::Map), ("live", GroundLight::Live)];
 const SHOWS: [(&str, Show); 2] = [("light", Show::Light), ("levels", Show::Levels)];
 
@@ -125,6 +126,13 @@ impl Parameters {
         self.levels.map_or(all, |levels| levels.min(all)) as usize
     }
 
+    /// Whether a list is one of all levels. Where `levels` is fewer than the list has, the rest of the list is not used.
+    fn fits(&self, entries: usize) -> bool {
+        let all = self.order as usize + 1;
+        entries == self.level_count()
+            || (self.levels.is_some() && (self.level_count()..=all).contains(&entries))
+    }
+
     /// What keys ask for together.
     fn check(self, table: &Reader) -> Option<Self> {
         let (asked, all) = (self.levels.unwrap_or(1), self.order + 1);
@@ -137,10 +145,10 @@ impl Parameters {
             let words =
                 format!("level {} ends at {next} m, where level {before} ends at {end} m", before + 1);
             Some(("ranges_m", words, "ends that rise, the finest level first".to_owned()))
-        } else if !self.ranges.is_empty() && self.ranges.len() != self.level_count() {
+        } else if !self.ranges.is_empty() && !self.fits(self.ranges.len()) {
             let words = format!("{} ranges for {} levels", self.ranges.len(), self.level_count());
             Some(("ranges_m", words, "as many ends as `levels`".to_owned()))
-        } else if ![1, self.level_count()].contains(&self.shares.len()) {
+        } else if self.shares.len() != 1 && !self.fits(self.shares.len()) {
             let words = format!("{} shares for {} levels", self.shares.len(), self.level_count());
             Some(("morph_percent", words, "one number, or one for each level".to_owned()))
         } else {

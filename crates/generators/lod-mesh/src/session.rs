@@ -6,6 +6,7 @@ use generator::{
     FaceScene, Fact, FrameCounts, FrameError, Omission, Planes, PrepareError, Session as GeneratorSession,
     Stage, Weight, check_free_eye,
 };
+use glam::DVec3;
 use light_points::BeamBudget;
 use lod_tiles::{State, TileState};
 use raster::{Lists, Screen};
@@ -19,6 +20,7 @@ use crate::levels::LevelTable;
 use crate::parameters::Parameters;
 use crate::place::Seen;
 use crate::row::NAME;
+use crate::sounding::sounding;
 use crate::terrain::Posts;
 
 /// Its beam takes no time: the document has none.
@@ -128,7 +130,7 @@ impl GeneratorSession for Session {
         picture.beam.draw(&scene.lights.points, run, &self.screen, &mut picture.colours);
         scene_sampler::fill(&picture, scene, planes);
         Ok(FrameCounts::of([
-            ("tiles", gathered.mesh.tiles.len() as u64),
+            ("tiles", gathered.mesh.tile_count()),
             ("visits", gathered.state.visits()),
             ("vertices", gathered.mesh.vertices.len() as u64),
             ("morphing", gathered.mesh.morphing),
@@ -196,6 +198,14 @@ impl GeneratorSession for Session {
     ) -> Result<Option<Value>, FrameError> {
         let gathered = self.gather(frame, pose)?;
         self.filled(frame, &gathered, pixel, |filled| filled.document(number, &[]))
+    }
+
+    fn sounding(&self, frame: u64, pose: &Pose, levels: [&Pose; 2]) -> Result<Option<f64>, FrameError> {
+        self.check(frame, pose)?;
+        levels.into_iter().try_for_each(|pose| self.check(frame, pose))?;
+        let camera = Camera::new(pose, &self.stage.view);
+        let state = ground::at_change(self, camera.eye, levels.map(|pose| DVec3::from_array(pose.eye)));
+        Ok(Some(sounding(self, &ground::surface(self, &state), &camera)))
     }
 
     fn faces(&self, frame: u64, pose: &Pose) -> Result<Option<FaceScene>, FrameError> {

@@ -33,6 +33,7 @@ pub static ROW: Row = Row {
         against: Against::Judge,
         order: Some((1.0, "a position shows a point up to one step away")),
     }],
+    details: &[],
     configure,
 };
 

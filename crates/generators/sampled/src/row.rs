@@ -29,6 +29,7 @@ pub static ROW: Row = Row {
         faults: &FAULTS,
     }),
     ladders: &LADDERS,
+    details: &[],
     configure,
 };
 

@@ -17,6 +17,7 @@
 //! **Economy** ([`economy`]): what a scene does not need, what leaving it out saves, the waste that remains. **Banks**
 //! ([`regions()`]): region size of a survey against the ground. **Shadow** ([`shadow`]): the vehicle's, on flat
 //! ground and on true, by every law and method.
+//! **Pops** ([`pops`]): distances along the view axis, frame by frame, and what levels of detail do to them.
 //! **Reports** ([`report`]): what came of a study as text, as a document, and as tables and plots in a folder.
 //! **Not in the time.** Reading, elaboration, shadow boundaries that are found once, encoding.
 //! **Our choices.** Signals are compared on six groups of eight sweeps spread over the frame. A picture of fewer or more sweeps than the
@@ -31,6 +32,7 @@ pub mod ladder;
 mod order;
 mod parameter;
 pub mod polynomial;
+pub mod pops;
 mod reference;
 mod regions;
 pub mod report;

@@ -17,7 +17,8 @@
 //!   than a neighbour is refined, until none is; it then looks like the coarser level ([`State`]).
 //! - **Edges.** Vertices on an edge between two tiles have a fraction of the edge ([`Edges::Shared`]), so both sides draw the same line. The document
 //!   has one fraction a tile ([`Edges::PerTile`]), and cracks.
-//! - **Stitching.** On a side with a coarser neighbour a tile leaves out the vertices that the neighbour lacks ([`Stitch::FineSide`]).
+//! - **Stitching.** On an edge the finer tile leaves out the vertices that its neighbour lacks ([`Stitch::FineSide`]), or the coarser one has them too
+//!   ([`Stitch::CoarseSide`]). With the second no ground moves when a level changes.
 //!
 //! Axes: x to the right, y up on the map, z up (m).
 //!
@@ -27,6 +28,7 @@
 
 mod edges;
 mod error;
+mod inserted;
 mod levels;
 mod state;
 mod surface;

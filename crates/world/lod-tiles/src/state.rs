@@ -1,5 +1,7 @@
 //! Level and fraction of every tile of a frame.
 
+use std::cmp::Ordering;
+
 use crate::{Levels, Terrain, Tile};
 
 /// What a tile is drawn as.
@@ -28,6 +30,26 @@ impl State {
             TileState { level, fraction: levels.fraction(level, distance) }
         });
         Self::of(terrain, tiles.collect())
+    }
+
+    /// The state for an eye (m) at the moment when levels change: each tile has the level that it has for the eye `held`. Where that is another one
+    /// for the eye `other`, the tile is at that end of its level at which the other one begins.
+    pub fn at_change(
+        terrain: &Terrain,
+        levels: &Levels,
+        eye: [f64; 3],
+        [held, other]: [[f64; 3]; 2],
+    ) -> Self {
+        let (Self { mut tiles, visits }, other) =
+            (Self::new(terrain, levels, held), Self::new(terrain, levels, other));
+        for ((own, other), tile) in tiles.iter_mut().zip(&other.tiles).zip(terrain.tiles()) {
+            own.fraction = match own.level.cmp(&other.level) {
+                Ordering::Less => 1.0,
+                Ordering::Equal => levels.fraction(own.level, distance(terrain.middle(tile), eye)),
+                Ordering::Greater => 0.0,
+            };
+        }
+        Self { tiles, visits }
     }
 
     /// Tiles of given states, refined where neighbours are more than a level apart.

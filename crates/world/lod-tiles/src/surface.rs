@@ -1,13 +1,17 @@
 //! The surface of a frame: morphed vertices, stitched triangles.
 
 use crate::edges::{beyond, fraction};
+use crate::inserted::Inserted;
 use crate::{Edges, Side, State, Terrain, Tile, TileState};
 
 /// How tiles of different levels are joined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Stitch {
-    /// The finer tile leaves out the vertices that its neighbour lacks.
+    /// The finer tile leaves out the vertices that its neighbour lacks. Its triangles there are others, so ground inside it moves a little when the
+    /// neighbour changes its level.
     FineSide,
+    /// The coarser tile has the vertices of its neighbour too, on its own edges: nothing moves.
+    CoarseSide,
     /// Tiles abut, and there are holes where heights differ.
     None,
 }
@@ -68,10 +72,15 @@ impl Surface<'_> {
             vertices.push([x, y, self.height(tile, at)]);
         }
         let stitched = self.stitched(tile);
-        let number = |[i, j]: [usize; 2]| (first + j * (cells + 1) + i) as u32;
+        let split = self.split(tile);
+        let mut inserted =
+            Inserted { surface: self, tile, first, vertices, known: [const { Vec::new() }; 4] };
         for [a, b] in blocks(cells) {
-            let in_tile = |[i, j]: [usize; 2]| number([a + i, b + j]);
-            triangles.extend(block(cells, [a, b], stitched).map(|corners| corners.map(in_tile)));
+            for corners in block(cells, [a, b], stitched) {
+                let corners = corners.map(|[i, j]| [a + i, b + j]);
+                let sides = split.iter().copied().filter(|side| side.edge_of(&corners, cells).is_some());
+                inserted.add(corners, &sides.collect::<Vec<_>>(), triangles);
+            }
         }
     }
 
@@ -107,6 +116,15 @@ impl Surface<'_> {
         Surface { state: &self.state.switched(), ..*self }.under(place)
     }
 
+    /// The vertex of a finer neighbour in the middle of an edge of a tile.
+    pub(crate) fn between(&self, tile: Tile, ends: [[usize; 2]; 2]) -> [f64; 3] {
+        let level = self.own(tile).level;
+        let [a, b] = ends.map(|at| self.height(tile, at));
+        let finer = [ends[0][0] + ends[1][0], ends[0][1] + ends[1][1]];
+        let [x, y] = self.terrain.place(tile, level - 1, finer);
+        [x, y, (a + b) / 2.0]
+    }
+
     fn own(&self, tile: Tile) -> TileState {
         self.state.tile(self.terrain.number(tile))
     }
@@ -129,6 +147,18 @@ impl Surface<'_> {
             return whole;
         }
         self.terrain.mean(tile, level, at).map_or(whole, |mean| mean + (1.0 - fraction) * (whole - mean))
+    }
+
+    /// Sides that have the vertices of a finer neighbour too.
+    fn split(&self, tile: Tile) -> Vec<Side> {
+        let own = self.own(tile).level;
+        let has_finer = |side: &Side| {
+            beyond(self.terrain, self.state, tile, *side).is_some_and(|other| other.level < own)
+        };
+        match self.stitch {
+            Stitch::CoarseSide => Side::ALL.into_iter().filter(has_finer).collect(),
+            Stitch::FineSide | Stitch::None => Vec::new(),
+        }
     }
 
     /// Which sides, in the order of [`Side::ALL`], lack the vertices that the neighbour lacks.

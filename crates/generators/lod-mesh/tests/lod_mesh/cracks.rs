@@ -39,6 +39,11 @@ fn nothing_shines_through_in_1000_views() {
 }
 
 #[test]
+fn the_finer_tile_may_adapt_as_well() {
+    assert_eq!(holes(Parameters { stitch: Stitch::FineSide, ..near() }, 100), 0);
+}
+
+#[test]
 fn tiles_that_decide_for_themselves_crack() {
     assert!(holes(Parameters { edges: Edges::PerTile, ..near() }, 100) > 0);
 }

@@ -43,3 +43,23 @@ fn live_light_pops_where_levels_switch() {
     let [light, _] = jumps(live);
     assert!(light > 5.0 / 255.0, "{light}");
 }
+
+#[test]
+fn a_sounding_is_the_distance_in_the_picture_and_tells_a_switch() {
+    let switch = Parameters { transition: Transition::Switch, ..run() };
+    let stage = stage(PIXELS as u32);
+    let ground = stage.landscape.at_spacing(760.0, 760.0, 10.0).unwrap().height;
+    // Straight above a vertex that the next level lacks.
+    let at = |above: f64| pose([750.0, 750.0, ground + above], 0.0, -90.0);
+    let [before, behind] = [455.0, 445.0].map(at);
+    let sounding = |run: &Parameters, levels| {
+        session(stage.clone(), run.clone()).sounding(0, &before, levels).unwrap().unwrap()
+    };
+    let own = sounding(&switch, [&before; 2]);
+    let planes = draw(&*session(stage.clone(), switch.clone()), PIXELS, &before);
+    let middle = planes.get(PlaneKind::Distance).unwrap()[PIXELS / 2 * PIXELS + PIXELS / 2];
+    assert!((own - f64::from(middle)).abs() < 8.0, "{own} {middle}");
+    let pop =
+        |run: &Parameters| (sounding(run, [&before, &behind]) - sounding(run, [&behind, &before])).abs();
+    assert!(pop(&switch) > 0.5 && pop(&run()) < 1e-9, "{} {}", pop(&switch), pop(&run()));
+}

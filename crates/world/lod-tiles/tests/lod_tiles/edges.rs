@@ -57,6 +57,7 @@ fn every_twentieth(edges: Edges, stitch: Stitch, switched: bool) -> f64 {
 #[test]
 fn gaps_over_the_flight_are_those_of_the_document() {
     assert!(every_twentieth(Edges::Shared, Stitch::FineSide, false) < 1e-12);
+    assert!(every_twentieth(Edges::Shared, Stitch::CoarseSide, false) < 1e-12);
     let per_tile = every_twentieth(Edges::PerTile, Stitch::FineSide, false);
     assert!((per_tile - 1.503545649337).abs() < 1e-9, "{per_tile}");
     let none = every_twentieth(Edges::PerTile, Stitch::None, true);
@@ -136,4 +137,48 @@ fn random_states_have_no_gaps() {
         }
     }
     assert!(worst < 1e-9 && worst_per_tile > 10.0, "{worst} {worst_per_tile}");
+}
+
+/// Corners of a tile's triangles on a line across the map, as bits, each once.
+fn corners_on(surface: &Surface<'_>, tile: Tile, (axis, at): (usize, f64)) -> Vec<[u64; 3]> {
+    let all = surface.triangles(tile);
+    let on_line = all.iter().flatten().filter(|corner| corner[axis] == at);
+    let mut corners: Vec<[u64; 3]> = on_line.map(|corner| corner.map(f64::to_bits)).collect();
+    corners.sort_unstable();
+    corners.dedup();
+    corners
+}
+
+/// Twice the area of a triangle on the map.
+fn doubled_area([a, b, c]: &[[f64; 3]; 3]) -> f64 {
+    (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])
+}
+
+#[test]
+fn a_coarser_tile_has_the_vertices_of_its_neighbour_to_the_bit() {
+    let mut dice = Dice(7);
+    for _ in 0..300 {
+        let terrain = rough(&mut dice);
+        let tiles = (0..9).map(|_| TileState { level: (4.0 * dice.next()) as usize, fraction: dice.next() });
+        let state = State::of(&terrain, tiles.collect());
+        let surface = Surface {
+            terrain: &terrain,
+            state: &state,
+            levels: 4,
+            edges: Edges::Shared,
+            stitch: Stitch::CoarseSide,
+        };
+        for tile in terrain.tiles() {
+            let triangles = surface.triangles(tile);
+            assert!(triangles.iter().all(|triangle| doubled_area(triangle) > 0.0));
+            assert!((triangles.iter().map(doubled_area).sum::<f64>() - 128.0).abs() < 1e-9);
+            for (column, row, axis) in [(1, 0, 0), (0, 1, 1)] {
+                let other = Tile { column: tile.column + column, row: tile.row + row };
+                if other.column < 3 && other.row < 3 {
+                    let edge = (axis, terrain.place(other, 0, [0, 0])[axis]);
+                    assert_eq!(corners_on(&surface, tile, edge), corners_on(&surface, other, edge));
+                }
+            }
+        }
+    }
 }

@@ -140,3 +140,29 @@ fn a_standing_eye_sees_what_pops() {
     near(pop(&terrain, Way::Switching(Stitch::None), 730), 3.565664420481);
     near(pop(&terrain, Way::Switching(Stitch::FineSide), 1291), 1.292837778592);
 }
+
+/// Before and after the levels change from those of the frame before to those of the frame, for a standing eye.
+#[test]
+fn levels_that_change_move_nothing_where_tiles_morph() {
+    let (terrain, levels) = (terrain(), levels());
+    let under = |eye: [f64; 3], change: [[f64; 3]; 2], is_switching: bool| {
+        let state = State::at_change(&terrain, &levels, eye, change);
+        let state = if is_switching { state.switched() } else { state };
+        let surface = Surface {
+            terrain: &terrain,
+            state: &state,
+            levels: 3,
+            edges: Edges::Shared,
+            stitch: Stitch::CoarseSide,
+        };
+        surface.under([eye[0], eye[1]])
+    };
+    let pop = |frame: usize, is_switching| {
+        let (eye, before) = (moving(frame), moving(frame - 1));
+        (under(eye, [eye, before], is_switching) - under(eye, [before, eye], is_switching)).abs()
+    };
+    let largest = (1..=1800).map(|frame| pop(frame, false)).fold(0.0, f64::max);
+    assert!(largest < 1e-9, "{largest}");
+    near(pop(730, true), 2.886463604536);
+    near(pop(1291, true), 1.292837778592);
+}

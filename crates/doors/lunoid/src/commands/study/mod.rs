@@ -3,6 +3,7 @@
 mod economy;
 mod error;
 mod outputs;
+mod pops;
 mod shadow;
 mod stability;
 
@@ -14,9 +15,10 @@ const AFTER: &str = "Examples:
   lunoid study error scenarios/first-light.toml --quick
   lunoid study economy scenarios/showpiece.toml --quick
   lunoid study shadow scenarios/vehicle-shadow.toml
+  lunoid study pops scenarios/lod-descent.toml
   lunoid study error --help";
 
-/// Measure error against run time, what a scene does not need, and what flat ground costs a shadow.
+/// Measure error against run time, what a scene does not need, what flat ground costs a shadow, and what pops.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]
 pub struct StudyCommand {
@@ -32,6 +34,8 @@ enum Study {
     Economy(economy::EconomyStudy),
     /// Stiff parts and extreme scenes, each by every method.
     Stability(stability::StabilityStudy),
+    /// Distances along the view axis frame by frame, and what levels of detail do to them.
+    Pops(pops::PopStudy),
     /// The vehicle's shadow on flat ground against that on true ground.
     Shadow(shadow::ShadowStudy),
 }
@@ -43,6 +47,7 @@ impl StudyCommand {
             Study::Error(study) => study.run(),
             Study::Economy(study) => study.run(),
             Study::Stability(study) => study.run(),
+            Study::Pops(study) => study.run(),
             Study::Shadow(study) => study.run(),
         }
     }

@@ -1,0 +1,107 @@
+//! `lunoid study pops`: the test of chapter 6 of a thesis on levels of detail.
+
+use clap::Args;
+use front_door::Opened;
+use scenario::Pose;
+use study::pops::{PopCurve, curve, curve_of_pictures};
+use study::report::{PopReport, is_of};
+
+use super::outputs::Outputs;
+use crate::cli::COMMIT;
+use crate::loading::{StageArgs, Threads, choose_frames};
+use crate::{Failure, Verdict, values};
+use text::Span;
+
+const AFTER: &str = "Examples:
+  lunoid study pops scenarios/lod-descent.toml
+  lunoid study pops scenarios/lod-descent.toml --frames 0..300 --out studies/pops --set lod.morph_percent=[20]
+  lunoid study pops scenarios/lod-landing.toml --at-most 1e-9 --json
+  lunoid study pops scenarios/lod-descent.toml --machine sampled --frames 0..30
+
+A curve is the distance along the view axis to the ground as it is drawn, frame by frame. A pop is what it changes by for a camera that
+stands while the levels of detail go on to the next frame. Curves are held against the finest ground alone; those of a generator without
+levels against exact, and they have no pops.
+--out gets pops.json, pops.csv with every frame, pops.md and a plot.";
+
+/// Distances frame by frame, and what levels of detail do to them.
+#[derive(Debug, Args)]
+#[command(after_help = AFTER)]
+pub struct PopStudy {
+    #[command(flatten)]
+    stage: StageArgs,
+    #[command(flatten)]
+    threads: Threads,
+    /// Frames to look at: A..B, A.., ..B or one number. All if left out.
+    #[arg(long, value_name = "A..B")]
+    frames: Option<Span>,
+    /// Exit with status 1 if a pop of the way that the scenario has is above this.
+    #[arg(long, value_name = "METRES", value_parser = least)]
+    at_most: Option<f64>,
+    #[command(flatten)]
+    outputs: Outputs,
+}
+
+fn least(text: &str) -> Result<f64, String> {
+    let found = values::finite(text).ok().filter(|metres| *metres >= 0.0);
+    found.ok_or_else(|| "expected metres, 0 or more".into())
+}
+
+impl PopStudy {
+    /// Runs the study and prints its result.
+    pub fn run(&self) -> Result<Verdict, Failure> {
+        self.outputs.expect_apart(|file| is_of("pops", file), &self.stage.sources())?;
+        let opened = self.stage.load()?;
+        let frames = choose_frames(&opened, self.frames)?;
+        let pool = self.threads.pool()?;
+        let report = pool.install(|| -> Result<PopReport, Failure> {
+            let table = opened.poses(&opened.stage()?, frames.clone()).map_err(Failure::input)?;
+            let poses: Vec<Pose> = table.rows().iter().map(|row| row.pose).collect();
+            Ok(PopReport {
+                commit: COMMIT.into(),
+                title: opened.scenario.title.clone(),
+                machine: opened.drawn_by().to_owned(),
+                first: frames.start,
+                times: poses.iter().map(|pose| pose.time).collect(),
+                curves: self.curves(&opened, frames.start, &poses)?,
+            })
+        })?;
+        if let Some(folder) = &self.outputs.out {
+            report.leave(folder)?;
+        }
+        self.outputs.print(&report.json(), &report.text())?;
+        let own = self.own(&opened, &report);
+        Ok(match (self.at_most, own) {
+            (Some(most), Some(pop)) if pop > most => Verdict::No,
+            _ => Verdict::Yes,
+        })
+    }
+
+    /// Curves of all ways of the generator, the truth first.
+    fn curves(&self, opened: &Opened, first: u64, poses: &[Pose]) -> Result<Vec<PopCurve>, Failure> {
+        let stage = opened.stage()?;
+        let ways = opened.row.map_or(&[][..], |row| row.details);
+        if ways.is_empty() {
+            let judge = registry::configure_with(registry::judge(), &[])?;
+            let both = [judge, opened.generator.clone()];
+            let curves = both.iter().map(|generator| curve_of_pictures(&**generator, &stage, first, poses));
+            return curves.collect::<Result<_, _>>().map_err(Failure::input);
+        }
+        let mut curves = Vec::new();
+        for way in ways {
+            self.outputs.say(way.name);
+            let session = opened.configure_with(way.sets)?.prepare(stage.clone()).map_err(Failure::input)?;
+            curves.extend(curve(way.name, &*session, first, poses).map_err(Failure::input)?);
+        }
+        Ok(curves)
+    }
+
+    /// Largest pop (m) of the way that the scenario has.
+    fn own(&self, opened: &Opened, report: &PopReport) -> Option<f64> {
+        let record = opened.generator.record();
+        let ways = opened.row.map_or(&[][..], |row| row.details);
+        let own = ways.iter().position(|way| {
+            opened.configure_with(way.sets).is_ok_and(|generator| generator.record() == record)
+        })?;
+        report.figures()[own].largest_pop.map(|pop| pop.metres)
+    }
+}

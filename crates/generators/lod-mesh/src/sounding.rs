@@ -1,0 +1,57 @@
+//! How far the ground is along the view axis, in 64 bits and by the triangles themselves.
+
+use glam::DVec3;
+use lod_tiles::{Surface, Tile};
+use scene_sampler::Camera;
+
+use crate::session::Session;
+
+/// Share of a triangle's area by which the axis may miss it and meet it all the same: on an edge of two, rounding may put it beside both.
+const ROUNDING: f64 = 1e-12;
+
+/// Distance (m) along the axis of `camera` to a surface; infinite where it meets none.
+pub fn sounding(session: &Session, surface: &Surface<'_>, camera: &Camera) -> f64 {
+    let tiles = surface.terrain.tiles().zip(&session.posts.heights);
+    let met =
+        tiles.filter(|(tile, heights)| may_meet(surface, *tile, [*heights.start(), *heights.end()], camera));
+    met.map(|(tile, _)| of_tile(surface, tile, camera)).fold(f64::INFINITY, f64::min)
+}
+
+/// Whether the axis may meet a tile: it passes through the bounds of the corners of its box, as seen along the axis.
+fn may_meet(surface: &Surface<'_>, tile: Tile, [low, high]: [f64; 2], camera: &Camera) -> bool {
+    let cells = surface.terrain.cells(0);
+    let on_map =
+        [[0, 0], [cells, 0], [0, cells], [cells, cells]].map(|at| surface.terrain.place(tile, 0, at));
+    let drop = on_map
+        .map(|[east, north]| camera.drop_at(DVec3::new(north, east, 0.0)))
+        .into_iter()
+        .fold(0.0, f64::max);
+    let corners = on_map.into_iter().flat_map(|[east, north]| {
+        [low - drop, high].map(|up| camera.direction(DVec3::new(north, east, up) - camera.eye))
+    });
+    let (least, most) = corners.fold((DVec3::INFINITY, DVec3::NEG_INFINITY), |(least, most), corner| {
+        (least.min(corner), most.max(corner))
+    });
+    least.x <= 0.0 && most.x >= 0.0 && least.y <= 0.0 && most.y >= 0.0 && most.z > 0.0
+}
+
+fn of_tile(surface: &Surface<'_>, tile: Tile, camera: &Camera) -> f64 {
+    let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
+    surface.add_tile(tile, &mut vertices, &mut triangles);
+    let places: Vec<DVec3> =
+        vertices.iter().map(|[east, north, up]| camera.place(DVec3::new(*north, *east, *up))).collect();
+    let met =
+        triangles.iter().filter_map(|corners| along_axis(corners.map(|corner| places[corner as usize])));
+    met.fold(f64::INFINITY, f64::min)
+}
+
+/// Depth (m) at which the axis meets a triangle in camera axes.
+fn along_axis([a, b, c]: [DVec3; 3]) -> Option<f64> {
+    let cross = |p: DVec3, q: DVec3| p.x * q.y - p.y * q.x;
+    let parts = [cross(b, c), cross(c, a), cross(a, b)];
+    let area: f64 = parts.iter().sum();
+    let shares = parts.map(|part| part / area);
+    let depth = shares[0] * a.z + shares[1] * b.z + shares[2] * c.z;
+    let is_met = area != 0.0 && shares.iter().all(|share| *share >= -ROUNDING);
+    (is_met && depth > 0.0).then_some(depth)
+}
