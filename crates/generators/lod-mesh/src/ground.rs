@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use glam::DVec3;
 use landscape::shade;
-use lod_tiles::{State, Surface, Tile};
+use lod_tiles::{Origin, State, Surface, Tile, TileMesh};
 use rayon::prelude::*;
 use scene_sampler::{Camera, Corner, Ground};
 
@@ -18,13 +18,15 @@ use crate::session::Session;
 pub struct Mesh {
     /// Vertices: north, east, up (m).
     pub vertices: Vec<DVec3>,
+    /// The same in camera axes (m), lowered by the drop of the lunoid.
+    pub places: Vec<DVec3>,
+    /// How far each vertex has moved to where the next level has it, 0 to 1; 1 of those that only a neighbour has.
+    shares: Vec<f32>,
     /// Numbers of the corners of each triangle, counter-clockwise seen from above.
     pub triangles: Vec<[u32; 3]>,
     /// Tiles of the mesh with the number of their first vertex, in the order of the terrain. Vertices of a tile come row by row, then those of
     /// finer neighbours on its edges.
     tiles: Vec<(Tile, u32)>,
-    /// How many of the vertices move at all.
-    pub morphing: u64,
 }
 
 /// State of the tiles for an eye.
@@ -73,23 +75,38 @@ pub fn mesh(session: &Session, surface: &Surface<'_>, camera: &Camera) -> Mesh {
         .filter(in_view)
         .map(|(tile, _)| tile)
         .collect();
-    let parts: Vec<Mesh> = tiles.par_iter().map(|tile| of_tile(surface, *tile)).collect();
+    let parts: Vec<Mesh> = tiles.par_iter().map(|tile| Mesh::of_tile(surface, *tile, camera)).collect();
     let mut mesh = Mesh::default();
     parts.into_iter().for_each(|part| mesh.append(part));
     mesh
 }
 
-fn of_tile(surface: &Surface<'_>, tile: Tile) -> Mesh {
-    let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
-    surface.add_tile(tile, &mut vertices, &mut triangles);
-    let vertices = vertices.into_iter().map(|[east, north, up]| DVec3::new(north, east, up)).collect();
-    Mesh { vertices, triangles, tiles: vec![(tile, 0)], morphing: surface.morphing(tile) }
-}
-
 impl Mesh {
+    /// A tile of a surface, seen by a camera.
+    pub fn of_tile(surface: &Surface<'_>, tile: Tile, camera: &Camera) -> Self {
+        let TileMesh { vertices, origins, triangles } = surface.mesh(tile);
+        let vertices: Vec<DVec3> =
+            vertices.into_iter().map(|[east, north, up]| DVec3::new(north, east, up)).collect();
+        let drops: Vec<f64> = vertices.iter().map(|vertex| camera.drop_at(*vertex)).collect();
+        // The drop of the lunoid morphs as heights do; otherwise a tile that is wholly the next level would bulge out of it.
+        let morphed = |(own, Origin { between, share }): (&f64, &Origin)| {
+            let [a, b] = between.map(|parent| drops[parent as usize]);
+            own * (1.0 - share) + share * ((a + b) / 2.0)
+        };
+        let seen = |(vertex, drop): (&DVec3, f64)| camera.direction(*vertex - DVec3::Z * drop - camera.eye);
+        let places = vertices.iter().zip(drops.iter().zip(&origins).map(morphed)).map(seen).collect();
+        let shares = origins.iter().map(|origin| origin.share as f32).collect();
+        Self { vertices, places, shares, triangles, tiles: vec![(tile, 0)] }
+    }
+
     /// How many tiles it has.
     pub fn tile_count(&self) -> u64 {
         self.tiles.len() as u64
+    }
+
+    /// How many vertices have moved.
+    pub fn morphing(&self) -> u64 {
+        self.shares.iter().filter(|share| **share > 0.0).count() as u64
     }
 
     /// Its tiles with the numbers of their vertices.
@@ -102,9 +119,10 @@ impl Mesh {
     fn append(&mut self, part: Self) {
         let first = self.vertices.len() as u32;
         self.vertices.extend(part.vertices);
+        self.places.extend(part.places);
+        self.shares.extend(part.shares);
         self.triangles.extend(part.triangles.into_iter().map(|corners| corners.map(|corner| corner + first)));
         self.tiles.extend(part.tiles.into_iter().map(|(tile, own)| (tile, own + first)));
-        self.morphing += part.morphing;
     }
 }
 
@@ -123,8 +141,8 @@ pub fn faces<'a>(
         GroundLight::Map => session.map(sun),
         GroundLight::Live => None,
     };
-    let place = |vertex: &DVec3| Corner { place: camera.place(*vertex), colour: [0.0; 3] };
-    let mut corners: Vec<Corner> = mesh.vertices.par_iter().map(place).collect();
+    let corner = |place: &DVec3| Corner { place: *place, colour: [0.0; 3] };
+    let mut corners: Vec<Corner> = mesh.places.iter().map(corner).collect();
     match &map {
         Some(_) if session.run.show == Show::Light => return Ground { corners, triangles, map },
         Some(map) => {
@@ -163,17 +181,13 @@ const COLOURS: [[f64; 3]; 6] = [
     [0.80, 0.35, 0.85],
 ];
 
-/// Gives every corner the colour of its tile's level, on the way to the next level's by its own fraction, under its light. Vertices of a finer
-/// neighbour have not moved.
+/// Gives every corner the colour of its tile's level, as far on the way to the next level's as it has moved, under its light.
 fn tint(surface: &Surface<'_>, mesh: &Mesh, corners: &mut [Corner]) {
     for (tile, vertices) in mesh.tiles() {
         let level = surface.tile_state(tile).level;
-        let cells = surface.terrain.cells(level);
         let [own, next] = [level, level + 1].map(|level| COLOURS[level % COLOURS.len()]);
-        let at = (0..=cells).flat_map(|j| (0..=cells).map(move |i| [i, j]));
-        let shares = at.map(|at| surface.fraction_at(tile, at)).chain(std::iter::repeat(0.0));
-        for (corner, share) in corners[vertices].iter_mut().zip(shares) {
-            let light = corner.colour.into_iter().fold(0.0, f64::max);
+        for (corner, share) in corners[vertices.clone()].iter_mut().zip(&mesh.shares[vertices]) {
+            let (light, share) = (corner.colour.into_iter().fold(0.0, f64::max), f64::from(*share));
             corner.colour = [0, 1, 2].map(|k| light * ((1.0 - share) * own[k] + share * next[k]));
         }
     }

@@ -4,6 +4,7 @@ use glam::DVec3;
 use lod_tiles::{Surface, Tile};
 use scene_sampler::Camera;
 
+use crate::ground::Mesh;
 use crate::session::Session;
 
 /// Share of a triangle's area by which the axis may miss it and meet it all the same: on an edge of two, rounding may put it beside both.
@@ -14,7 +15,8 @@ pub fn sounding(session: &Session, surface: &Surface<'_>, camera: &Camera) -> f6
     let tiles = surface.terrain.tiles().zip(&session.posts.heights);
     let met =
         tiles.filter(|(tile, heights)| may_meet(surface, *tile, [*heights.start(), *heights.end()], camera));
-    met.map(|(tile, _)| of_tile(surface, tile, camera)).fold(f64::INFINITY, f64::min)
+    let meshes = met.map(|(tile, _)| Mesh::of_tile(surface, tile, camera));
+    meshes.map(|mesh| along(&mesh)).fold(f64::INFINITY, f64::min)
 }
 
 /// Whether the axis may meet a tile: it passes through the bounds of the corners of its box, as seen along the axis.
@@ -35,14 +37,10 @@ fn may_meet(surface: &Surface<'_>, tile: Tile, [low, high]: [f64; 2], camera: &C
     least.x <= 0.0 && most.x >= 0.0 && least.y <= 0.0 && most.y >= 0.0 && most.z > 0.0
 }
 
-fn of_tile(surface: &Surface<'_>, tile: Tile, camera: &Camera) -> f64 {
-    let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
-    surface.add_tile(tile, &mut vertices, &mut triangles);
-    let places: Vec<DVec3> =
-        vertices.iter().map(|[east, north, up]| camera.place(DVec3::new(*north, *east, *up))).collect();
-    let met =
-        triangles.iter().filter_map(|corners| along_axis(corners.map(|corner| places[corner as usize])));
-    met.fold(f64::INFINITY, f64::min)
+/// Least depth (m) at which the axis meets a mesh.
+fn along(mesh: &Mesh) -> f64 {
+    let corners = |triangle: &[u32; 3]| triangle.map(|corner| mesh.places[corner as usize]);
+    mesh.triangles.iter().filter_map(|triangle| along_axis(corners(triangle))).fold(f64::INFINITY, f64::min)
 }
 
 /// Depth (m) at which the axis meets a triangle in camera axes.

@@ -39,13 +39,6 @@ impl Side {
         }
     }
 
-    /// Corners of a triangle whose edge lies on the side of a tile of so many cells; `None` if it has no such edge.
-    pub(crate) fn edge_of(self, corners: &[[usize; 2]; 3], cells: usize) -> Option<[usize; 2]> {
-        [[0, 1], [1, 2], [2, 0]]
-            .into_iter()
-            .find(|edge| edge.iter().all(|&corner| self.holds(corners[corner], cells)))
-    }
-
     /// Whether vertex i, j of a tile of so many cells lies on the side.
     pub fn holds(self, [i, j]: [usize; 2], cells: usize) -> bool {
         match self {

@@ -38,5 +38,5 @@ pub use edges::{Edges, Side};
 pub use error::TileError;
 pub use levels::{Level, Levels};
 pub use state::{State, TileState};
-pub use surface::{Stitch, Surface};
+pub use surface::{Origin, Stitch, Surface, TileMesh};
 pub use terrain::{Terrain, Tile};

@@ -2,6 +2,7 @@
 
 use crate::edges::{beyond, fraction};
 use crate::inserted::Inserted;
+use crate::terrain::parents;
 use crate::{Edges, Side, State, Terrain, Tile, TileState};
 
 /// How tiles of different levels are joined.
@@ -31,6 +32,27 @@ pub struct Surface<'a> {
     pub stitch: Stitch,
 }
 
+/// A tile as it is drawn, with the height of every vertex morphed.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct TileMesh {
+    /// Vertices (x, y, z; m): those of the tile row by row, then those of finer neighbours on its edges. One that stitching leaves out belongs to
+    /// no triangle.
+    pub vertices: Vec<[f64; 3]>,
+    /// Where each vertex comes from: whatever else it has moves in the same way.
+    pub origins: Vec<Origin>,
+    /// Numbers of the corners of each triangle, counter-clockwise seen from above.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// How far a vertex has gone to the middle of two others, which stand.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Origin {
+    /// Numbers of the two.
+    pub between: [u32; 2],
+    /// Share of the way, 0 to 1.
+    pub share: f64,
+}
+
 /// Corners of a triangle in a block of two by two cells, each from 0 to 2 along x and y.
 type BlockTriangle = [[usize; 2]; 3];
 
@@ -53,41 +75,38 @@ impl Surface<'_> {
         [to[0] - from[0], to[1] - from[1]]
     }
 
-    /// How many vertices of a tile have morphed.
-    pub fn morphing(&self, tile: Tile) -> u64 {
-        let cells = self.terrain.cells(self.own(tile).level);
-        let at = (0..=cells).flat_map(|j| (0..=cells).map(move |i| [i, j]));
-        let is_odd = |[i, j]: &[usize; 2]| i % 2 == 1 || j % 2 == 1;
-        at.filter(|at| is_odd(at) && self.fraction_at(tile, *at) > 0.0).count() as u64
-    }
-
-    /// Adds a tile to a mesh: its vertices (x, y, z; m) row by row, and its triangles by the numbers of their corners, counter-clockwise
-    /// seen from above. Vertices that stitching leaves out belong to no triangle.
-    pub fn add_tile(&self, tile: Tile, vertices: &mut Vec<[f64; 3]>, triangles: &mut Vec<[u32; 3]>) {
+    /// A tile as it is drawn.
+    pub fn mesh(&self, tile: Tile) -> TileMesh {
         let level = self.own(tile).level;
         let cells = self.terrain.cells(level);
-        let first = vertices.len();
-        for at in (0..=cells).flat_map(|j| (0..=cells).map(move |i| [i, j])) {
+        let all = (0..=cells).flat_map(|j| (0..=cells).map(move |i| [i, j]));
+        let number = |[i, j]: [usize; 2]| (j * (cells + 1) + i) as u32;
+        let vertex = |at: [usize; 2]| {
             let [x, y] = self.terrain.place(tile, level, at);
-            vertices.push([x, y, self.height(tile, at)]);
-        }
-        let stitched = self.stitched(tile);
-        let split = self.split(tile);
-        let mut inserted =
-            Inserted { surface: self, tile, first, vertices, known: [const { Vec::new() }; 4] };
+            [x, y, self.height(tile, at)]
+        };
+        let origin = |at: [usize; 2]| match parents(at).filter(|_| level + 1 < self.levels) {
+            Some(between) => Origin { between: between.map(number), share: self.fraction_at(tile, at) },
+            None => Origin { between: [number(at); 2], share: 0.0 },
+        };
+        let mesh = TileMesh {
+            vertices: all.clone().map(vertex).collect(),
+            origins: all.map(origin).collect(),
+            triangles: Vec::with_capacity(2 * cells * cells),
+        };
+        let (stitched, split) = (self.stitched(tile), self.split(tile));
+        let mut inserted = Inserted::new(self, tile, mesh);
         for [a, b] in blocks(cells) {
             for corners in block(cells, [a, b], stitched) {
-                let corners = corners.map(|[i, j]| [a + i, b + j]);
-                let sides = split.iter().copied().filter(|side| side.edge_of(&corners, cells).is_some());
-                inserted.add(corners, &sides.collect::<Vec<_>>(), triangles);
+                inserted.add(corners.map(|[i, j]| [a + i, b + j]), &split);
             }
         }
+        inserted.mesh
     }
 
     /// Triangles of a tile as places of their corners (m), counter-clockwise seen from above.
     pub fn triangles(&self, tile: Tile) -> Vec<[[f64; 3]; 3]> {
-        let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
-        self.add_tile(tile, &mut vertices, &mut triangles);
+        let TileMesh { vertices, triangles, .. } = self.mesh(tile);
         triangles.into_iter().map(|corners| corners.map(|corner| vertices[corner as usize])).collect()
     }
 

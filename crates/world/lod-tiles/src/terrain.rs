@@ -22,6 +22,16 @@ pub struct Terrain {
     heights: Vec<f64>,
 }
 
+/// The two vertices between which vertex i, j of a level lies at the next one; `None` if that level has it too.
+pub fn parents([i, j]: [usize; 2]) -> Option<[[usize; 2]; 2]> {
+    match (i % 2, j % 2) {
+        (0, 0) => None,
+        (_, 0) => Some([[i - 1, j], [i + 1, j]]),
+        (0, _) => Some([[i, j + 1], [i, j - 1]]),
+        _ => Some([[i - 1, j + 1], [i + 1, j - 1]]),
+    }
+}
+
 impl Terrain {
     /// The terrain of posts at places `x` and `y` (m, rising) with `heights` (m), row by row from the bottom, in tiles of the order `order`.
     ///
@@ -96,13 +106,7 @@ impl Terrain {
     /// Mean height (m) of the two vertices between which vertex i, j of a tile lies at the next level; `None` if that level has it too. The
     /// level must not be the coarsest that tiles can have.
     pub fn mean(&self, tile: Tile, level: usize, [i, j]: [usize; 2]) -> Option<f64> {
-        let between = match (i % 2, j % 2) {
-            (0, 0) => return None,
-            (_, 0) => [[i - 1, j], [i + 1, j]],
-            (0, _) => [[i, j + 1], [i, j - 1]],
-            _ => [[i - 1, j + 1], [i + 1, j - 1]],
-        };
-        let [a, b] = between.map(|at| self.height(tile, level, at));
+        let [a, b] = parents([i, j])?.map(|at| self.height(tile, level, at));
         Some((a + b) / 2.0)
     }
 
