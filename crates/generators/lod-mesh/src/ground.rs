@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use glam::DVec3;
 use landscape::shade;
-use lod_tiles::{Origin, State, Surface, Tile, TileMesh};
+use lod_tiles::{Origin, State, Surface, Tile, TileMesh, TileState};
 use rayon::prelude::*;
 use scene_sampler::{Camera, Corner, Ground};
 
@@ -20,8 +20,8 @@ pub struct Mesh {
     pub vertices: Vec<DVec3>,
     /// The same in camera axes (m), lowered by the drop of the lunoid.
     pub places: Vec<DVec3>,
-    /// How far each vertex has moved to where the next level has it, 0 to 1; 1 of those that only a neighbour has.
-    shares: Vec<f32>,
+    /// How many vertices have moved on their way to the next level, those of finer neighbours with them.
+    pub morphing: u64,
     /// Numbers of the corners of each triangle, counter-clockwise seen from above.
     pub triangles: Vec<[u32; 3]>,
     /// Tiles of the mesh with the number of their first vertex, in the order of the terrain. Vertices of a tile come row by row, then those of
@@ -95,18 +95,13 @@ impl Mesh {
         };
         let seen = |(vertex, drop): (&DVec3, f64)| camera.direction(*vertex - DVec3::Z * drop - camera.eye);
         let places = vertices.iter().zip(drops.iter().zip(&origins).map(morphed)).map(seen).collect();
-        let shares = origins.iter().map(|origin| origin.share as f32).collect();
-        Self { vertices, places, shares, triangles, tiles: vec![(tile, 0)] }
+        let morphing = origins.iter().filter(|origin| origin.share > 0.0).count() as u64;
+        Self { vertices, places, morphing, triangles, tiles: vec![(tile, 0)] }
     }
 
     /// How many tiles it has.
     pub fn tile_count(&self) -> u64 {
         self.tiles.len() as u64
-    }
-
-    /// How many vertices have moved.
-    pub fn morphing(&self) -> u64 {
-        self.shares.iter().filter(|share| **share > 0.0).count() as u64
     }
 
     /// Its tiles with the numbers of their vertices.
@@ -120,7 +115,7 @@ impl Mesh {
         let first = self.vertices.len() as u32;
         self.vertices.extend(part.vertices);
         self.places.extend(part.places);
-        self.shares.extend(part.shares);
+        self.morphing += part.morphing;
         self.triangles.extend(part.triangles.into_iter().map(|corners| corners.map(|corner| corner + first)));
         self.tiles.extend(part.tiles.into_iter().map(|(tile, own)| (tile, own + first)));
     }
@@ -181,14 +176,15 @@ const COLOURS: [[f64; 3]; 6] = [
     [0.80, 0.35, 0.85],
 ];
 
-/// Gives every corner the colour of its tile's level, as far on the way to the next level's as it has moved, under its light.
+/// Gives every corner the colour of its tile's level, as far on the way to the next level's as the tile has morphed, under its light.
 fn tint(surface: &Surface<'_>, mesh: &Mesh, corners: &mut [Corner]) {
     for (tile, vertices) in mesh.tiles() {
-        let level = surface.tile_state(tile).level;
+        let TileState { level, fraction } = surface.tile_state(tile);
         let [own, next] = [level, level + 1].map(|level| COLOURS[level % COLOURS.len()]);
-        for (corner, share) in corners[vertices.clone()].iter_mut().zip(&mesh.shares[vertices]) {
-            let (light, share) = (corner.colour.into_iter().fold(0.0, f64::max), f64::from(*share));
-            corner.colour = [0, 1, 2].map(|k| light * ((1.0 - share) * own[k] + share * next[k]));
+        let colour = [0, 1, 2].map(|k| (1.0 - fraction) * own[k] + fraction * next[k]);
+        for corner in &mut corners[vertices] {
+            let light = corner.colour.into_iter().fold(0.0, f64::max);
+            corner.colour = colour.map(|channel| light * channel);
         }
     }
 }

@@ -133,7 +133,7 @@ impl GeneratorSession for Session {
             ("tiles", gathered.mesh.tile_count()),
             ("visits", gathered.state.visits()),
             ("vertices", gathered.mesh.vertices.len() as u64),
-            ("morphing", gathered.mesh.morphing()),
+            ("morphing", gathered.mesh.morphing),
             ("ground_triangles", gathered.mesh.triangles.len() as u64),
             ("faces", scene.faces.work.faces),
             ("triangles", scene.faces.work.triangles),

@@ -1,0 +1,5 @@
+//! Generators of faces on their shipped scenarios: the figures of `scenarios/README.md`.
+
+mod beacon;
+mod figures;
+mod lod;
