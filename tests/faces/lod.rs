@@ -5,7 +5,8 @@ use lunoid_tests::Shipped;
 use signal::Probe;
 
 fn session(shipped: &Shipped, sets: &[(&str, &str)]) -> Box<dyn Session> {
-    let generator = registry::configure_with(&lod_mesh::ROW, sets).unwrap_or_else(|problems| panic!("{problems}"));
+    let generator =
+        registry::configure_with(&lod_mesh::ROW, sets).unwrap_or_else(|problems| panic!("{problems}"));
     generator.prepare(shipped.stage().stage()).unwrap()
 }
 

@@ -38,6 +38,7 @@ pub static ROW: Row = Row {
     parameters: Some("flat"),
     gear: None,
     ladders: &[],
+    details: &[],
     configure,
 };
 

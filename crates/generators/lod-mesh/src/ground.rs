@@ -11,7 +11,7 @@ use scene_sampler::{Camera, Corner, Ground};
 use crate::frustum::Frustum;
 use crate::live;
 use crate::parameters::{GroundLight, Show, Transition};
-use crate::session::Session;
+use crate::prepared::Prepared;
 
 /// The tiles of a frame as a mesh, in the axes of the map.
 #[derive(Debug, Default)]
@@ -30,35 +30,42 @@ pub struct Mesh {
 }
 
 /// State of the tiles for an eye.
-pub fn state(session: &Session, eye: DVec3) -> State {
-    at_change(session, eye, [eye; 2])
+pub fn state(prepared: &Prepared, eye: DVec3) -> State {
+    at_change(prepared, eye, [eye; 2])
 }
 
 /// The same at the moment when levels change between those for two other eyes; they are the first one's.
-pub fn at_change(session: &Session, eye: DVec3, levels: [DVec3; 2]) -> State {
+pub fn at_change(prepared: &Prepared, eye: DVec3, levels: [DVec3; 2]) -> State {
     let in_tiles = |eye: DVec3| [eye.y, eye.x, eye.z];
-    let (terrain, levels) = (&session.posts.terrain, levels.map(in_tiles));
-    let state = State::at_change(terrain, &session.table.levels, in_tiles(eye), levels);
-    match session.run.transition {
+    let (terrain, levels) = (&prepared.posts.terrain, levels.map(in_tiles));
+    let state = State::at_change(terrain, &prepared.table.levels, in_tiles(eye), levels);
+    match prepared.run.transition {
         Transition::Morph => state,
         Transition::Switch => state.switched(),
     }
 }
 
 /// The surface of a state.
-pub fn surface<'a>(session: &'a Session, state: &'a State) -> Surface<'a> {
-    let run = &session.run;
+pub fn surface<'a>(prepared: &'a Prepared, state: &'a State) -> Surface<'a> {
+    let run = &prepared.run;
     Surface {
-        terrain: &session.posts.terrain,
+        terrain: &prepared.posts.terrain,
         state,
-        levels: session.table.levels.count(),
+        levels: prepared.table.levels.count(),
         edges: run.edges,
         stitch: run.stitch,
     }
 }
 
+/// Height (m) of the finest triangles under a place (east, north; m).
+pub fn finest(prepared: &Prepared, place: [f64; 2]) -> f64 {
+    let tiles = vec![TileState { level: 0, fraction: 0.0 }; prepared.posts.heights.len()];
+    let state = State::of(&prepared.posts.terrain, tiles);
+    surface(prepared, &state).under(place)
+}
+
 /// The tiles of a surface that a camera may show.
-pub fn mesh(session: &Session, surface: &Surface<'_>, camera: &Camera) -> Mesh {
+pub fn mesh(prepared: &Prepared, surface: &Surface<'_>, camera: &Camera) -> Mesh {
     let frustum = Frustum::new(camera);
     let terrain = surface.terrain;
     let in_view = |(tile, heights): &(Tile, _)| {
@@ -71,7 +78,7 @@ pub fn mesh(session: &Session, surface: &Surface<'_>, camera: &Camera) -> Mesh {
     };
     let tiles: Vec<_> = terrain
         .tiles()
-        .zip(session.posts.heights.iter().cloned())
+        .zip(prepared.posts.heights.iter().cloned())
         .filter(in_view)
         .map(|(tile, _)| tile)
         .collect();
@@ -123,23 +130,23 @@ impl Mesh {
 
 /// A mesh as faces with their light at `time` (s).
 pub fn faces<'a>(
-    session: &Session,
+    prepared: &Prepared,
     surface: &Surface<'_>,
     mesh: &'a Mesh,
     camera: &Camera,
     time: f64,
 ) -> Ground<'a> {
-    let stage = &session.stage;
+    let stage = &prepared.stage;
     let sun = stage.scenery.sun(time).direction();
     let triangles = &mesh.triangles;
-    let map = match session.run.light {
-        GroundLight::Map => session.map(sun),
+    let map = match prepared.run.light {
+        GroundLight::Map => prepared.map(sun),
         GroundLight::Live => None,
     };
     let corner = |place: &DVec3| Corner { place: *place, colour: [0.0; 3] };
     let mut corners: Vec<Corner> = mesh.places.iter().map(corner).collect();
     match &map {
-        Some(_) if session.run.show == Show::Light => return Ground { corners, triangles, map },
+        Some(_) if prepared.run.show == Show::Light => return Ground { corners, triangles, map },
         Some(map) => {
             let colour = |vertex: &DVec3| map.at(*vertex, camera.eye);
             corners
@@ -160,7 +167,7 @@ pub fn faces<'a>(
             });
         }
     }
-    if session.run.show == Show::Levels {
+    if prepared.run.show == Show::Levels {
         tint(surface, mesh, &mut corners);
     }
     Ground { corners, triangles, map: None }

@@ -4,15 +4,15 @@ use generator::PrepareError;
 use lod_tiles::{Level, Levels, Terrain};
 use rayon::prelude::*;
 
+use crate::name::NAME;
 use crate::parameters::Parameters;
-use crate::row::NAME;
 
 /// By how much a morph zone is longer than a tile, so that neighbours are never a whole zone apart. Chosen.
 const ROOM: f64 = 1.01;
 
 /// The levels of a run with the error of each, and what is wrong with their zones.
 pub struct LevelTable {
-    /// Ranges and shares.
+    /// Ranges and shares of all levels.
     pub levels: Levels,
     /// Ends of the ranges (m), the finest level first.
     pub ends: Vec<f64>,

@@ -4,8 +4,8 @@ use generator::{Counter, Generator, Joined, PlaneKind, PrepareError, Session as 
 use scene_sampler::PLANES;
 use serde_json::Value;
 
+use crate::name::NAME;
 use crate::parameters::Parameters;
-use crate::row::NAME;
 use crate::session::Session;
 
 /// The generator of tiles; see the crate's data sheet.

@@ -53,7 +53,7 @@ pub enum GroundLight {
 /// What the ground shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Show {
-    /// Its light.
+    /// Its light, as the eye sees it.
     Light,
     /// Levels and fractions as colours, under its light.
     Levels,

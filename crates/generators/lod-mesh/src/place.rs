@@ -5,7 +5,8 @@ use glam::DVec3;
 use lod_tiles::Surface;
 use scene_sampler::Camera;
 
-use crate::session::Session;
+use crate::ground::finest;
+use crate::prepared::Prepared;
 
 /// A place of the ground that a pixel shows.
 pub struct Seen {
@@ -21,7 +22,7 @@ impl Seen {
     }
 
     /// Tile, level, fraction and heights (m) under the place.
-    pub fn facts(&self, session: &Session, surface: &Surface<'_>, eye: DVec3) -> Vec<Fact> {
+    pub fn facts(&self, prepared: &Prepared, surface: &Surface<'_>, eye: DVec3) -> Vec<Fact> {
         let DVec3 { x: north, y: east, .. } = self.place;
         let on_map = [east, north];
         let (tile, within) = surface.terrain.locate(on_map);
@@ -29,10 +30,10 @@ impl Seen {
         let [x, y, z] = surface.terrain.middle(tile);
         let distance = (DVec3::new(y, x, z) - eye).length();
         let [drawn, whole, finest] =
-            [surface.under(on_map), surface.unmorphed(on_map), session.finest(on_map)];
+            [surface.under(on_map), surface.unmorphed(on_map), finest(prepared, on_map)];
         let level = format!(
             "{} (range to {:.0} m), {:.4} of the way to the next; middle of the tile {distance:.1} m away",
-            state.level, session.table.ends[state.level], state.fraction
+            state.level, prepared.table.ends[state.level], state.fraction
         );
         let heights = format!(
             "{drawn:.4} m as drawn; {whole:.4} m before morphing; {finest:.4} m by the finest triangles{}",

@@ -5,10 +5,8 @@ use std::sync::Arc;
 use diagnostics::Reader;
 use generator::{Against, DetailWay, ErrorLadder, Generator, Role, Row};
 
+use crate::name::NAME;
 use crate::{LodMesh, Parameters};
-
-/// Name of the generator.
-pub(crate) const NAME: &str = "lod-mesh";
 
 /// Table of its run parameters.
 const TABLE: &str = "lod";

@@ -1,39 +1,31 @@
 //! The generator made ready for a stage.
 
-use std::sync::Arc;
-
 use generator::{
     FaceScene, Fact, FrameCounts, FrameError, Omission, Planes, PrepareError, Session as GeneratorSession,
     Stage, Weight, check_free_eye,
 };
 use glam::DVec3;
 use light_points::BeamBudget;
-use lod_tiles::{State, TileState};
+use lod_tiles::State;
 use raster::{Lists, Screen};
 use scenario::Pose;
-use scene_sampler::{Camera, Filled, GroundMap, SIDE, Scene, judged_faces};
+use scene_sampler::{Camera, Filled, SIDE, Scene, judged_faces};
 use serde_json::Value;
 use signal::Probe;
 
 use crate::ground::{self, Mesh};
-use crate::levels::LevelTable;
+use crate::name::NAME;
 use crate::parameters::Parameters;
 use crate::place::Seen;
-use crate::row::NAME;
+use crate::prepared::Prepared;
 use crate::sounding::sounding;
-use crate::terrain::Posts;
 
 /// Its beam takes no time: the document has none.
 const BEAM: BeamBudget = BeamBudget { jump_ns: 0, dwell_ns: 0 };
 
 /// The generator made ready for one stage.
 pub(crate) struct Session {
-    pub stage: Stage,
-    pub run: Parameters,
-    pub posts: Posts,
-    pub table: LevelTable,
-    /// Slopes of all posts, as the map of the ground shares them.
-    pub slopes: Arc<[[f32; 2]]>,
+    prepared: Prepared,
     screen: Screen,
 }
 
@@ -56,33 +48,18 @@ impl Session {
             what: error.to_string(),
             remedy: "ask for a smaller raster".into(),
         })?;
-        let mut posts = Posts::new(&stage, &run)?;
-        let slopes = std::mem::take(&mut posts.slopes).into();
-        let table = LevelTable::new(&posts.terrain, &run, focal(&stage))?;
-        Ok(Self { stage, run, posts, table, slopes, screen })
-    }
-
-    /// The map of the ground's slopes under a sun (unit vector to it: north, east, up).
-    pub fn map(&self, sun: [f64; 3]) -> Option<GroundMap> {
-        GroundMap::of_slopes(self.posts.axes, self.slopes.clone(), self.stage.landscape.clone(), sun)
-    }
-
-    /// Height (m) of the finest triangles under a place (east, north; m).
-    pub fn finest(&self, place: [f64; 2]) -> f64 {
-        let tiles = vec![TileState { level: 0, fraction: 0.0 }; self.posts.heights.len()];
-        let state = State::of(&self.posts.terrain, tiles);
-        ground::surface(self, &state).under(place)
+        Ok(Self { prepared: Prepared::new(stage, run)?, screen })
     }
 
     fn gather(&self, frame: u64, pose: &Pose) -> Result<Gathered, FrameError> {
         self.check(frame, pose)?;
-        let camera = Camera::new(pose, &self.stage.view);
-        let state = ground::state(self, camera.eye);
-        let surface = ground::surface(self, &state);
-        let mesh = ground::mesh(self, &surface, &camera);
-        let faces = ground::faces(self, &surface, &mesh, &camera, pose.time);
-        let run = &self.run.sampling;
-        let scene = Scene::new(&self.stage, run, &self.screen, camera, faces, (frame, pose.time))?;
+        let camera = Camera::new(pose, &self.prepared.stage.view);
+        let state = ground::state(&self.prepared, camera.eye);
+        let surface = ground::surface(&self.prepared, &state);
+        let mesh = ground::mesh(&self.prepared, &surface, &camera);
+        let faces = ground::faces(&self.prepared, &surface, &mesh, &camera, pose.time);
+        let run = &self.prepared.run.sampling;
+        let scene = Scene::new(&self.prepared.stage, run, &self.screen, camera, faces, (frame, pose.time))?;
         Ok(Gathered { scene, state, mesh })
     }
 
@@ -101,17 +78,10 @@ impl Session {
         use_it: impl FnOnce(&Filled<'_>) -> T,
     ) -> Result<T, FrameError> {
         let lists = self.lists(&gathered.scene);
-        let filled = Filled::new(&gathered.scene, &lists, &self.screen, &self.run.sampling, pixel);
+        let filled = Filled::new(&gathered.scene, &lists, &self.screen, &self.prepared.run.sampling, pixel);
         let filled = filled.map_err(|error| FrameError::Refused { frame, reason: error.to_string() })?;
         Ok(use_it(&filled))
     }
-}
-
-/// Pixels in a tangent of 1, the larger of both directions.
-fn focal(stage: &Stage) -> f64 {
-    let of = |pixels: u32, tangent: f64| f64::from(pixels) / (2.0 * tangent);
-    let field = stage.view.field;
-    of(stage.view.columns, field.tan_half_width).max(of(stage.view.lines, field.tan_half_height))
 }
 
 impl GeneratorSession for Session {
@@ -123,9 +93,9 @@ impl GeneratorSession for Session {
         _: &mut Probe,
     ) -> Result<FrameCounts, FrameError> {
         let gathered = self.gather(frame, pose)?;
-        let (scene, run) = (&gathered.scene, &self.run.sampling);
+        let (scene, run) = (&gathered.scene, &self.prepared.run.sampling);
         let lists = self.lists(scene);
-        let view = &self.stage.view;
+        let view = &self.prepared.stage.view;
         let mut picture = scene_sampler::draw(scene, &lists, &self.screen, run, BEAM, view, frame, false)?;
         picture.beam.draw(&scene.lights.points, run, &self.screen, &mut picture.colours);
         scene_sampler::fill(&picture, scene, planes);
@@ -145,11 +115,11 @@ impl GeneratorSession for Session {
     }
 
     fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
-        check_free_eye(&self.stage.landscape, frame, pose)
+        check_free_eye(&self.prepared.stage.landscape, frame, pose)
     }
 
     fn omissions(&self) -> Vec<Omission> {
-        let Stage { landscape, scenery, view } = &self.stage;
+        let Stage { landscape, scenery, view } = &self.prepared.stage;
         let lacks = [
             (!scenery.patches(f64::INFINITY).is_empty(), "vehicle tracks"),
             (landscape.texture().is_some(), "texture"),
@@ -164,7 +134,7 @@ impl GeneratorSession for Session {
         };
         let mut omissions: Vec<_> =
             lacks.into_iter().filter(|(is_there, _)| *is_there).map(|(_, what)| omission(what)).collect();
-        omissions.extend(self.table.short_zone.map(|(level, zone, tile)| Omission {
+        omissions.extend(self.prepared.table.short_zone.map(|(level, zone, tile)| Omission {
             block: NAME,
             what: format!("continuity of edges in time at level {level}"),
             why: format!("its morph zone of {zone:.0} m is shorter than a tile of {tile:.0} m; widen lod.ranges_m or raise lod.morph_percent"),
@@ -176,13 +146,14 @@ impl GeneratorSession for Session {
     /// Tile, level, fraction, heights before and after morphing of the ground in a pixel; then the stack of every sampling point.
     fn explain(&self, frame: u64, pose: &Pose, pixel: [usize; 2]) -> Result<Vec<Fact>, FrameError> {
         let gathered = self.gather(frame, pose)?;
-        let surface = ground::surface(self, &gathered.state);
+        let surface = ground::surface(&self.prepared, &gathered.state);
         let camera = &gathered.scene.camera;
         self.filled(frame, &gathered, pixel, |filled| {
             let entries = format!("{}: {} entries", filled.number(), filled.entries());
             let ground = filled.nearness().map(|q| Seen::new(camera, pixel, q));
-            let mut facts = ground.map_or(Vec::new(), |seen| seen.facts(self, &surface, camera.eye));
-            facts.push(Fact::new("levels", self.table.told()));
+            let mut facts =
+                ground.map_or(Vec::new(), |seen| seen.facts(&self.prepared, &surface, camera.eye));
+            facts.push(Fact::new("levels", self.prepared.table.told()));
             facts.push(Fact::new("sub-area", entries));
             facts.extend(filled.facts());
             facts
@@ -203,12 +174,13 @@ impl GeneratorSession for Session {
     fn sounding(&self, frame: u64, pose: &Pose, levels: [&Pose; 2]) -> Result<Option<f64>, FrameError> {
         self.check(frame, pose)?;
         levels.into_iter().try_for_each(|pose| self.check(frame, pose))?;
-        let camera = Camera::new(pose, &self.stage.view);
-        let state = ground::at_change(self, camera.eye, levels.map(|pose| DVec3::from_array(pose.eye)));
-        Ok(Some(sounding(self, &ground::surface(self, &state), &camera)))
+        let camera = Camera::new(pose, &self.prepared.stage.view);
+        let state =
+            ground::at_change(&self.prepared, camera.eye, levels.map(|pose| DVec3::from_array(pose.eye)));
+        Ok(Some(sounding(&self.prepared, &ground::surface(&self.prepared, &state), &camera)))
     }
 
     fn faces(&self, frame: u64, pose: &Pose) -> Result<Option<FaceScene>, FrameError> {
-        Ok(Some(judged_faces(self.gather(frame, pose)?.scene, &self.run.sampling)))
+        Ok(Some(judged_faces(self.gather(frame, pose)?.scene, &self.prepared.run.sampling)))
     }
 }

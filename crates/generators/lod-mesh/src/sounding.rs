@@ -5,14 +5,14 @@ use lod_tiles::{Surface, Tile};
 use scene_sampler::Camera;
 
 use crate::ground::Mesh;
-use crate::session::Session;
+use crate::prepared::Prepared;
 
 /// Share of a triangle's area by which the axis may miss it and meet it all the same: on an edge of two, rounding may put it beside both.
 const ROUNDING: f64 = 1e-12;
 
 /// Distance (m) along the axis of `camera` to a surface; infinite where it meets none.
-pub fn sounding(session: &Session, surface: &Surface<'_>, camera: &Camera) -> f64 {
-    let tiles = surface.terrain.tiles().zip(&session.posts.heights);
+pub fn sounding(prepared: &Prepared, surface: &Surface<'_>, camera: &Camera) -> f64 {
+    let tiles = surface.terrain.tiles().zip(&prepared.posts.heights);
     let met =
         tiles.filter(|(tile, heights)| may_meet(surface, *tile, [*heights.start(), *heights.end()], camera));
     let meshes = met.map(|(tile, _)| Mesh::of_tile(surface, tile, camera));

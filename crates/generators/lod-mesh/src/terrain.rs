@@ -8,8 +8,8 @@ use lod_tiles::{Terrain, Tile};
 use rayon::prelude::*;
 use scene_sampler::Axis;
 
+use crate::name::NAME;
 use crate::parameters::Parameters;
-use crate::row::NAME;
 
 /// Cells along the longer side of the ground where no spacing is asked for. Chosen: a million posts.
 pub const USUAL_CELLS: f64 = 1024.0;
@@ -19,7 +19,7 @@ const MOST_POSTS: usize = 64_000_000;
 
 /// Posts of a frame's ground. Along x they run to the east, along y to the north.
 pub struct Posts {
-    /// Heights in tiles.
+    /// Heights, cut into tiles.
     pub terrain: Terrain,
     /// Slopes of all posts to the north and to the east (m/m), row by row from the south.
     pub slopes: Vec<[f32; 2]>,

@@ -33,7 +33,7 @@ pub struct PopCurve {
 pub struct AtFrame {
     /// Number of the frame.
     pub frame: u64,
-    /// Its value (m).
+    /// Value that it has (m).
     pub metres: f64,
 }
 
@@ -46,7 +46,7 @@ pub struct PopFigures {
     pub rms_m: f64,
     /// Largest excess jump, at the later of its frames; none with fewer than two frames.
     pub largest_jump: Option<AtFrame>,
-    /// Largest pop.
+    /// Largest pop of all frames.
     pub largest_pop: Option<AtFrame>,
     /// How many frames have a pop above [`LEAST_POP`].
     pub pops: usize,

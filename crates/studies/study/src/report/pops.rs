@@ -14,7 +14,7 @@ pub struct PopReport {
     pub commit: String,
     /// Title of the scenario.
     pub title: String,
-    /// Generator that drew.
+    /// Name of the generator that drew.
     pub machine: String,
     /// Number of the first frame.
     pub first: u64,

@@ -1,0 +1,45 @@
+//! A stage made ready: posts, levels, slopes.
+
+use std::sync::Arc;
+
+use generator::{PrepareError, Stage};
+use scene_sampler::GroundMap;
+
+use crate::levels::LevelTable;
+use crate::parameters::Parameters;
+use crate::terrain::Posts;
+
+/// Everything of a run that frames share.
+pub struct Prepared {
+    pub stage: Stage,
+    pub run: Parameters,
+    pub posts: Posts,
+    pub table: LevelTable,
+    /// Slopes of all posts, as the map of the ground shares them.
+    slopes: Arc<[[f32; 2]]>,
+}
+
+impl Prepared {
+    /// Samples the ground of `stage` and settles its levels.
+    ///
+    /// # Errors
+    /// If the ground is too large, or ranges do not rise.
+    pub fn new(stage: Stage, run: Parameters) -> Result<Self, PrepareError> {
+        let mut posts = Posts::new(&stage, &run)?;
+        let slopes = std::mem::take(&mut posts.slopes).into();
+        let table = LevelTable::new(&posts.terrain, &run, focal(&stage))?;
+        Ok(Self { stage, run, posts, table, slopes })
+    }
+
+    /// The map of the ground's slopes under a sun (unit vector to it: north, east, up).
+    pub fn map(&self, sun: [f64; 3]) -> Option<GroundMap> {
+        GroundMap::of_slopes(self.posts.axes, self.slopes.clone(), self.stage.landscape.clone(), sun)
+    }
+}
+
+/// Pixels in a tangent of 1, the larger of both directions.
+fn focal(stage: &Stage) -> f64 {
+    let of = |pixels: u32, tangent: f64| f64::from(pixels) / (2.0 * tangent);
+    let field = stage.view.field;
+    of(stage.view.columns, field.tan_half_width).max(of(stage.view.lines, field.tan_half_height))
+}
