@@ -37,7 +37,7 @@ impl Seen {
         );
         let heights = format!(
             "{drawn:.4} m as drawn; {whole:.4} m before morphing; {finest:.4} m by the finest triangles{}",
-            session
+            prepared
                 .stage
                 .landscape
                 .height(north, east)
