@@ -3,7 +3,8 @@
 use rayon::prelude::*;
 
 use crate::error::within;
-use crate::ray::{Line, Ray};
+use crate::line::Line;
+use crate::ray::Ray;
 use crate::{Curvature, Point, Posts, Sight, SightError};
 
 impl Posts {
@@ -18,8 +19,9 @@ impl Posts {
         curvature: Curvature,
     ) -> Result<Vec<Sight>, SightError> {
         within("height of the targets (m)", height, height >= 0.0, "a finite number of 0 or more")?;
-        let (start, _) = observer.heights(self)?;
+        let (start, _) = observer.heights(|place| self.height(place))?;
         let from = self.in_posts(observer.place);
+        curvature.check_reach(self.farthest(from))?;
         Ok(self.of_posts(|row, column, ground| {
             if ground.is_nan() {
                 return Sight::Unknown;
@@ -35,8 +37,9 @@ impl Posts {
     /// # Errors
     /// An observer that [`Posts::line_of_sight`] refuses.
     pub fn least_heights(&self, observer: &Point, curvature: Curvature) -> Result<Vec<f64>, SightError> {
-        let (start, _) = observer.heights(self)?;
+        let (start, _) = observer.heights(|place| self.height(place))?;
         let from = self.in_posts(observer.place);
+        curvature.check_reach(self.farthest(from))?;
         Ok(self.of_posts(|row, column, ground| {
             if ground.is_nan() {
                 return f64::NAN;
@@ -45,6 +48,12 @@ impl Posts {
             let line = Line::new(start, ground, curvature, ray.length() * self.spacing());
             self.least(&ray, line).unwrap_or(f64::NAN)
         }))
+    }
+
+    /// Distance (m) from a place in posts to the farthest corner of the mesh.
+    fn farthest(&self, from: [f64; 2]) -> f64 {
+        let [rows, columns] = [0, 1].map(|axis| from[axis].max((self.size()[axis] - 1) as f64 - from[axis]));
+        self.spacing() * (rows * rows + columns * columns).sqrt()
     }
 
     /// A function of row, column and height (m) of every post, by all threads of the caller's pool.
