@@ -140,7 +140,7 @@ struct Sampled {
 
 fn sampled(ground: &Terrain, from: [f64; 3], to: [f64; 3], curvature: Curvature) -> Sampled {
     const STEPS: u32 = 40_000;
-    let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+    let length = libm::hypot(to[0] - from[0], to[1] - from[1]);
     let end = to[2] - curvature.drop(length);
     let mut found = Sampled { clearance: f64::INFINITY, first: None, rise: 0.0 };
     for step in 1..STEPS {

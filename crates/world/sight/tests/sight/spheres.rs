@@ -61,7 +61,7 @@ fn the_horizon_of_a_smooth_sphere() {
 
 /// Least clearance (m) and least rise (m) of the target, from many places of the line.
 fn sampled(ground: &Posts, from: [f64; 3], to: [f64; 3], radius: f64) -> [f64; 2] {
-    let length = (to[0] - from[0]).hypot(to[1] - from[1]);
+    let length = libm::hypot(to[0] - from[0], to[1] - from[1]);
     let end = to[2] - drop(radius, length);
     let mut found = [f64::INFINITY, 0.0_f64];
     for step in 1..20_000 {
