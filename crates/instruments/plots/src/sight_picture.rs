@@ -150,7 +150,7 @@ impl SightMap<'_> {
         let east = slope(height(row, right) - height(row, left), right - left);
         let steepness = (1.0 + north * north + east * east).sqrt();
         let light = 0.8 + 0.6 * (east - north) / steepness;
-        if light.is_nan() { 0.8 } else { light.clamp(0.35, 1.0) }
+        if light.is_nan() { 0.8 } else { light.clamp(0.5, 1.0) }
     }
 }
 

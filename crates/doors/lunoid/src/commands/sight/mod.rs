@@ -24,7 +24,7 @@ use crate::{Failure, Verdict, values};
 
 const AFTER: &str = "Examples:
   lunoid sight first-light --from 1000,1000 --to 2500,1800 --out runs/sight-line.png
-  lunoid sight scenarios/own-ground/site.asc --from 5200,3200 --out runs/sight.tif --out runs/sight.png
+  lunoid sight scenarios/own-ground/site.asc --from 612200,0 --out runs/sight.tif --out runs/sight.png
 
 Between two points (--to), from the observer to the places of a path (--path), or over an area (--area, or all of the
 ground). GROUND is a scenario, a bank, or an elevation file that `lunoid survey` reads. Places are metres north and east:
