@@ -11,6 +11,7 @@ mod interrupt;
 mod loading;
 mod output;
 mod progress;
+mod reading;
 mod rehearsing;
 mod values;
 #[cfg(test)]

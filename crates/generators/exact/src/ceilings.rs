@@ -1,10 +1,10 @@
 //! Planes above regions and bounds over blocks of them: what a line stays above needs no root finding.
 
+use landscape::patch::{Patch, UpperPlane};
 use landscape::{Landscape, Level};
 use rayon::prelude::*;
 
 use crate::craters::Craters;
-use crate::patch::{Patch, UpperPlane};
 
 /// Sides of the blocks that are passed over whole, in regions, the largest first.
 pub const BLOCKS: [usize; 2] = [64, 8];

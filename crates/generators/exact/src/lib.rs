@@ -158,7 +158,6 @@
 //! form; random ground with craters, its shadows and whole pictures against marching along each ray.
 
 mod bend;
-mod bernstein;
 mod buckets;
 mod ceilings;
 mod column;
@@ -168,7 +167,6 @@ mod ground;
 mod light;
 mod line;
 mod outlook;
-mod patch;
 mod profile;
 mod relief;
 mod rings;

@@ -5,8 +5,9 @@
 //! derivative grows. What the sphere takes off is concave: it lies above its chord and below its tangent, and its
 //! derivative falls. That bounds the sum and its derivative over any part of the line.
 
+use landscape::bernstein::{DEPTH, bracketed_root, halves, slope, value};
+
 use crate::bend::{Bend, below_plane};
-use crate::bernstein::{DEPTH, bracketed_root, halves, slope, value};
 
 /// `weight * sqrt((s - nearest)^2 + miss)`: a multiple of the distance from a crater's centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -92,7 +93,7 @@ pub fn first_reach<const N: usize>(
     [from, to]: [f64; 2],
 ) -> Option<f64> {
     if terms.are_nothing() {
-        return crate::bernstein::first_reach(polynomial);
+        return landscape::bernstein::first_reach(polynomial);
     }
     Search { terms, from, length: to - from }.first(polynomial, 0.0, 1.0, DEPTH)
 }
@@ -159,7 +160,7 @@ fn stays_below<const N: usize>(c: &[f64; N], above: [f64; 2]) -> bool {
 mod tests {
     use super::{Distance, Terms, first_reach};
     use crate::bend::{Bend, below_plane};
-    use crate::bernstein::value;
+    use landscape::bernstein::value;
     use proptest::prelude::*;
 
     proptest! {

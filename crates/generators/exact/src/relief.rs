@@ -1,11 +1,11 @@
 //! The terrain along a stretch of a line: one level, or two that fade into each other.
 
+use landscape::bernstein::{Coefficients, DEGREE, product};
+use landscape::patch::{Patch, restriction};
 use landscape::{Level, basis};
 
-use crate::bernstein::{Coefficients, DEGREE, product};
 use crate::ceilings::{Ceiling, LevelCeilings};
 use crate::line::Line;
-use crate::patch::{Patch, restriction};
 use crate::profile::{Terms, first_reach};
 use crate::rings::Added;
 

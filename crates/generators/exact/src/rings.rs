@@ -1,7 +1,7 @@
 //! One crater along a straight line: within each of its rings a quadratic in range and a multiple of the distance
 //! from its centre (section 9).
 
-use features::{Crater, Shape};
+use features::Crater;
 
 use crate::line::Line;
 use crate::profile::Distance;
@@ -62,12 +62,7 @@ impl Passage {
 
     /// Ranges strictly between `from` and `to` at which the line crosses one of the crater's circles.
     pub fn crossings(&self, [from, to]: [f64; 2], cuts: &mut Vec<f64>) {
-        let (radii, count) = match self.crater.shape() {
-            Shape::Bowl { r1 } => ([r1, 0.0, 0.0], 1),
-            Shape::RimmedBowl { r1, r2 } => ([r1, r2, 0.0], 2),
-            Shape::FlatFloor { r1, r2, r3 } => ([r1, r2, r3], 3),
-        };
-        for radius in &radii[..count] {
+        for radius in self.crater.rings().map(|ring| ring.outer) {
             let square = radius * radius - self.miss;
             if square > 0.0 {
                 let half = square.sqrt();
@@ -81,16 +76,8 @@ impl Passage {
     pub fn add(&self, [from, to]: [f64; 2], sum: &mut Added) {
         let middle = 0.5 * (from + to) - self.nearest;
         let rho = (middle * middle + self.miss).sqrt();
-        let (depth, rim) = (self.crater.depth(), self.crater.rim());
-        // Height is `a rho^2 + b rho + c`.
-        let [a, b, c] = match self.crater.shape() {
-            Shape::Bowl { r1 } | Shape::RimmedBowl { r1, .. } if rho < r1 => [depth / (r1 * r1), 0.0, -depth],
-            Shape::RimmedBowl { r1, r2 } if rho < r2 => ring(rim, r1, r2),
-            Shape::FlatFloor { r1, .. } if rho < r1 => [0.0, 0.0, -depth],
-            Shape::FlatFloor { r1, r2, .. } if rho < r2 => wall(depth, r1, r2),
-            Shape::FlatFloor { r2, r3, .. } if rho < r3 => ring(rim, r2, r3),
-            _ => return,
-        };
+        let Some(ring) = self.crater.rings().find(|ring| rho < ring.outer) else { return };
+        let [a, b, c] = ring.terms;
         let (start, length) = (from - self.nearest, to - from);
         sum.constant += c + a * (start * start + self.miss);
         sum.linear += 2.0 * a * start * length;
@@ -99,32 +86,18 @@ impl Passage {
             sum.distances.push(Distance { weight: b, nearest: self.nearest, miss: self.miss });
         }
         if b > 0.0 {
-            sum.crests += rim;
+            sum.crests += self.crater.rim();
         }
     }
-}
-
-/// `rim (1 - ((2 rho - inner - outer) / (outer - inner))^2)`.
-fn ring(rim: f64, inner: f64, outer: f64) -> [f64; 3] {
-    let (width, middle) = (outer - inner, inner + outer);
-    let scale = rim / (width * width);
-    [-4.0 * scale, 4.0 * scale * middle, rim - scale * middle * middle]
-}
-
-/// `depth (((rho - inner) / (outer - inner))^2 - 1)`.
-fn wall(depth: f64, inner: f64, outer: f64) -> [f64; 3] {
-    let width = outer - inner;
-    let scale = depth / (width * width);
-    [scale, -2.0 * scale * inner, scale * inner * inner - depth]
 }
 
 #[cfg(test)]
 mod tests {
     use super::{Added, Passage};
     use crate::bend::Bend;
-    use crate::bernstein::value;
     use crate::line::Line;
     use features::{Crater, Shape};
+    use landscape::bernstein::value;
     use proptest::prelude::*;
 
     fn shape(kind: u8, r: [f64; 3]) -> Shape {

@@ -2,6 +2,7 @@
 //!
 //! - [`bank_picture`]: shaded ground in the colours of its height, with contours and axes.
 //! - [`survey_picture`]: fitted ground beside the residuals of its samples, with their histogram.
+//! - [`sight_picture`], [`sight_profile`]: what an observer sees of an area, and one line of sight over its ground.
 //! - [`scope_picture`]: one sweep as on an oscilloscope with a logic analyser.
 //! - [`xy_picture`]: one signal over another, as an oscilloscope in X-Y.
 //! - [`trace_picture`]: waveforms and digital lines against a common axis, as on an oscilloscope.
@@ -42,6 +43,8 @@ mod matrix_picture;
 mod pixels;
 mod residuals;
 mod scope;
+mod sight_picture;
+mod sight_profile;
 mod survey_picture;
 mod svg;
 mod timeline_picture;
@@ -61,6 +64,8 @@ pub use scope::{
     Along, Clock, Crossing, Curve, Curves, Line, Logic, LogicLane, PictureColumn, Place, RegisterColour,
     Scope, ScopeLook, Theme, Upright, Volts, scope_picture, scope_svg,
 };
+pub use sight_picture::{SightLayer, SightLook, SightMap, sight_picture};
+pub use sight_profile::{SightProfile, sight_profile};
 pub use survey_picture::{SurveyLook, survey_picture};
 pub use timeline_picture::{EventLane, Span, Stops, Stretch, Timeline, timeline_picture};
 pub use trace_picture::{Lane, Panel, Trace, TraceLook, trace_picture};

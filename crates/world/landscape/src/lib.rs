@@ -8,6 +8,7 @@
 //! form. Nothing draws a grid itself: a grid as a third layer waits for a generator that does.
 //!
 //! - [`basis`]: the quintic Hermite functions of the Lagrange 2-2 polynomial (report III.A.1).
+//! - [`bernstein`], [`patch`]: terrain along a straight line as a polynomial with bounds.
 //! - [`Level`], [`Bank`]: nine words a corner; [`bank_file`] is their container.
 //! - [`projection`], [`MapFrame`]: map projections, and how a bank lies in the map of its elevation file.
 //! - [`Landscape`]: bank, albedo and lunoid together; the one query for height, slope and albedo.
@@ -22,9 +23,11 @@ pub mod axes;
 mod bank;
 pub mod bank_file;
 pub mod basis;
+pub mod bernstein;
 mod light;
 mod lunoid;
 mod map_frame;
+pub mod patch;
 mod photometry;
 mod places;
 pub mod projection;

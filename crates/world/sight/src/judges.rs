@@ -2,7 +2,8 @@
 
 use std::ops::ControlFlow;
 
-use crate::ray::{Judge, Line, Piece};
+use crate::line::{Line, Piece};
+use crate::ray::Judge;
 
 /// Ends the way at the first ground above the line.
 pub struct Blocked {
@@ -77,21 +78,13 @@ pub fn lowest(line: &Line, piece: &Piece) -> f64 {
 }
 
 /// Height (m) by which the end of the line must rise to clear a piece: the largest of -clearance / share.
-///
-/// Within a piece the clearance is `p + q t + bend t^2`. The line must rise by `-(p / t + q + bend t)`, which is largest at
-/// `t^2 = p / bend`.
 pub fn missing(line: &Line, piece: &Piece) -> f64 {
     let at_ends = line.clearances(piece);
-    let [a, b] = piece.shares;
     let own = |share: f64| share <= 0.0 || share >= 1.0;
     let at_end = |end: usize| if own(piece.shares[end]) { 0.0 } else { -at_ends[end] / piece.shares[end] };
     let ends = at_end(0).max(at_end(1)).max(0.0);
-    if line.bend == 0.0 || a == b {
-        return ends;
+    match line.raised_most(piece) {
+        Some(share) => ends.max(-line.clearance(piece, share) / share),
+        None => ends,
     }
-    let q = (at_ends[1] - at_ends[0]) / (b - a) - line.bend * (a + b);
-    let p = at_ends[0] - a * (q + line.bend * a);
-    let share = (p.max(0.0) / line.bend).sqrt();
-    let inside = share > a.min(b) && share < a.max(b);
-    if inside { ends.max(-line.clearance(piece, share) / share) } else { ends }
 }

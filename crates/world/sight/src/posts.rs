@@ -76,6 +76,11 @@ impl Posts {
         self.spacing
     }
 
+    /// Place of the north-western post: north, east (m).
+    pub fn corner(&self) -> [f64; 2] {
+        self.corner
+    }
+
     /// Height (m) of a post; NaN is a void.
     pub fn post(&self, row: usize, column: usize) -> f64 {
         self.heights[row * self.size[1] + column]

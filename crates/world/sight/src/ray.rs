@@ -2,17 +2,11 @@
 
 use std::ops::ControlFlow;
 
-use crate::{Curvature, Posts};
+use crate::Posts;
+use crate::line::Piece;
 
 /// Share of a cell by which the blocks of a strip are chosen wider than the line, so that rounding leaves none out. Chosen.
 const SLACK: f64 = 1e-6;
-
-/// A stretch of the line over one triangle: shares of the way from the observer (0..=1) and heights of the ground (m) at both ends.
-#[derive(Debug, Clone, Copy)]
-pub struct Piece {
-    pub shares: [f64; 2],
-    pub ground: [f64; 2],
-}
 
 /// Who looks along the way.
 pub trait Judge {
@@ -183,57 +177,4 @@ fn between(a: f64, b: f64) -> impl Iterator<Item = f64> {
     let (low, high) = (a.min(b), a.max(b));
     let first = low.floor() + 1.0;
     (0..3).map(move |step| first + f64::from(step)).take_while(move |&whole| whole < high)
-}
-
-/// A straight line over a datum that bends: heights (m) of both ends, and the drop of the datum over
-/// the whole way (m): the line sags below its chord by a quarter of it in the middle.
-#[derive(Debug, Clone, Copy)]
-pub struct Line {
-    pub start: f64,
-    pub end: f64,
-    pub bend: f64,
-}
-
-impl Line {
-    /// The line between two heights (m) over a distance (m).
-    pub fn new(start: f64, end: f64, curvature: Curvature, distance: f64) -> Self {
-        Self { start, end, bend: curvature.drop(distance) }
-    }
-
-    /// Height (m) above the datum at a share of the way.
-    pub fn at(&self, share: f64) -> f64 {
-        let rest = 1.0 - share;
-        rest * self.start + share * self.end - self.bend * share * rest
-    }
-
-    /// A height (m) below which the line does not fall between two shares.
-    pub fn lowest(&self, [a, b]: [f64; 2]) -> f64 {
-        let chord = |share: f64| (1.0 - share) * self.start + share * self.end;
-        let sag = |share: f64| share * (1.0 - share);
-        let middle = (a - 0.5) * (b - 0.5) < 0.0;
-        chord(a).min(chord(b)) - self.bend * if middle { 0.25 } else { sag(a).max(sag(b)) }
-    }
-
-    /// Clearance (m) at both ends of a piece. The ends of the way belong to observer and target.
-    pub fn clearances(&self, piece: &Piece) -> [f64; 2] {
-        [0, 1].map(|end| self.at(piece.shares[end]) - piece.ground[end])
-    }
-
-    /// The share inside a piece at which a curved line comes nearest to the ground, where it does so inside.
-    pub fn nearest(&self, piece: &Piece) -> Option<f64> {
-        let [a, b] = piece.shares;
-        let [at_a, at_b] = self.clearances(piece);
-        if self.bend == 0.0 || a == b {
-            return None;
-        }
-        let nearest = 0.5 * (a + b) - (at_b - at_a) / (2.0 * self.bend * (b - a));
-        (nearest > a.min(b) && nearest < a.max(b)).then_some(nearest)
-    }
-
-    /// Clearance (m) at a share inside a piece.
-    pub fn clearance(&self, piece: &Piece, share: f64) -> f64 {
-        let [a, b] = piece.shares;
-        let part = (share - a) / (b - a);
-        self.at(share) - ((1.0 - part) * piece.ground[0] + part * piece.ground[1])
-    }
 }

@@ -7,6 +7,7 @@
 //! Axes of the bank: x north, y east, origin at the south-west corner of the area.
 //!
 //! - [`Projection`]: closed forms of the map projections that lunar files use.
+//! - [`write_geotiff`]: a raster with the place of its samples.
 //! - [`SurveyReport`]: what the fit leaves, how well it is determined, and how it behaves in voids.
 //!
 //! Voids are never averaged. They are filled harmonically first and the fit follows the filled heights with a small
@@ -37,6 +38,7 @@ mod report;
 mod survey;
 mod told;
 mod window;
+mod write;
 
 pub use area::{Area, Plane};
 pub use elevation::{Affine, Elevation, Frame};
@@ -47,3 +49,4 @@ pub use read::{Fate, Opened, ReadOptions, VOCABULARIES, Vocabulary, Window, Word
 pub use report::{SurveyReport, Worst};
 pub use survey::{Grid, Step, Survey, SurveyOptions, survey};
 pub use told::SurveyTold;
+pub use write::{PlacedRaster, RasterSamples, write_geotiff};

@@ -22,6 +22,7 @@ pub mod probe;
 pub mod replay;
 pub mod schema;
 mod scope;
+pub mod sight;
 pub mod sizing;
 pub mod state;
 pub mod study;
@@ -58,6 +59,7 @@ pub fn run(cli: &Cli, start: Instant) -> Result<Verdict, Failure> {
         Command::Trace(trace) => trace.run(),
         Command::Bank(bank) => bank.run(),
         Command::Survey(survey) => survey.run(),
+        Command::Sight(sight) => sight.run(),
         Command::Sun(sun) => sun.run(),
         Command::Model(model) => model.run(),
         Command::Timing(timing) => timing.run(),

@@ -23,6 +23,7 @@ mod replays;
 mod scene;
 mod shadow;
 mod side_by_side;
+mod sight;
 mod stability;
 mod state;
 mod sun;

@@ -1,9 +1,11 @@
 //! Lines of sight and viewsheds against closed forms and against an evaluator that shares no code with them.
 
 mod closed_forms;
+mod landscapes;
 mod real_ground;
 mod refused;
 mod second_evaluator;
+mod spheres;
 mod voids;
 
 use sight::Posts;

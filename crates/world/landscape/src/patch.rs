@@ -4,7 +4,7 @@
 //! `(i, j) / 5`. Cut down to the rectangle whose diagonal is the stretch, its control heights add up along the
 //! anti-diagonals to the profile of degree 10.
 
-use landscape::{CornerWords, Level};
+use crate::{CornerWords, Level};
 
 use crate::bernstein::{Coefficients, DEGREE};
 
@@ -133,8 +133,8 @@ fn times_controls(weights: &[[f64; 6]; 6], controls: &[[f64; 6]; 6]) -> [[f64; 6
 #[cfg(test)]
 mod tests {
     use super::Patch;
+    use crate::Level;
     use crate::bernstein::Coefficients;
-    use landscape::Level;
     use proptest::prelude::*;
 
     fn level(words: Vec<f64>) -> Level {
