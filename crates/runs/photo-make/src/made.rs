@@ -84,10 +84,15 @@ fn drawn(stage: &Stage, stand: &Stand, wishes: &Wishes) -> Result<Planes, MakeEr
 
 /// The camera file as whoever reads its text has it.
 fn read_back(stand: &Stand, sun: Sun, wishes: &Wishes) -> Result<CameraFile, MakeError> {
-    let grey = [wishes.transfer.white(), wishes.transfer.gamma()].map(f64::from);
+    let grey = [wishes.transfer.white(), wishes.transfer.gamma()].map(decimal);
     let light = Light::new(Some([sun.azimuth, sun.elevation]), Some(grey)).map_err(|(_, error)| error)?;
     let file = CameraFile { camera: stand.camera, axes: Axes::Landscape, light };
     CameraFile::read("camera.json", &file.write()).map_err(MakeError::ReadBack)
+}
+
+/// The shortest decimal number that rounds to `value`: 2.2, not 2.200000048.
+fn decimal(value: f32) -> f64 {
+    value.to_string().parse().unwrap_or(f64::from(value))
 }
 
 /// Largest distance (pixels) from a pixel's centre to the projection of its ground point.

@@ -105,7 +105,10 @@ impl CameraFile {
             principal_point_m: self.camera.principal_point(),
             perspective_centre_m: self.camera.centre().to_array(),
             omega_phi_kappa_rad: None,
-            image_axes: Some(self.camera.orientation().axes().map(|axis| axis.to_array())),
+            // A zero has no sign in the file.
+            image_axes: Some(
+                self.camera.orientation().axes().map(|axis| axis.to_array().map(|part| part + 0.0)),
+            ),
             affine_x_um,
             affine_y_um,
             body: self.axes.body().map(|body| WrittenBody {

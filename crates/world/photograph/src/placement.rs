@@ -3,7 +3,7 @@
 use glam::DVec3;
 use photo_camera::{Axes, Camera, Image};
 
-use crate::Map;
+use crate::{Map, MapUnit};
 
 /// The rule between pixels and ground points.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,6 +39,14 @@ impl Placement {
                 camera.ray(pixel).on_plane(DVec3::Z * height, DVec3::Z)
             }
             Self::Map(map) => Some(map.point(pixel, height)),
+        }
+    }
+
+    /// Unit of a ground sample: metres, or degrees for a map in degrees.
+    pub fn unit(&self) -> MapUnit {
+        match self {
+            Self::Camera { .. } => MapUnit::Metre,
+            Self::Map(map) => map.unit(),
         }
     }
 

@@ -1,17 +1,18 @@
 //! `lunoid survey`: a bank fitted to an elevation file.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 use landscape::{Sun, bank_file};
 use plots::{Residuals, SurveyLook, survey_picture};
 use quantities::radians;
-use survey::{Area, Elevation, Frame, Opened, Plane, ReadOptions, Survey, SurveyOptions, SurveyTold, survey};
+use survey::{Area, Frame, Opened, Plane, Survey, SurveyOptions, SurveyTold, survey};
 
 use crate::commands::bank::bank_at;
+use crate::commands::elevation::{ElevationArgs, sources};
 use crate::loading::Threads;
-use crate::output::{Place, expect_outputs, print, print_json, tell};
+use crate::output::{Place, expect_outputs, print, print_json};
 use crate::{Failure, Verdict, values};
 
 const AFTER: &str = "Examples:
@@ -58,28 +59,8 @@ pub struct SurveyCommand {
     /// Share of the samples that is kept from the fit to test it, 0 to 0.5; 0.01 if left out.
     #[arg(long, value_name = "SHARE", value_parser = values::not_negative)]
     held_out: Option<f64>,
-    /// Metres a stored unit, in place of the file's own.
-    #[arg(long, value_parser = values::of_heights, allow_hyphen_values = true)]
-    scale: Option<f64>,
-    /// Metres added after scaling, in place of the file's own.
-    #[arg(long, value_name = "METRES", value_parser = values::of_heights, allow_hyphen_values = true)]
-    offset: Option<f64>,
-    /// Stored values that mark voids, in place of the file's own, as -9999 or -9999,0.
-    #[arg(long, value_name = "VALUES", value_delimiter = ',', allow_hyphen_values = true)]
-    no_data: Vec<f64>,
-    /// A tag, key or keyword of the file that is not known and that changes neither heights nor their place. Repeat it for
-    /// several.
-    #[arg(long, value_name = "NAME")]
-    ignore: Vec<String>,
-    /// Band with the heights, from 1.
-    #[arg(long, value_parser = values::at_least(0_usize))]
-    band: Option<usize>,
-    /// Metres between samples of a file that does not say: one number, or one to the north and one to the east.
-    #[arg(long, value_name = "METRES[,METRES]", value_parser = spacing)]
-    spacing_m: Option<[f64; 2]>,
-    /// The first line of a file without a place is the southernmost.
-    #[arg(long)]
-    first_line_south: bool,
+    #[command(flatten)]
+    reading: ElevationArgs,
     /// What the ground is.
     #[arg(long)]
     title: Option<String>,
@@ -101,27 +82,9 @@ enum PlaneWord {
     Orthographic,
 }
 
-fn spacing(text: &str) -> Result<[f64; 2], String> {
-    if text.contains(',') { values::two_metres(text) } else { values::metres(text).map(|one| [one; 2]) }
-}
-
 /// Samples a region along each axis, where no region size is given: 16 samples for nine words. Exactly: a rounded side
 /// leaves slivers of regions with few samples, and a condition 10^6 times as large.
 const SAMPLES_A_REGION: f64 = 4.0;
-
-/// Endings of labels, headers, coordinate systems and of the samples beside them.
-const BESIDE: [&str; 17] = [
-    "lbl", "LBL", "img", "IMG", "xml", "XML", "dat", "DAT", "cub", "hdr", "prj", "bin", "raw", "bsq", "bil",
-    "bip", "dem",
-];
-
-/// What is read of an elevation file: a label and its image are two files, whichever of them is named.
-fn sources(elevation: &Path) -> Vec<Place> {
-    let beside = BESIDE.map(|ending| elevation.with_extension(ending));
-    let both =
-        beside.into_iter().filter(|path| path.is_file()).map(|path| Place::file("the label or image", path));
-    [Place::file("the elevation file", elevation)].into_iter().chain(both).collect()
-}
 
 impl SurveyCommand {
     /// Fits a bank to the elevation file and writes it.
@@ -130,12 +93,12 @@ impl SurveyCommand {
         expect_outputs(&outputs, &sources(&self.elevation))?;
         let pool = self.threads.pool()?;
         let start = Instant::now();
-        let file = survey::open(&self.elevation, &self.read_options())?;
+        let file = survey::open(&self.elevation, &self.reading.options())?;
         let options = self.survey_options(&file);
         // A file may be larger than memory: only what the area needs is read.
         let window = options.window(&file)?;
         let elevation = file.window(&window)?;
-        self.warn_of_unit(&elevation);
+        self.reading.warn_of_unit(&elevation);
         let result = pool.install(|| survey(&elevation, &options, &mut |_| {}))?;
         bank_file::write(&self.out, &result.bank)?;
         if let Some(picture) = &self.picture {
@@ -150,29 +113,6 @@ impl SurveyCommand {
             print(&format!("written: {}\n", self.out.display()))?;
         }
         Ok(Verdict::Yes)
-    }
-
-    /// Whole numbers are how files of another unit than the metre look when they do not name their scale.
-    fn warn_of_unit(&self, elevation: &Elevation) {
-        let is_flat = elevation.range().is_none_or(|[low, high]| low == high);
-        if self.scale.is_none() && !is_flat && elevation.is_whole() {
-            tell(
-                "warning: every height is a whole number and no --scale was given: heights taken as metres; give \
-                 --scale if they are not\n",
-            );
-        }
-    }
-
-    fn read_options(&self) -> ReadOptions {
-        ReadOptions {
-            band: self.band,
-            scale: self.scale,
-            offset: self.offset,
-            no_data: self.no_data.clone(),
-            spacing: self.spacing_m,
-            first_line_south: self.first_line_south,
-            ignore: self.ignore.clone(),
-        }
     }
 
     fn survey_options(&self, file: &Opened) -> SurveyOptions {

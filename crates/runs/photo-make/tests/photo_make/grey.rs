@@ -17,14 +17,14 @@ fn codes_follow_depth_and_grey_curve() {
     for (depth, white, gamma) in
         [(Depth::Eight, 1.0, 1.0), (Depth::Eight, 0.8, 2.2), (Depth::Sixteen, 2.0, 1.8)]
     {
-        let transfer = Transfer::new(white, gamma).expect("a curve");
+        let transfer = Transfer::new(white as f32, gamma as f32).expect("a curve");
         let made = make(&stage, &Wishes { depth, transfer, ..wishes() }).expect("a photograph");
-        let level = libm::pow(light() / f64::from(white), 1.0 / f64::from(gamma));
+        let level = libm::pow(light() / white, 1.0 / gamma);
         let expected = (level * f64::from(depth.white())).round();
         let found = f64::from(made.picture.code(20, 20));
         assert!((found - expected).abs() <= 1.0, "{found}, not {expected}");
         assert_eq!(made.picture.depth(), depth);
-        assert_eq!(made.file.light.grey(), Some([f64::from(white), f64::from(gamma)]));
+        assert_eq!(made.file.light.grey(), Some([white, gamma]));
     }
 }
 
