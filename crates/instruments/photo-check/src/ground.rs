@@ -14,7 +14,7 @@ use crate::rule::Rule;
 /// An elevation grid as a photograph takes it.
 #[derive(Debug, Clone)]
 pub struct Ground {
-    /// Heights and mask.
+    /// Heights after the fill, and the mask of what was void.
     pub filling: Filled,
     size: [usize; 2],
     affine: Affine,

@@ -87,7 +87,7 @@ enum FillWord {
     Nearest,
     /// Mean of all known posts, cut to a whole metre, as the thesis's program has it. It makes cliffs.
     Mean,
-    /// Voids stay void.
+    /// Voids stay void, and are only counted.
     Leave,
 }
 

@@ -29,7 +29,7 @@ pub struct Make {
     /// Scenario whose landscape and sun are taken: a file, or the name of one in `scenarios/`.
     #[arg(value_parser = values::scenario)]
     scenario: PathBuf,
-    /// Folder to write.
+    /// Folder that gets the six files of the photograph.
     #[arg(short, long, value_name = "FOLDER")]
     out: PathBuf,
     /// Ground from this bank instead of the scenario's.
