@@ -1,12 +1,16 @@
 //! Ground points of a photograph, projected by the camera file that was written, fall on the centres of their pixels.
 
+use std::sync::Arc;
+
 use exact::Exact;
 use features::Features;
 use generator::{Generator, PlaneKind, Planes, Stage};
+use glam::DVec3;
 use photo_camera::Image;
-use photo_make::make;
-use scenario::{Curvature, Laws, PixelRule, Projection, View};
+use photo_make::{Reach, Wishes, make};
+use scenario::{Curvature, Laws, PixelRule, Projection, ShadowFineness, VehicleShape, View};
 use signal::Probe;
+use solids::Solid;
 
 use crate::{attitudes, bumps, craters, plane, stage};
 
@@ -86,4 +90,21 @@ fn threads_change_no_bit() {
     };
     let (one, three) = (with(1), with(3));
     assert_eq!((one.picture, one.ground, one.file), (three.picture, three.ground, three.file));
+}
+
+/// A vehicle that would stand under the camera casts no shadow, and shadow reaches as far as the picture.
+#[test]
+fn neither_the_vehicle_nor_the_reach_of_its_shadows_has_a_part() {
+    let plain = stage(bumps(4.0), craters());
+    let wishes = Wishes { reach: Reach::Height(60.0), ..crate::wishes() };
+    let expected = make(&plain, &wishes).expect("a photograph").picture;
+    let dark = expected.codes().iter().filter(|code| **code == 0).count();
+    assert!(dark > 10, "{dark} dark pixels");
+    let [low, high] = [-20.0, 20.0].map(DVec3::splat);
+    let parts = vec![Arc::new(Solid::boxed(low, high, 1.0).expect("a box"))];
+    let scenery = (*plain.scenery).clone().with_vehicle(Some(VehicleShape { parts, eye_height: 30.0 }));
+    let near = ShadowFineness { reach: Some(1.0), ..ShadowFineness::default() };
+    let view = View { shadows: Some(near), ..plain.view.clone() };
+    let other = Stage { scenery: Arc::new(scenery), view, ..plain };
+    assert_eq!(make(&other, &wishes).expect("a photograph").picture, expected);
 }

@@ -2,7 +2,7 @@
 
 use features::Features;
 use photo_make::{Wishes, make};
-use picture::{Depth, Transfer};
+use picture::{Depth, GreyPicture, Transfer};
 
 use crate::{plane, stage, wishes};
 
@@ -47,6 +47,16 @@ fn noise_is_gaussian_and_follows_from_its_seed() {
     assert!(mean.abs() < 0.04 && (deviation - 1.0).abs() < 0.03 && (beyond - 0.3173).abs() < 0.02);
     assert_eq!(picture, made(0.02, 4));
     assert_ne!(picture, made(0.02, 5));
+    // The share is one of white: under another white the codes are as far off.
+    let transfer = Transfer::new(0.8, 1.0).expect("a curve");
+    let dim = Wishes { size: [90, 90], ground_sample: 0.5, noise: 0.02, seed: 4, transfer, ..wishes() };
+    let dim = make(&stage, &dim).expect("a photograph").picture;
+    let spread = |picture: &GreyPicture, level: f64| {
+        let off = |code: &u16| f64::from(*code) / 65_535.0 - level;
+        (picture.codes().iter().map(|code| off(code) * off(code)).sum::<f64>() / count).sqrt()
+    };
+    let [one, other] = [spread(&picture, light()), spread(&dim, light() / 0.8)];
+    assert!((one / other - 1.0).abs() < 1e-3, "{one} {other}");
     assert_ne!(made(0.0, 4), picture);
     assert_eq!(made(0.0, 4), made(0.0, 5));
 }

@@ -51,6 +51,10 @@ fn a_photograph_of_a_body_follows_its_surface() {
     // 20 micrometres at 0.2 m from 10 km: 1 m.
     let sample = placement.ground_sample(middle).expect("the Moon");
     assert!((sample[0] - 1.0).abs() < 1e-6 && (sample[1] - 1.0).abs() < 1e-6, "{sample:?}");
+    // 5 km higher the ground is half as far away.
+    let high = placement.on_level([250.0, 250.0], 5000.0).expect("the Moon");
+    let sample = placement.ground_sample(high).expect("the Moon");
+    assert!((sample[0] - 0.5).abs() < 1e-6 && (sample[1] - 0.5).abs() < 1e-6, "{sample:?}");
     let place = Ellipsoid::MOON.place(placement.on_level([400.0, 100.0], 55.0).expect("the Moon"));
     assert!((place.height - 55.0).abs() < 1e-6 && place.latitude > 0.0 && place.longitude > 0.0);
     // 400 000 pixels to the side the ray passes the Moon.
