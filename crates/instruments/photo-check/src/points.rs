@@ -12,6 +12,7 @@ use std::path::Path;
 
 use diagnostics::{ProblemList, Problems};
 use photo_camera::{Axis, ControlPoint, parse_angle};
+use quantities::radians;
 use survey::Frame;
 use tables::{Column, Form, Row, Table, read_text};
 
@@ -117,9 +118,13 @@ fn control(row: &mut Row<'_>, ground: &Ground, by_angles: bool, number: usize) -
     Some(Control { name, point: ControlPoint { ground, pixel: [pixel[0]?, pixel[1]?] } })
 }
 
-/// An angle (rad) that cannot be read two ways.
+/// An angle (rad): degrees as a number like any other of the table, or D:M:S with a hemisphere letter.
 fn angle(row: &mut Row<'_>, column: usize, axis: Axis) -> Option<f64> {
     let text = row.text(column)?.into_owned();
+    if !text.contains(':') {
+        let most = if axis == Axis::Latitude { 90.0 } else { 180.0 };
+        return row.number(column, -most..=most).map(radians);
+    }
     match parse_angle(&text, axis) {
         Ok(angle) => Some(angle),
         Err(error) => {

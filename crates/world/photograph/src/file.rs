@@ -13,11 +13,14 @@
 //! The rows are (a, b, c) of `east = a I + b J + c` and of north, in metres, or in degrees with `"unit": "deg"`. The keys of the
 //! light are those of a camera file. A file without `camera` is a camera file.
 
+use std::path::Path;
+
 use diagnostics::Problem;
+use limits::Limit;
 use photo_camera::{CameraFile, Light};
 use serde::Deserialize;
 
-use crate::{Map, MapUnit, Placement};
+use crate::{Map, MapUnit, PhotoError, Placement};
 
 /// Format number of map files.
 const FORMAT: u64 = 1;
@@ -33,6 +36,19 @@ pub struct PhotoFile {
     pub placement: Placement,
     /// Sun and grey curve, as far as they are known.
     pub light: Light,
+}
+
+impl PhotoFile {
+    /// Reads a camera file or a map file.
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be read, or is neither.
+    pub fn open(path: &Path) -> Result<Self, PhotoError> {
+        let bytes = files::read_all(path, Limit::TextBytes)?;
+        let text = String::from_utf8_lossy(&bytes);
+        read_photo_file(&path.display().to_string(), &text).map_err(PhotoError::Camera)
+    }
 }
 
 /// The key that tells a map file from a camera file.

@@ -4,12 +4,11 @@ use std::path::Path;
 
 use glam::DVec3;
 use landscape::Sun;
-use limits::Limit;
 use photo_camera::Light;
 use picture::{GreyPicture, Transfer};
 
 use crate::sampling::bilinear;
-use crate::{PhotoError, PhotoFile, Placement, read_photo_file};
+use crate::{PhotoError, PhotoFile, Placement};
 
 /// A photograph of the ground.
 #[derive(Debug, Clone)]
@@ -43,10 +42,7 @@ impl Photograph {
     ///
     /// If one of the files cannot be read, or is not what it should be.
     pub fn read(picture: &Path, camera: &Path) -> Result<Self, PhotoError> {
-        let bytes = files::read_all(camera, Limit::TextBytes)?;
-        let text = String::from_utf8_lossy(&bytes);
-        let PhotoFile { placement, light } =
-            read_photo_file(&camera.display().to_string(), &text).map_err(PhotoError::Camera)?;
+        let PhotoFile { placement, light } = PhotoFile::open(camera)?;
         Self::new(photographs::read_grey(picture)?, placement, light)
     }
 

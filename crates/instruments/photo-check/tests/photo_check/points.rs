@@ -37,7 +37,7 @@ fn places_in_metres_take_the_height_of_the_grid_where_they_have_none() {
 
 #[test]
 fn places_in_degrees_are_read_by_the_one_grammar() {
-    let text = "latitude;longitude;i_px;j_px\n0:00:18 N;0:00:18 W;50;50\n0.005;-0.005;50;50\n";
+    let text = "latitude;longitude;i_px;j_px\n0:00:18 N;0:00:18 W;50;50\n0,005;-0,005;50;50\n";
     let found = read(text, &moon()).expect("points");
     let [first, second] = [0, 1].map(|at| found[at].point.ground);
     assert!((first - second).length() < 1e-6 && (first.length() - 1_737_440.0).abs() < 1e-6, "{first}");
@@ -56,7 +56,8 @@ fn what_is_no_table_of_points_is_refused_by_line() {
         (&plane, "east_m,north_m,i_px,j_px\n", "without rows"),
         (&moon, "east_m,north_m,i_px,j_px\n1,2,3,4\n", "`latitude`"),
         (&moon, "latitude,longitude,i_px,j_px\n-0:00:18 N,0,3,4\n", "a sign stands in degrees"),
-        (&moon, "latitude,longitude,i_px,j_px\n91,0,3,4\n", "out of range"),
+        (&moon, "latitude,longitude,i_px,j_px\n91,0,3,4\n", "`latitude` must be a number from -90 to 90"),
+        (&moon, "latitude,longitude,i_px,j_px\n91:00:00 N,0,3,4\n", "out of range"),
     ] {
         let said = read(text, ground).expect_err(told);
         assert!(said.contains(told), "{told}: {said}");
