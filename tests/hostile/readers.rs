@@ -78,7 +78,7 @@ pub const READERS: [Reader; 31] = [
     Reader { name: "poses", file: "poses.csv", read: |path| said(vehicle_shadow::read_poses(path)) },
     Reader { name: "state", file: "there.state", read: |path| said(state::State::read(path)) },
     Reader { name: "camera", file: "camera.json", read: |path| said(Camera::read(path)) },
-    Reader { name: "photo-file", file: "photo.json", read: |path| said(PhotoFile::open(path)) },
+    Reader { name: "photo-file", file: "photo.json", read: |path| said(PhotoFile::read(path)) },
     Reader { name: "control-points", file: "points.csv", read: control_points },
 ];
 

@@ -4,7 +4,8 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 use photo_camera::voids::Filled;
-use photograph::Photograph;
+use photo_camera::{Axes, Geodetic};
+use photograph::{Photograph, Placement};
 use picture::{Depth, GreyPicture, PictureError};
 use survey::{Affine, Elevation, Frame};
 
@@ -171,8 +172,27 @@ impl Ground {
         }
     }
 
-    /// What whoever reads the check should know of the body: the sphere of the file is not that of the camera.
-    pub fn doubt(&self) -> Option<String> {
+    /// What whoever reads the check should know: the sphere of the file is not that of the camera, or the camera stands in the
+    /// ground.
+    pub fn doubts(&self, placement: &Placement) -> Vec<String> {
+        self.other_sphere().into_iter().chain(self.camera_below(placement)).collect()
+    }
+
+    fn camera_below(&self, placement: &Placement) -> Option<String> {
+        let Placement::Camera { camera, axes } = placement else { return None };
+        let centre = camera.centre();
+        let (place, height) = match axes {
+            Axes::Landscape => ([centre.y, centre.x], centre.z),
+            Axes::Body(body) => {
+                let Geodetic { latitude, longitude, height } = body.place(centre);
+                (self.coordinates_of([latitude, longitude])?, height)
+            }
+        };
+        let below = self.height_between(self.post_at(place))? - height;
+        (below >= 0.0).then(|| format!("the camera stands {below:.1} m under the ground of the grid"))
+    }
+
+    fn other_sphere(&self) -> Option<String> {
         let (Rule::Geographic(body) | Rule::Projected(body, _)) = &self.rule else { return None };
         let sphere = self.frame.sphere()?;
         let is_other = body.eccentricity_squared() == 0.0 && (sphere - body.semi_major()).abs() > 1.0;

@@ -44,7 +44,7 @@ impl PhotoFile {
     /// # Errors
     ///
     /// If the file cannot be read, or is neither.
-    pub fn open(path: &Path) -> Result<Self, PhotoError> {
+    pub fn read(path: &Path) -> Result<Self, PhotoError> {
         let bytes = files::read_all(path, Limit::TextBytes)?;
         let text = String::from_utf8_lossy(&bytes);
         read_photo_file(&path.display().to_string(), &text).map_err(PhotoError::Camera)

@@ -42,7 +42,7 @@ impl Photograph {
     ///
     /// If one of the files cannot be read, or is not what it should be.
     pub fn read(picture: &Path, camera: &Path) -> Result<Self, PhotoError> {
-        let PhotoFile { placement, light } = PhotoFile::open(camera)?;
+        let PhotoFile { placement, light } = PhotoFile::read(camera)?;
         Self::new(photographs::read_grey(picture)?, placement, light)
     }
 

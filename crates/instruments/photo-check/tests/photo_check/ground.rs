@@ -46,7 +46,8 @@ fn posts_in_degrees_stand_on_the_body() {
     let [north, east] = ground.steps(0.0);
     let metre = radians(0.001) * Ellipsoid::MOON.semi_major();
     assert!((north + metre).abs() < 1e-9 && (east - metre * libm::cos(radians(0.05))).abs() < 1e-9);
-    assert_eq!((ground.true_north(), ground.doubt()), (0.0, None));
+    assert_eq!(ground.true_north(), 0.0);
+    assert!(ground.doubts(over_the_moon().placement()).is_empty());
 }
 
 #[test]
@@ -87,8 +88,25 @@ fn a_grid_across_180_degrees_is_one_grid() {
 fn a_sphere_of_another_size_is_told() {
     let mut made = geographic(0.0, 0.0);
     made.frame = Frame::Geographic { radius: 1_738_000.0 };
-    let told = ground(&made, &over_the_moon()).doubt().expect("a doubt");
-    assert!(told.contains("1738000 m") && told.contains("1737400 m"), "{told}");
+    let told = ground(&made, &over_the_moon()).doubts(over_the_moon().placement());
+    assert!(told.len() == 1 && told[0].contains("1738000 m") && told[0].contains("1737400 m"), "{told:?}");
+}
+
+/// The cameras stand 1000 m above the landscape's zero and 10 km above the Moon.
+#[test]
+fn a_camera_in_the_ground_is_told() {
+    for (height, below) in [(999.0, None), (1001.5, Some("1.5 m under the ground"))] {
+        let ground = ground(&elevation([21, 21], |_, _| height), &from_above());
+        let told = ground.doubts(from_above().placement());
+        assert_eq!(told.len(), usize::from(below.is_some()));
+        assert!(told.iter().all(|told| told.contains(below.unwrap_or_default())), "{told:?}");
+    }
+    let affine = Affine { first: [0.001, -0.001], step: [-0.001, 0.001] };
+    let frame = Frame::Geographic { radius: Ellipsoid::MOON.semi_major() };
+    let high = ground(&Elevation::new(3, 3, vec![10_002.0; 9], affine, frame), &over_the_moon());
+    let told = high.doubts(over_the_moon().placement());
+    assert!(told.len() == 1 && told[0].contains("2.0 m under the ground"), "{told:?}");
+    assert!(high.doubts(map(picture([3, 3], |_, _| 0), MapUnit::Metre).placement()).is_empty());
 }
 
 #[test]

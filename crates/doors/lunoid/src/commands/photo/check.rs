@@ -126,7 +126,7 @@ impl Check {
             likeness: pool.install(|| overlay.likeness()),
             residuals: self.residuals(&photo, &ground)?,
             at_most: self.at_most,
-            notes: elevation.notes.iter().cloned().chain(ground.doubt()).collect(),
+            notes: elevation.notes.iter().cloned().chain(ground.doubts(photo.placement())).collect(),
         };
         self.write(&photo, &ground, &overlay, &report)?;
         if self.json {

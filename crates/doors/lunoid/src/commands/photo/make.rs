@@ -127,7 +127,7 @@ impl Make {
         let stage_args = self.stage();
         expect_outputs(&[Place::folder("--out", &self.out, is_ours)], &stage_args.sources())?;
         self.expect_size()?;
-        let opened = stage_args.load()?;
+        let opened = stage_args.load_any_view()?;
         let pool = self.threads.pool()?;
         let stage = pool.install(|| opened.stage())?;
         let wishes = self.wishes(&stage)?;
