@@ -4,7 +4,6 @@ use std::f64::consts::PI;
 
 use glam::DVec3;
 use photo_camera::voids::Filled;
-use photo_camera::{Axes, Geodetic};
 use photograph::{Photograph, Placement};
 use picture::{Depth, GreyPicture, PictureError};
 use survey::{Affine, Elevation, Frame};
@@ -132,6 +131,18 @@ impl Ground {
         self.rule.point(coordinates, height)
     }
 
+    /// Continuous line and column under a ground point, inside the grid or not, and its height (m). None where the map of the file
+    /// does not show the place.
+    pub fn post_of(&self, point: DVec3) -> Option<([f64; 2], f64)> {
+        match self.rule.place(point) {
+            None => Some((self.post_at([point.y, point.x]), point.z)),
+            Some(place) => {
+                let coordinates = self.coordinates_of([place.latitude, place.longitude])?;
+                Some((self.post_at(coordinates), place.height))
+            }
+        }
+    }
+
     /// Coordinates of the file of a latitude and longitude (rad); none where its map does not show the place.
     pub fn coordinates_of(&self, [latitude, longitude]: [f64; 2]) -> Option<[f64; 2]> {
         match self.frame {
@@ -179,16 +190,9 @@ impl Ground {
     }
 
     fn camera_below(&self, placement: &Placement) -> Option<String> {
-        let Placement::Camera { camera, axes } = placement else { return None };
-        let centre = camera.centre();
-        let (place, height) = match axes {
-            Axes::Landscape => ([centre.y, centre.x], centre.z),
-            Axes::Body(body) => {
-                let Geodetic { latitude, longitude, height } = body.place(centre);
-                (self.coordinates_of([latitude, longitude])?, height)
-            }
-        };
-        let below = self.height_between(self.post_at(place))? - height;
+        let Placement::Camera { camera, .. } = placement else { return None };
+        let (post, height) = self.post_of(camera.centre())?;
+        let below = self.height_between(post)? - height;
         (below >= 0.0).then(|| format!("the camera stands {below:.1} m under the ground of the grid"))
     }
 

@@ -17,7 +17,8 @@
 //! - **Relief.** `max(n . s, 0)` from central differences of the heights, albedo 1, and 0 where ground of the grid stands before the
 //!   sun. The way to the sun is looked at once a post.
 //! - **Overlay.** Both pictures are north up, over the whole grid. The photograph is looked up bilinearly in light at the ground
-//!   point of each pixel. Ground that other ground hides shows what hides it.
+//!   point of each pixel. Ground that other ground of the grid hides from the camera shows nothing: lines of sight are looked at
+//!   where they cross lines of posts.
 //! - **Likeness** is Pearson's correlation of the photograph's light and the relief, over the pixels that have both. The offset is
 //!   the whole number of overlay pixels, up to [`REACH`] each way, by which features of the photograph lie beside those of the relief
 //!   where the correlation is largest.
@@ -38,6 +39,7 @@ mod points;
 mod relief;
 mod report;
 mod rule;
+mod visible;
 
 pub use alike::{Likeness, REACH};
 pub use error::GroundError;

@@ -4,6 +4,7 @@ use photograph::Photograph;
 use picture::{ColourPicture, Curve, Depth, PictureError};
 use rayon::prelude::{IntoParallelIterator, ParallelIterator};
 
+use crate::visible::Sight;
 use crate::{Ground, Relief};
 
 /// Longest side of the pictures (pixels, chosen).
@@ -12,6 +13,8 @@ const LONGEST: f64 = 1200.0;
 const BELOW_WHITE: f64 = 0.995;
 /// Colour where a picture shows nothing.
 const NOTHING: [u8; 3] = [18, 26, 52];
+/// Colour of ground that the photograph does not show, because other ground hides it.
+const HIDDEN: [u8; 3] = [96, 40, 110];
 /// Curve from light to the codes of the pictures.
 const CURVE: Curve = Curve::Srgb;
 
@@ -21,6 +24,7 @@ struct Pixel {
     photo: Option<f64>,
     relief: Option<f64>,
     was_void: bool,
+    is_hidden: bool,
 }
 
 /// Photograph and relief over the whole grid, north up.
@@ -37,11 +41,10 @@ impl Overlay {
     /// The overlay of `photo` and `relief` over `ground`. `sample` is the photograph's ground sample (m), if it is known.
     pub fn new(ground: &Ground, photo: &Photograph, relief: &Relief, sample: Option<f64>) -> Self {
         let [lines, columns] = size(ground, sample);
+        let sight = Sight::new(ground, photo);
         let line = |line: usize| {
-            let pixel = move |column: usize| {
-                let at = place(ground, [line, column], [lines, columns]);
-                pixel(ground, photo, relief, at)
-            };
+            let pixel =
+                |column: usize| pixel(&sight, photo, relief, place(ground, [line, column], [lines, columns]));
             (0..columns).map(pixel).collect::<Vec<_>>()
         };
         let pixels = (0..lines).into_par_iter().flat_map_iter(line).collect();
@@ -65,6 +68,13 @@ impl Overlay {
         [photo, relief]
     }
 
+    /// Share of the pixels within the photograph whose ground is hidden from the camera, 0 to 1.
+    pub fn hidden(&self) -> f64 {
+        let hidden = self.pixels.iter().filter(|pixel| pixel.is_hidden).count();
+        let seen = self.pixels.iter().filter(|pixel| pixel.photo.is_some()).count();
+        hidden as f64 / (hidden + seen).max(1) as f64
+    }
+
     /// The photograph as the map shows it; former voids are tinted.
     ///
     /// # Errors
@@ -84,7 +94,7 @@ impl Overlay {
     fn picture(&self, light: impl Fn(&Pixel) -> Option<f64>) -> Result<ColourPicture, PictureError> {
         let white = white(self.pixels.iter().filter_map(&light).collect());
         let colour = |pixel: &Pixel| {
-            let Some(light) = light(pixel) else { return NOTHING };
+            let Some(light) = light(pixel) else { return if pixel.is_hidden { HIDDEN } else { NOTHING } };
             let grey = CURVE.code(light / white, Depth::Eight) as u8;
             if pixel.was_void { tinted(grey) } else { [grey; 3] }
         };
@@ -119,13 +129,18 @@ fn place(ground: &Ground, pixel: [usize; 2], size: [usize; 2]) -> [f64; 2] {
     })
 }
 
-fn pixel(ground: &Ground, photo: &Photograph, relief: &Relief, at: [f64; 2]) -> Pixel {
+fn pixel(sight: &Sight<'_>, photo: &Photograph, relief: &Relief, at: [f64; 2]) -> Pixel {
+    let ground = sight.ground();
     let Some(height) = ground.height_between(at) else { return Pixel::default() };
     let nearest = at.map(|at| at.round() as usize);
+    let point = ground.point(at, height);
+    let light = point.and_then(|point| photo.light_at(point));
+    let is_hidden = light.is_some() && point.is_some_and(|point| sight.is_hidden(point));
     Pixel {
-        photo: ground.point(at, height).and_then(|point| photo.light_at(point)),
+        photo: light.filter(|_| !is_hidden),
         relief: ground.between(at, |post| relief.light(post)),
         was_void: ground.was_void(nearest),
+        is_hidden,
     }
 }
 

@@ -38,7 +38,8 @@ pub fn page(overlay: &Overlay, report: &Report) -> Result<String, PictureError> 
                 h1 { (name) " over " (ground) }
                 p {
                     "Both pictures are in map geometry, north up. Space or a click flips them; the slider mixes them. \
-                     Amber posts were void in the elevation file. Dark blue has no ground or no photograph."
+                     Amber posts were void in the elevation file. Violet ground is hidden from the camera by other ground. Dark blue \
+                     has no ground or no photograph."
                 }
                 div.controls {
                     button type="button" id="flip" { "Flip" }

@@ -29,6 +29,8 @@ pub struct Report {
     pub fill: Fill,
     /// Number of posts of the grid: void, holes, the largest hole, still void.
     pub voids: [usize; 4],
+    /// Share of the overlay within the photograph whose ground is hidden from the camera, 0 to 1.
+    pub hidden: f64,
     /// How alike photograph and relief are, where both vary.
     pub likeness: Option<Likeness>,
     /// Control points and their residuals.
@@ -75,6 +77,12 @@ impl Report {
                 "voids: {void} posts in {holes} holes, the largest of {largest}; {fill} fill, {left} left"
             ));
         }
+        if self.hidden > 0.0 {
+            say(format!(
+                "hidden from the camera: {:.2} % of the ground in the photograph",
+                100.0 * self.hidden
+            ));
+        }
         if let Some(likeness) = &self.likeness {
             say(of_likeness(likeness));
         }
@@ -110,6 +118,7 @@ impl Report {
             "voids": {
                 "fill": word(self.fill), "posts": void, "holes": holes, "largest_hole": largest, "still_void": left,
             },
+            "hidden_share": self.hidden,
             "likeness": self.likeness.as_ref().map(|likeness| json!({
                 "correlation": likeness.correlation,
                 "offset_east_north_m": likeness.offset,

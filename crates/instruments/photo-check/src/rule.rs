@@ -47,6 +47,14 @@ impl Rule {
             Self::Projected(body, projection) => Some(on(body, projection.inverse([north, east])?)),
         }
     }
+
+    /// Latitude, longitude (rad) and height (m) of a ground point on a body; none of other rules.
+    pub fn place(&self, point: DVec3) -> Option<Geodetic> {
+        match self {
+            Self::Geographic(body) | Self::Projected(body, _) => Some(body.place(point)),
+            Self::Plane | Self::Degrees => None,
+        }
+    }
 }
 
 fn of_landscape(frame: Frame) -> Result<Rule, GroundError> {

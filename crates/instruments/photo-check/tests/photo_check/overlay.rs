@@ -95,3 +95,30 @@ fn size_and_what_is_beside() {
     let picture = coarse.photo().expect("a picture");
     assert_eq!(picture.pixel(10, 10), [18, 26, 52]);
 }
+
+/// The camera stands 1000 m above (100, 100): a wall of 400 m at 150 m east hides the ground up to 400 / 600 of 50 m behind it.
+#[test]
+fn ground_behind_a_wall_is_hidden() {
+    let wall = |_: f64, e: f64| if (e - 150.0).abs() < 1.0 { 400.0 } else { 0.0 };
+    for made in [elevation([21, 21], wall), from_the_south([21, 21], wall)] {
+        let photo = from_above();
+        let ground = ground(&made, &photo);
+        let found = Overlay::new(&ground, &photo, &Relief::new(&ground, &sun()), Some(2.0));
+        assert_eq!(found.size(), [100, 100]);
+        // Pixel i of line 50 lies 2 i + 1 m east.
+        let hidden: Vec<f64> = (0..100)
+            .filter(|column| found.lights(*column, 50)[0].is_none())
+            .map(|column| 2.0 * column as f64 + 1.0)
+            .collect();
+        let [first, last] = [hidden[0], hidden[hidden.len() - 1]];
+        assert!((150.0..156.0).contains(&first) && (179.0..184.0).contains(&last), "{hidden:?}");
+        assert_eq!(hidden.len() as f64, (last - first) / 2.0 + 1.0, "{hidden:?}");
+        assert!(found.hidden() > 0.1 && found.hidden() < 0.2, "{}", found.hidden());
+        let column = ((hidden[3] - 1.0) / 2.0) as usize;
+        assert_eq!(found.photo().expect("a picture").pixel(column, 50), [96, 40, 110]);
+    }
+    // A map has no camera from which anything could be hidden.
+    let flat = map(picture([21, 21], |_, _| 9), MapUnit::Metre);
+    let ground = ground(&elevation([21, 21], wall), &flat);
+    assert_eq!(overlay(&ground, &flat).hidden(), 0.0);
+}

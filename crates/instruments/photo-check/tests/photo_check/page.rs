@@ -32,6 +32,7 @@ fn report(photo: &Photograph, at_most: Option<f64>) -> (Report, Overlay) {
         sun: (sun, "as given"),
         fill: Fill::Harmonic,
         voids: Report::voids_of(&ground.filling),
+        hidden: overlay.hidden(),
         likeness: overlay.likeness(),
         residuals: Some((controls, residuals)),
         at_most,

@@ -123,6 +123,7 @@ impl Check {
             sun,
             fill: self.fill.meant(),
             voids: Report::voids_of(&ground.filling),
+            hidden: overlay.hidden(),
             likeness: pool.install(|| overlay.likeness()),
             residuals: self.residuals(&photo, &ground)?,
             at_most: self.at_most,
