@@ -7,9 +7,14 @@ use std::path::Path;
 use hardware_model::{HardwareModel, ModelSource};
 use landscape::projection::{Method, Projection};
 use landscape::{Bank, FileCoordinates, Level, MapFrame};
+use photo_camera::Light;
+use photo_camera::voids::Wishes;
+use photo_check::{Ground, fill_voids, read_points};
+use photograph::{Map, MapUnit, PhotoFile, Photograph, Placement};
+use picture::{Depth, GreyPicture};
 use scenario::Scenario;
 use solids::shape_files::{self, Openness};
-use survey::{ReadOptions, SurveyError};
+use survey::{Affine, Elevation, Frame, ReadOptions, SurveyError};
 use vehicle_shadow::Camera;
 
 use crate::allocation::largest_request;
@@ -31,7 +36,7 @@ pub struct Reader {
 }
 
 /// All readers that are given damaged files.
-pub const READERS: [Reader; 29] = [
+pub const READERS: [Reader; 31] = [
     Reader { name: "scenario", file: "scene.toml", read: |path| said(Scenario::read(path)) },
     Reader {
         name: "path-csv",
@@ -73,6 +78,8 @@ pub const READERS: [Reader; 29] = [
     Reader { name: "poses", file: "poses.csv", read: |path| said(vehicle_shadow::read_poses(path)) },
     Reader { name: "state", file: "there.state", read: |path| said(state::State::read(path)) },
     Reader { name: "camera", file: "camera.json", read: |path| said(Camera::read(path)) },
+    Reader { name: "photo-file", file: "photo.json", read: |path| said(PhotoFile::read(path)) },
+    Reader { name: "control-points", file: "points.csv", read: control_points },
 ];
 
 /// The reader of a folder of the corpus.
@@ -138,6 +145,20 @@ const SAMPLES: [u8; 1152] = [7; 1152];
 fn beside(path: &Path, ending: &str, bytes: &[u8]) -> Result<(), String> {
     fs::write(path.with_extension(ending), bytes).expect("a folder that can be written");
     elevation(path)
+}
+
+/// Control points over 4 x 4 posts of the Moon in degrees.
+fn control_points(path: &Path) -> Result<(), String> {
+    let place = Affine { first: [0.01, 0.0], step: [-0.01, 0.01] };
+    let elevation = Elevation::new(4, 4, vec![5.0; 16], place, Frame::Geographic { radius: 1_737_400.0 });
+    let map =
+        Map::new([0.5, 0.0, 0.0], [0.0, -0.5, 1.0], MapUnit::Degree).map_err(|error| error.to_string())?;
+    let picture = GreyPicture::new(2, 2, Depth::Eight, vec![9; 4]).map_err(|error| error.to_string())?;
+    let photo =
+        Photograph::new(picture, Placement::Map(map), Light::default()).map_err(|error| error.to_string())?;
+    let filling = fill_voids(&elevation, Wishes::default()).map_err(|error| error.to_string())?;
+    let ground = Ground::new(&elevation, filling, &photo).map_err(|error| error.to_string())?;
+    read_points(path, &ground).map(|_| ()).map_err(|problems| problems.render(false))
 }
 
 /// A coordinate system beside a grid.

@@ -104,6 +104,20 @@ pub fn seeds(name: &str) -> Vec<Vec<u8>> {
         "camera" => &[
             r#"{"schema":"lunoid.camera/1","tan_half_field":[0.466,0.268],"columns":40,"lines":23,"projection":"exact","roll_drawn":false}"#,
         ],
+        "photo-file" => &[
+            r#"{"format":1,"focal_length_m":0.15,"principal_point_m":[0,0],"perspective_centre_m":[1500,2000,1906.4],
+"image_axes":[[1,0,0],[0,1,0],[0,0,1]],"affine_x_um":[157,0,-40192],"affine_y_um":[0,-157,40192],"axes":"landscape",
+"sun_azimuth_elevation_rad":[4.97,0.28],"grey_white_gamma":[1.25,2.2]}"#,
+            r#"{"format":1,"focal_length_m":0.153197,"principal_point_m":[2e-6,0],
+"perspective_centre_m":[-2693765.9,-4304520.4,3859018.3],"omega_phi_kappa_rad":[0.8341764,-0.4563699,3.0761254],
+"affine_x_um":[20.11,6.02,-34954],"affine_y_um":[-6.02,20.1,-22566],
+"body":{"semi_major_axis_m":6378206.4,"eccentricity_squared":0.006768658}}"#,
+            r#"{"format":1,"camera":"map","unit":"deg","east_of_pixel":[0.5,0,-122],"north_of_pixel":[0,-0.5,43]}"#,
+        ],
+        "control-points" => &[
+            "name,latitude,longitude,height_m,i_px,j_px\nrim,0:06:00 N,0:12:00 E,5,1,1\nfloor,0.2,0.3,,0.5,1.5\n",
+            "latitude;longitude;i_px;j_px\n0,1;0,2;1,5;0,25\n",
+        ],
         _ => &[],
     };
     match name {

@@ -1,9 +1,11 @@
-//! What people write and read: ranges of numbers ([`Span`]), tables in columns, numbers and places in words, control characters made visible
-//! ([`visible`]).
+//! What people write and read: ranges of numbers ([`Span`]), tables in columns, numbers and places in words, bytes in base64, control characters made
+//! visible ([`visible`]).
 
+mod base64;
 mod span;
 mod visible;
 
+pub use base64::{base64, data_url};
 pub use span::Span;
 pub use visible::{visible, visible_json, visible_line};
 

@@ -4,7 +4,8 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::commands::{
     augment, bank, beam, cartridge, check, compare, completions, explain, info, list, lockstep, man, model,
-    netlist, page, probe, replay, schema, sight, sizing, state, study, sun, survey, timing, trace, trigger,
+    netlist, page, photo, probe, replay, schema, sight, sizing, state, study, sun, survey, timing, trace,
+    trigger,
 };
 use crate::output::Colour;
 
@@ -103,6 +104,8 @@ pub enum Command {
     Sight(sight::SightCommand),
     /// Say where Sun and Earth stand over a place on the Moon.
     Sun(sun::SunCommand),
+    /// Make a photograph of a landscape, and check a photograph against an elevation file.
+    Photo(photo::PhotoCommand),
     /// Show, check and list hardware models.
     Model(model::ModelCommand),
     /// Show the timing of the digital side, record it, and hold it to a record.

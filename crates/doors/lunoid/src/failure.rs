@@ -1,5 +1,7 @@
 //! What goes wrong, in one message, and the exit code that belongs to it.
 
+mod photo;
+
 use std::fmt::Display;
 use std::io;
 

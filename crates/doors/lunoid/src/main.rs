@@ -11,7 +11,6 @@ mod interrupt;
 mod loading;
 mod output;
 mod progress;
-mod reading;
 mod rehearsing;
 mod values;
 #[cfg(test)]

@@ -7,7 +7,6 @@ use maud::{Markup, html};
 use replay::picture_name;
 
 use crate::ReportError;
-use crate::base64::{base64, data_url};
 use crate::run::Run;
 
 /// Bytes of frames that are part of a page, at most. Where all frames of a run take more it has every second of them,
@@ -39,9 +38,9 @@ pub(crate) fn film(folder: &Path, run: &Run) -> Result<Film, ReportError> {
     let Some((_, others)) = pictures.split_first() else {
         return Ok(Film { pictures, first: picture_name(first), others: Vec::new() });
     };
-    let other = |&picture: &u64| Ok((picture, base64(&bytes(picture)?)));
+    let other = |&picture: &u64| Ok((picture, text::base64(&bytes(picture)?)));
     let others = others.iter().map(other).collect::<Result<_, ReportError>>()?;
-    Ok(Film { first: data_url(KIND, &bytes(first)?), others, pictures })
+    Ok(Film { first: text::data_url(KIND, &bytes(first)?), others, pictures })
 }
 
 /// Indices of the frames that are kept: every n-th, n as small as `most` allows; the first is among them.

@@ -23,7 +23,6 @@
 //! **Our choices.** The page is no output of `run.json`, whose hashes it shows: it can be written again from the folder.
 //! **Not modelled.** Anything that would need the machine again.
 
-mod base64;
 mod beside;
 mod cells;
 mod check_plot;

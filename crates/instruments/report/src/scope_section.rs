@@ -5,7 +5,6 @@ use std::path::Path;
 use maud::{Markup, html};
 use text::named_signals;
 
-use crate::base64::data_url;
 use crate::data::shell_words;
 use crate::{Beside, ReportError, ScopePlot};
 
@@ -67,7 +66,7 @@ fn sources(folder: &Path, plots: &[ScopePlot]) -> Result<Vec<String>, ReportErro
         match room.checked_sub(bytes.len() as u64) {
             Some(left) => {
                 room = left;
-                Ok(data_url(replay::SCOPE_KIND, &bytes))
+                Ok(text::data_url(replay::SCOPE_KIND, &bytes))
             }
             None => Ok(plot.file()),
         }

@@ -6,7 +6,6 @@ use picture::{AnyPicture, Limits, read_any_png};
 use replay::picture_name;
 
 use crate::ReportError;
-use crate::base64::data_url;
 use crate::run::Run;
 
 /// Most frames of the strip.
@@ -43,7 +42,7 @@ fn small(folder: &Path, picture: u64, run: &Run) -> Result<Small, ReportError> {
         fitted(&whole, run, COLUMNS).map_err(|source| ReportError::Strip { path: path.clone(), source })?;
     let png = shrunk.encode_png(&[]).map_err(|source| ReportError::Strip { path, source })?;
     let (columns, lines) = (shrunk.columns(), shrunk.lines());
-    Ok(Small { picture, url: data_url("image/png", &png), columns, lines })
+    Ok(Small { picture, url: text::data_url("image/png", &png), columns, lines })
 }
 
 /// The picture in the form of the screen, at most `most` columns wide: few sweeps are wide ones.

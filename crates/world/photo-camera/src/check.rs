@@ -44,13 +44,29 @@ impl Residuals {
 ///
 /// If there are fewer than two points, a coordinate is not finite, or a point lies behind the camera.
 pub fn check(camera: &Camera, points: &[ControlPoint]) -> Result<Residuals, CameraError> {
+    let pixel = |ground: DVec3| match camera.project(ground) {
+        Image::Front { pixel, .. } => Some(pixel),
+        Image::Behind { .. } => None,
+    };
+    check_by(pixel, points)
+}
+
+/// The residuals of control points whose pixels `pixel` projects: none where a point has no image.
+///
+/// # Errors
+///
+/// As [`check`].
+pub fn check_by(
+    pixel: impl Fn(DVec3) -> Option<[f64; 2]>,
+    points: &[ControlPoint],
+) -> Result<Residuals, CameraError> {
     if points.len() < LEAST_POINTS {
         return Err(CameraError::TooFewPoints { found: points.len(), least: LEAST_POINTS });
     }
     let residuals = points
         .iter()
         .enumerate()
-        .map(|(index, point)| residual(camera, index, point))
+        .map(|(index, point)| residual(&pixel, index, point))
         .collect::<Result<Vec<_>, _>>()?;
     let count = residuals.len() as f64;
     let best_shift = [0, 1].map(|k| residuals.iter().map(|residual| residual[k]).sum::<f64>() / count);
@@ -66,14 +82,16 @@ pub fn check(camera: &Camera, points: &[ControlPoint]) -> Result<Residuals, Came
     })
 }
 
-fn residual(camera: &Camera, index: usize, point: &ControlPoint) -> Result<[f64; 2], CameraError> {
+fn residual(
+    pixel: &impl Fn(DVec3) -> Option<[f64; 2]>,
+    index: usize,
+    point: &ControlPoint,
+) -> Result<[f64; 2], CameraError> {
     for value in point.ground.to_array().into_iter().chain(point.pixel) {
         CameraError::figure("coordinate of a control point", value, "a finite number", |_| true)?;
     }
-    match camera.project(point.ground) {
-        Image::Front { pixel, .. } => Ok([0, 1].map(|k| point.pixel[k] - pixel[k])),
-        Image::Behind { .. } => Err(CameraError::Behind { index }),
-    }
+    let projected = pixel(point.ground).ok_or(CameraError::Behind { index })?;
+    Ok([0, 1].map(|k| point.pixel[k] - projected[k]))
 }
 
 fn square([i, j]: [f64; 2]) -> f64 {

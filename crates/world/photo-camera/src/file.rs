@@ -14,13 +14,14 @@
 //! ```
 //!
 //! `image_axes`, three rows of three numbers, may stand in place of `omega_phi_kappa_rad`. The rows of the affine are A1, B1, C1
-//! and A2, B2, C2. Unknown and repeated keys are refused. Numbers are read to one unit in the last place.
+//! and A2, B2, C2. `"axes": "landscape"` may stand in place of `body`: then points are metres east, north and up of a landscape.
+//! The keys of [`Light`] may be added. Unknown and repeated keys are refused. Numbers are read to one unit in the last place.
 
 use diagnostics::Problem;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-use crate::{Affine, Camera, CameraError, Ellipsoid, Orientation};
+use crate::{Affine, Axes, Camera, CameraError, Ellipsoid, Light, Orientation};
 
 /// Format number of camera files that this code reads and writes.
 const FORMAT: u64 = 1;
@@ -28,13 +29,18 @@ const FORMAT: u64 = 1;
 /// What to do about a text that is no camera file.
 const HELP: &str = "correct the file at this place; the doc of the crate `photo-camera` shows a whole one";
 
-/// A camera file: the camera, and the body in whose georectangular axes it stands.
+/// Word of the file for the axes of a landscape.
+const LANDSCAPE: &str = "landscape";
+
+/// A camera file: the camera, the axes in which it stands, and the light of its photograph.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CameraFile {
     /// The camera of the photograph.
     pub camera: Camera,
-    /// The body under the camera.
-    pub body: Ellipsoid,
+    /// The axes of the camera's centre and of ground points.
+    pub axes: Axes,
+    /// Sun and grey curve of the photograph, where the file has them.
+    pub light: Light,
 }
 
 #[derive(Serialize, Deserialize)]
@@ -50,10 +56,17 @@ struct Written {
     image_axes: Option<[[f64; 3]; 3]>,
     affine_x_um: [f64; 3],
     affine_y_um: [f64; 3],
-    body: WrittenBody,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    body: Option<WrittenBody>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    axes: Option<String>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    sun_azimuth_elevation_rad: Option<[f64; 2]>,
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    grey_white_gamma: Option<[f64; 2]>,
 }
 
-#[derive(Serialize, Deserialize)]
+#[derive(Clone, Copy, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct WrittenBody {
     semi_major_axis_m: f64,
@@ -92,13 +105,19 @@ impl CameraFile {
             principal_point_m: self.camera.principal_point(),
             perspective_centre_m: self.camera.centre().to_array(),
             omega_phi_kappa_rad: None,
-            image_axes: Some(self.camera.orientation().axes().map(|axis| axis.to_array())),
+            // A zero has no sign in the file.
+            image_axes: Some(
+                self.camera.orientation().axes().map(|axis| axis.to_array().map(|part| part + 0.0)),
+            ),
             affine_x_um,
             affine_y_um,
-            body: WrittenBody {
-                semi_major_axis_m: self.body.semi_major(),
-                eccentricity_squared: self.body.eccentricity_squared(),
-            },
+            body: self.axes.body().map(|body| WrittenBody {
+                semi_major_axis_m: body.semi_major(),
+                eccentricity_squared: body.eccentricity_squared(),
+            }),
+            axes: (self.axes == Axes::Landscape).then(|| LANDSCAPE.to_owned()),
+            sun_azimuth_elevation_rad: self.light.sun(),
+            grey_white_gamma: self.light.grey(),
         };
         serde_json::to_string_pretty(&written).expect("numbers under fixed keys always make JSON") + "\n"
     }
@@ -116,9 +135,27 @@ impl Written {
         let camera =
             Camera::new(self.focal_length_m, self.principal_point_m, centre, self.orientation(name)?, affine)
                 .map_err(refused("focal_length_m"))?;
-        let body = Ellipsoid::new(self.body.semi_major_axis_m, self.body.eccentricity_squared)
-            .map_err(refused("body"))?;
-        Ok(CameraFile { camera, body })
+        let light = Light::new(self.sun_azimuth_elevation_rad, self.grey_white_gamma);
+        let light = light.map_err(|(key, error)| refused(key)(error))?;
+        Ok(CameraFile { camera, axes: self.axes(name)?, light })
+    }
+
+    fn axes(&self, name: &str) -> Result<Axes, Box<Problem>> {
+        let title = match (&self.body, &self.axes) {
+            (Some(body), None) => {
+                let made = Ellipsoid::new(body.semi_major_axis_m, body.eccentricity_squared);
+                return made.map(Axes::Body).map_err(|error| {
+                    Box::new(Problem::of_file(name, format!("`body`: {error}")).key("body").help(HELP))
+                });
+            }
+            (None, Some(word)) if word == LANDSCAPE => return Ok(Axes::Landscape),
+            (None, Some(word)) => format!("`axes` is \"{word}\", not \"{LANDSCAPE}\""),
+            (Some(_), Some(_)) => "the axes are given by both of `body` and `axes`".to_owned(),
+            (None, None) => "the axes are given by neither of `body` and `axes`".to_owned(),
+        };
+        let problem =
+            Problem::of_file(name, title).key("axes").expected("a `body`, or `axes` as \"landscape\"");
+        Err(Box::new(problem.help("give the body, or the axes of a landscape, not both")))
     }
 
     fn orientation(&self, name: &str) -> Result<Orientation, Box<Problem>> {

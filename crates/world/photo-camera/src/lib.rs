@@ -21,21 +21,25 @@
 
 mod affine;
 mod angle;
+mod axes;
 mod camera;
 mod check;
 mod ellipsoid;
 mod error;
 mod file;
 mod frame;
+mod light;
 mod orientation;
 pub mod voids;
 
 pub use affine::Affine;
 pub use angle::{Axis, parse_angle, write_angle};
+pub use axes::Axes;
 pub use camera::{Camera, Image, Ray};
-pub use check::{ControlPoint, Residuals, check};
+pub use check::{ControlPoint, Residuals, check, check_by};
 pub use ellipsoid::{Ellipsoid, Geodetic, LocalFrame};
 pub use error::CameraError;
 pub use file::CameraFile;
 pub use frame::FramePixel;
+pub use light::Light;
 pub use orientation::Orientation;

@@ -9,6 +9,7 @@ mod changed;
 pub mod check;
 pub mod compare;
 pub mod completions;
+mod elevation;
 pub mod explain;
 pub mod info;
 pub mod list;
@@ -18,6 +19,7 @@ pub mod model;
 pub mod netlist;
 mod of_run;
 pub mod page;
+pub mod photo;
 pub mod probe;
 pub mod replay;
 pub mod schema;
@@ -61,6 +63,7 @@ pub fn run(cli: &Cli, start: Instant) -> Result<Verdict, Failure> {
         Command::Survey(survey) => survey.run(),
         Command::Sight(sight) => sight.run(),
         Command::Sun(sun) => sun.run(),
+        Command::Photo(photo) => photo.run(),
         Command::Model(model) => model.run(),
         Command::Timing(timing) => timing.run(),
         Command::Sizing(sizing) => sizing.run(),

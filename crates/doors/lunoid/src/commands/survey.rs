@@ -7,12 +7,12 @@ use clap::{Args, ValueEnum};
 use landscape::{Sun, bank_file};
 use plots::{Residuals, SurveyLook, survey_picture};
 use quantities::radians;
-use survey::{Area, Elevation, Frame, Opened, Plane, Survey, SurveyOptions, SurveyTold, survey};
+use survey::{Area, Frame, Opened, Plane, Survey, SurveyOptions, SurveyTold, survey};
 
 use crate::commands::bank::bank_at;
+use crate::commands::elevation::{ElevationArgs, sources};
 use crate::loading::Threads;
-use crate::output::{Place, expect_outputs, print, print_json, tell};
-use crate::reading::{ReadArgs, sources};
+use crate::output::{Place, expect_outputs, print, print_json};
 use crate::{Failure, Verdict, values};
 
 const AFTER: &str = "Examples:
@@ -60,7 +60,7 @@ pub struct SurveyCommand {
     #[arg(long, value_name = "SHARE", value_parser = values::not_negative)]
     held_out: Option<f64>,
     #[command(flatten)]
-    reading: ReadArgs,
+    reading: ElevationArgs,
     /// What the ground is.
     #[arg(long)]
     title: Option<String>,
@@ -98,7 +98,7 @@ impl SurveyCommand {
         // A file may be larger than memory: only what the area needs is read.
         let window = options.window(&file)?;
         let elevation = file.window(&window)?;
-        self.warn_of_unit(&elevation);
+        self.reading.warn_of_unit(&elevation);
         let result = pool.install(|| survey(&elevation, &options, &mut |_| {}))?;
         bank_file::write(&self.out, &result.bank)?;
         if let Some(picture) = &self.picture {
@@ -113,17 +113,6 @@ impl SurveyCommand {
             print(&format!("written: {}\n", self.out.display()))?;
         }
         Ok(Verdict::Yes)
-    }
-
-    /// Whole numbers are how files of another unit than the metre look when they do not name their scale.
-    fn warn_of_unit(&self, elevation: &Elevation) {
-        let is_flat = elevation.range().is_none_or(|[low, high]| low == high);
-        if !self.reading.has_scale() && !is_flat && elevation.is_whole() {
-            tell(
-                "warning: every height is a whole number and no --scale was given: heights taken as metres; give \
-                 --scale if they are not\n",
-            );
-        }
     }
 
     fn survey_options(&self, file: &Opened) -> SurveyOptions {

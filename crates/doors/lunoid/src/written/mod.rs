@@ -30,7 +30,8 @@ const OTHERS: [&str; 8] =
 const FOLDERS: [&str; 5] = ["scenarios/", "hardware-models/", "tests/", "crates/", "docs/"];
 
 /// Options that name a file or a folder to be written.
-const OUTPUTS: [&str; 7] = ["--out", "-o", "--picture", "--waveforms", "--timing", "--junit", "--y4m"];
+const OUTPUTS: [&str; 9] =
+    ["--out", "-o", "--picture", "--waveforms", "--timing", "--junit", "--y4m", "--page", "--relief"];
 /// Where the commands of pages may write: what is not kept, the standard output, and what the repository keeps of what it makes.
 const WRITABLE: [&str; 6] = ["runs/", "-", "docs/", "tests/", "crates/", "scenarios/real/"];
 

@@ -18,6 +18,7 @@ mod lunsim;
 mod models;
 mod netlist;
 mod overlays;
+mod photo;
 mod refusals;
 mod replays;
 mod scene;

@@ -11,7 +11,6 @@ use replay::picture_name;
 
 use super::{FrameError, MachineFigures, SideBySide};
 use crate::ReportError;
-use crate::base64::data_url;
 use crate::cells::{grouped, percent, shortened};
 use crate::machine_section::{omissions, plain};
 use crate::page::head;
@@ -199,7 +198,7 @@ fn cell(
 fn shown(path: &Path, picture: &AnyPicture, run: &Run) -> Result<String, ReportError> {
     let refused = |source| ReportError::Strip { path: path.to_owned(), source };
     let png = fitted(picture, run, COLUMNS).map_err(refused)?.encode_png(&[]).map_err(refused)?;
-    Ok(data_url("image/png", &png))
+    Ok(text::data_url("image/png", &png))
 }
 
 /// Laws and rasters: what differs by them is no error of parts.

@@ -1,6 +1,6 @@
 //! The camera file: read, written, and refused with one error that says where and what.
 
-use photo_camera::{CameraFile, Ellipsoid};
+use photo_camera::{Axes, CameraFile, Ellipsoid};
 
 use crate::{ground, thesis_camera};
 
@@ -20,7 +20,8 @@ fn assert_same(file: CameraFile) {
     let [found, expected] =
         [file.camera, thesis_camera()].map(|camera| camera.image(point).expect("in front"));
     assert!((found[0] - expected[0]).abs() < 1e-6 && (found[1] - expected[1]).abs() < 1e-6);
-    assert!((file.body.semi_major() - Ellipsoid::CLARKE_1866.semi_major()).abs() < 1e-8);
+    let Axes::Body(body) = file.axes else { panic!("a body") };
+    assert!((body.semi_major() - Ellipsoid::CLARKE_1866.semi_major()).abs() < 1e-8);
 }
 
 #[test]
@@ -54,6 +55,10 @@ fn what_is_no_camera_file_is_refused_with_place_and_name() {
         ),
         ("\"affine_x_um\"", "\"image_axes\": [[1,0,0],[0,1,0],[0,0,1]], \"affine_x_um\"", "by both of"),
         ("}\n}", "}\n} x", "trailing characters"),
+        ("}\n}", "},\n  \"axes\": \"landscape\"\n}", "by both of `body` and `axes`"),
+        ("}\n}", "},\n  \"sun_azimuth_elevation_rad\": [0, 2]\n}", "elevation of the sun (rad) is 2"),
+        ("}\n}", "},\n  \"grey_white_gamma\": [0, 1]\n}", "white of the grey curve is 0"),
+        ("}\n}", "},\n  \"grey_white_gamma\": [1, 0]\n}", "gamma of the grey curve is 0"),
     ] {
         let text = TEXT.replacen(from, to, 1);
         let problem = CameraFile::read("bad.json", &text).expect_err(to);
@@ -62,4 +67,22 @@ fn what_is_no_camera_file_is_refused_with_place_and_name() {
     }
     let unknown = TEXT.replacen("focal_length_m", "focal", 1);
     assert_eq!(CameraFile::read("bad.json", &unknown).expect_err("unknown").file, "bad.json:3:9");
+}
+
+const BODY: &str = "\"body\": { \"semi_major_axis_m\": 6378206.4, \"eccentricity_squared\": 0.006768658 }";
+
+#[test]
+fn a_camera_of_a_landscape_carries_its_light() {
+    let keys = "\"axes\": \"landscape\", \"sun_azimuth_elevation_rad\": [1.5, 0.25], \"grey_white_gamma\": [0.5, 2.2]";
+    let file = CameraFile::read("made.json", &TEXT.replacen(BODY, keys, 1)).expect("a camera file");
+    let again = CameraFile::read("again.json", &file.write()).expect("what was written");
+    assert_eq!((again.axes, again.axes.body()), (Axes::Landscape, None));
+    assert_eq!((again.light.sun(), again.light.grey()), (Some([1.5, 0.25]), Some([0.5, 2.2])));
+    for (to, told) in [
+        ("\"axes\": \"moon\"", "`axes` is \"moon\", not \"landscape\""),
+        ("\"grey_white_gamma\": [0.5, 2.2]", "by neither of `body` and `axes`"),
+    ] {
+        let problem = CameraFile::read("bad.json", &TEXT.replacen(BODY, to, 1)).expect_err(to);
+        assert!(problem.title.contains(told), "{to}: {}", problem.title);
+    }
 }

@@ -17,9 +17,9 @@ use sight::{Height, Point, SightError};
 use self::ground::{Site, Source};
 use self::options::{Bending, Layer, Surface};
 use self::path::targets;
+use crate::commands::elevation::{ElevationArgs, sources};
 use crate::loading::{StageArgs, Threads};
 use crate::output::{Place, expect_outputs};
-use crate::reading::{ReadArgs, sources};
 use crate::{Failure, Verdict, values};
 
 const AFTER: &str = "Examples:
@@ -73,7 +73,7 @@ pub struct SightCommand {
     #[arg(short, long, value_name = "FILE")]
     out: Vec<PathBuf>,
     #[command(flatten)]
-    reading: ReadArgs,
+    reading: ElevationArgs,
     #[command(flatten)]
     threads: Threads,
     /// Do not show any progress.

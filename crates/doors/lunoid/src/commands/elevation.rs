@@ -1,16 +1,16 @@
-//! Options of commands that read an elevation file.
+//! What a command line says about an elevation file.
 
 use std::path::Path;
 
 use clap::Args;
-use survey::ReadOptions;
+use survey::{Elevation, ReadOptions};
 
-use crate::output::Place;
+use crate::output::{Place, tell};
 use crate::values;
 
-/// How an elevation file is read where it does not say so itself.
+/// What the user knows better than an elevation file.
 #[derive(Debug, Args)]
-pub struct ReadArgs {
+pub struct ElevationArgs {
     /// Metres a stored unit, in place of the file's own.
     #[arg(long, value_parser = values::of_heights, allow_hyphen_values = true)]
     scale: Option<f64>,
@@ -53,13 +53,8 @@ pub fn sources(elevation: &Path) -> Vec<Place> {
     [Place::file("the elevation file", elevation)].into_iter().chain(both).collect()
 }
 
-impl ReadArgs {
-    /// Whether the command line says how many metres a stored unit is.
-    pub fn has_scale(&self) -> bool {
-        self.scale.is_some()
-    }
-
-    /// What is asked of the reader.
+impl ElevationArgs {
+    /// The options as the readers take them.
     pub fn options(&self) -> ReadOptions {
         ReadOptions {
             band: self.band,
@@ -69,6 +64,17 @@ impl ReadArgs {
             spacing: self.spacing_m,
             first_line_south: self.first_line_south,
             ignore: self.ignore.clone(),
+        }
+    }
+
+    /// Whole numbers are how files of another unit than the metre look when they do not name their scale.
+    pub fn warn_of_unit(&self, elevation: &Elevation) {
+        let is_flat = elevation.range().is_none_or(|[low, high]| low == high);
+        if self.scale.is_none() && !is_flat && elevation.is_whole() {
+            tell(
+                "warning: every height is a whole number and no --scale was given: heights taken as metres; give \
+                 --scale if they are not\n",
+            );
         }
     }
 }

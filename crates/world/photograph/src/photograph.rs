@@ -1,0 +1,103 @@
+//! Picture, placement, sun and grey curve together.
+
+use std::path::Path;
+
+use glam::DVec3;
+use landscape::Sun;
+use photo_camera::Light;
+use picture::{GreyPicture, Transfer};
+
+use crate::sampling::bilinear;
+use crate::{PhotoError, PhotoFile, Placement};
+
+/// A photograph of the ground.
+#[derive(Debug, Clone)]
+pub struct Photograph {
+    picture: GreyPicture,
+    placement: Placement,
+    sun: Option<Sun>,
+    transfer: Transfer,
+    /// The light of each code.
+    lights: Vec<f64>,
+}
+
+impl Photograph {
+    /// The photograph of a picture of 8 or 16 bits under a camera or map. Without a grey curve in `light`, light is the level.
+    ///
+    /// # Errors
+    ///
+    /// If the grey curve is out of its range.
+    pub fn new(picture: GreyPicture, placement: Placement, light: Light) -> Result<Self, PhotoError> {
+        let [white, gamma] = light.grey().unwrap_or([1.0; 2]);
+        let transfer = Transfer::new(white as f32, gamma as f32)?;
+        let depth = picture.depth();
+        let lights = (0..=depth.white()).map(|code| f64::from(transfer.intensity(code, depth))).collect();
+        let sun = light.sun().map(|[azimuth, elevation]| Sun { azimuth, elevation });
+        Ok(Self { picture, placement, sun, transfer, lights })
+    }
+
+    /// Reads a picture file (PNG, JPEG or TIFF) and its camera file.
+    ///
+    /// # Errors
+    ///
+    /// If one of the files cannot be read, or is not what it should be.
+    pub fn read(picture: &Path, camera: &Path) -> Result<Self, PhotoError> {
+        let PhotoFile { placement, light } = PhotoFile::read(camera)?;
+        Self::new(photographs::read_grey(picture)?, placement, light)
+    }
+
+    /// The picture of grey codes.
+    pub fn picture(&self) -> &GreyPicture {
+        &self.picture
+    }
+
+    /// How its pixels lie on the ground.
+    pub fn placement(&self) -> &Placement {
+        &self.placement
+    }
+
+    /// The sun that lit the ground, where it is known.
+    pub fn sun(&self) -> Option<Sun> {
+        self.sun
+    }
+
+    /// The curve from light to codes.
+    pub fn transfer(&self) -> Transfer {
+        self.transfer
+    }
+
+    /// Pixel I, J of a ground point, inside the picture or not; none behind the camera.
+    pub fn pixel(&self, point: DVec3) -> Option<[f64; 2]> {
+        self.placement.pixel(point)
+    }
+
+    /// Whether a pixel I, J lies inside the picture.
+    pub fn holds(&self, [i, j]: [f64; 2]) -> bool {
+        let [columns, lines] = [self.picture.columns(), self.picture.lines()].map(|count| count as f64);
+        (0.0..columns).contains(&i) && (0.0..lines).contains(&j)
+    }
+
+    /// Level, 0 to 1, at a pixel I, J; none outside the picture.
+    pub fn level(&self, pixel: [f64; 2]) -> Option<f64> {
+        let white = f64::from(self.picture.depth().white());
+        bilinear(&self.picture, pixel, |code| f64::from(code) / white)
+    }
+
+    /// Light, 0 to the white of the grey curve, at a pixel I, J; none outside the picture.
+    pub fn light(&self, pixel: [f64; 2]) -> Option<f64> {
+        bilinear(&self.picture, pixel, |code| self.lights[usize::from(code)])
+    }
+
+    /// Light at a ground point; none beside the picture or behind the camera.
+    pub fn light_at(&self, point: DVec3) -> Option<f64> {
+        self.light(self.pixel(point)?)
+    }
+
+    /// The ground under the corners of the picture at a `height` (m): upper left, upper right, lower right, lower left. None
+    /// for a corner that looks past the ground.
+    pub fn footprint(&self, height: f64) -> [Option<DVec3>; 4] {
+        let [columns, lines] = [self.picture.columns(), self.picture.lines()].map(|count| count as f64);
+        [[0.0, 0.0], [columns, 0.0], [columns, lines], [0.0, lines]]
+            .map(|corner| self.placement.on_level(corner, height))
+    }
+}
