@@ -7,6 +7,9 @@ use crate::error::{Unfit, expect};
 use crate::heights::MOST_STEPS;
 use crate::tiling::{MOST_ORDER, Tiling};
 
+/// Largest height (m).
+const MOST_HEIGHT: f64 = 1e9;
+
 /// The tiles of so many posts along x and along y.
 pub(crate) fn tiling(order: u32, posts: [usize; 2]) -> Result<Tiling, Unfit> {
     expect((1..=MOST_ORDER).contains(&order), "order", order, "a whole number from 1 to 12")?;
@@ -95,7 +98,7 @@ fn check_places(places: &[Vec<f64>; 2]) -> Result<(), Unfit> {
 
 fn check_heights(heights: &[f64], step: Option<f64>) -> Result<(), Unfit> {
     check_step(step)?;
-    let most = step.map_or(f64::MAX, |step| step * MOST_STEPS);
+    let most = step.map_or(MOST_HEIGHT, |step| (step * MOST_STEPS).min(MOST_HEIGHT));
     let wrong = heights.par_iter().find_first(|height| !(height.abs() <= most));
     expect(wrong.is_none(), "height", wrong.unwrap_or(&0.0), format_args!("a length within {most} m"))
 }

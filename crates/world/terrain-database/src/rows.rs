@@ -47,9 +47,10 @@ fn predicted([last, older]: [&[i64]; 2], down: usize, at: usize) -> i64 {
     }
 }
 
-/// Fewest bits of a row, and the parameter that takes them. The best parameter lies near the logarithm of the mean.
+/// Fewest bits of a row, and the parameter that takes them. The best parameter lies near the logarithm of the mean. The first value is
+/// left out of it: it is no difference along the row, and often far larger.
 fn shortest(values: &[u64]) -> (u64, u32) {
-    let total: u128 = values.iter().map(|value| u128::from(*value)).sum();
+    let total: u128 = values.iter().skip(1).map(|value| u128::from(*value)).sum();
     let mean = (total / values.len().max(1) as u128) as u64;
     let middle = 63 - (mean | 1).leading_zeros();
     let near = middle.saturating_sub(2)..=(middle + 1).min(63);

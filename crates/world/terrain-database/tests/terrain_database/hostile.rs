@@ -7,7 +7,7 @@ use terrain_database::{Database, DatabaseError};
 use crate::{ground, places};
 
 /// Bytes before the table of a header with two ranges, and bytes of its blocks in the table.
-const TABLE: usize = 135;
+const TABLE: usize = 111;
 const ROW: usize = 40;
 
 /// A database whose header is changed and signed again. `blocks` is their number.
