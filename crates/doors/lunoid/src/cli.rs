@@ -4,7 +4,7 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::commands::{
     augment, bank, beam, cartridge, check, compare, completions, explain, info, list, lockstep, man, model,
-    netlist, page, probe, replay, schema, sizing, state, study, sun, survey, timing, trace, trigger,
+    netlist, page, probe, replay, schema, sizing, state, study, sun, survey, terrain, timing, trace, trigger,
 };
 use crate::output::Colour;
 
@@ -99,6 +99,8 @@ pub enum Command {
     Bank(bank::BankCommand),
     /// Fit a bank to an elevation file.
     Survey(survey::SurveyCommand),
+    /// Build landscapes from features, and export them for every generator.
+    Terrain(terrain::TerrainCommand),
     /// Say where Sun and Earth stand over a place on the Moon.
     Sun(sun::SunCommand),
     /// Show, check and list hardware models.

@@ -82,7 +82,7 @@ pub(crate) fn check_ranges(ranges: &[Range], order: u32) -> Result<(), Unfit> {
 
 fn check_places(places: &[Vec<f64>; 2]) -> Result<(), Unfit> {
     for (key, places) in [("place along x", &places[0]), ("place along y", &places[1])] {
-        let wrong = places.iter().find(|place| !(place.abs() <= 1e9));
+        let wrong = places.iter().find(|place| !(-1e9..=1e9).contains(*place));
         expect(wrong.is_none(), key, wrong.unwrap_or(&0.0), "a length within 1e9 m")?;
         let wrong = places.windows(2).find(|pair| pair[1] <= pair[0]);
         let [before, found] = wrong.map_or([0.0; 2], |pair| [pair[0], pair[1]]);
@@ -99,7 +99,7 @@ fn check_places(places: &[Vec<f64>; 2]) -> Result<(), Unfit> {
 fn check_heights(heights: &[f64], step: Option<f64>) -> Result<(), Unfit> {
     check_step(step)?;
     let most = step.map_or(MOST_HEIGHT, |step| (step * MOST_STEPS).min(MOST_HEIGHT));
-    let wrong = heights.par_iter().find_first(|height| !(height.abs() <= most));
+    let wrong = heights.par_iter().find_first(|height| !(-most..=most).contains(*height));
     expect(wrong.is_none(), "height", wrong.unwrap_or(&0.0), format_args!("a length within {most} m"))
 }
 

@@ -27,6 +27,7 @@ pub mod state;
 pub mod study;
 pub mod sun;
 pub mod survey;
+pub mod terrain;
 pub mod timing;
 pub mod trace;
 pub mod trigger;
@@ -58,6 +59,7 @@ pub fn run(cli: &Cli, start: Instant) -> Result<Verdict, Failure> {
         Command::Trace(trace) => trace.run(),
         Command::Bank(bank) => bank.run(),
         Command::Survey(survey) => survey.run(),
+        Command::Terrain(terrain) => terrain.run(),
         Command::Sun(sun) => sun.run(),
         Command::Model(model) => model.run(),
         Command::Timing(timing) => timing.run(),
