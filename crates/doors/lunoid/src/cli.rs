@@ -4,7 +4,7 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::commands::{
     augment, bank, beam, cartridge, check, compare, completions, explain, info, list, lockstep, man, model,
-    netlist, page, photo, probe, replay, schema, sight, sizing, state, study, sun, survey, timing, trace,
+    netlist, page, photo, probe, replay, schema, sight, sizing, state, study, sun, survey, terrain, timing, trace,
     trigger,
 };
 use crate::output::Colour;
@@ -102,6 +102,8 @@ pub enum Command {
     Survey(survey::SurveyCommand),
     /// Say what ground hides from an observer.
     Sight(sight::SightCommand),
+    /// Build landscapes from features, and export them for every generator.
+    Terrain(terrain::TerrainCommand),
     /// Say where Sun and Earth stand over a place on the Moon.
     Sun(sun::SunCommand),
     /// Make a photograph of a landscape, and check a photograph against an elevation file.

@@ -24,6 +24,8 @@ use run_page::{PageError, RequestError};
 use scope::ScopeError;
 use state::StateError;
 use survey::SurveyError;
+use terrain_builder::LandscapeFileError;
+use terrain_export::ExportError;
 use text::visible;
 use timing::RecordError;
 use trigger_search::SearchError;
@@ -234,6 +236,31 @@ impl From<SurveyError> for Failure {
             | SurveyError::AreaKind { .. }
             | SurveyError::TooManyRegions { .. } => Self::usage(error),
             other => Self::input(other),
+        }
+    }
+}
+
+impl From<LandscapeFileError> for Failure {
+    fn from(error: LandscapeFileError) -> Self {
+        match error {
+            LandscapeFileError::File(error) => error.into(),
+            LandscapeFileError::Problems(list) => list.into(),
+            LandscapeFileError::Exists { .. } => Self::usage(error),
+            _ => Self::input(error),
+        }
+    }
+}
+
+impl From<ExportError> for Failure {
+    fn from(error: ExportError) -> Self {
+        match error {
+            ExportError::Survey(error) => error.into(),
+            ExportError::Bank(error) => error.into(),
+            ExportError::Array(error) => error.into(),
+            ExportError::File(error) => error.into(),
+            ExportError::Folder(error) => error.into(),
+            ExportError::Database(_) | ExportError::Boulder { .. } => Self::input(error),
+            ExportError::Strange { .. } | ExportError::System { .. } => Self::output(error),
         }
     }
 }

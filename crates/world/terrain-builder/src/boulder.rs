@@ -80,6 +80,16 @@ impl Boulder {
         self.shape
     }
 
+    /// Share of its height below the ground.
+    pub fn burial(&self) -> f64 {
+        self.burial
+    }
+
+    /// Seed of its feature, and its number there: together they turn it and form a rock.
+    pub fn seeds(&self) -> [u64; 2] {
+        [self.seed, self.number]
+    }
+
     /// Azimuth to which its forward axis is turned (rad), from the seed.
     pub fn yaw(&self) -> f64 {
         TAU * draw(self.seed, self.number, Use::Yaw, 0)

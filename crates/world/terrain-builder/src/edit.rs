@@ -2,7 +2,7 @@
 
 use std::str::FromStr;
 
-use toml_edit::{DocumentMut, Item, Table};
+use toml_edit::{DocumentMut, Item, Table, value};
 
 /// Why a text cannot be edited.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -86,6 +86,26 @@ pub fn remove(text: &str, id: &str) -> Result<String, EditError> {
         features.remove(index);
         if features.is_empty() {
             document.remove("feature");
+        }
+    }
+    Ok(document.to_string())
+}
+
+/// The text with an elevation file as its base. `file` is the path from the folder of the landscape.
+///
+/// # Errors
+/// If the text is no TOML.
+pub fn import(text: &str, file: &str, band: Option<usize>) -> Result<String, EditError> {
+    let mut document = parsed(text, "the landscape")?;
+    let mut base = Table::new();
+    base.insert("file", value(file));
+    if let Some(band) = band {
+        base.insert("band", value(band as i64));
+    }
+    match document.get_mut("base") {
+        Some(there) => *there = Item::Table(base),
+        None => {
+            document.insert("base", Item::Table(base));
         }
     }
     Ok(document.to_string())

@@ -17,6 +17,8 @@ pub struct Export {
     pub elevation: Elevation,
     /// Craters of type 2, one for each crater that has a nearest one. Centres are in the axes of the bank.
     pub craters: Vec<Nearest>,
+    /// Number of the feature of each of these craters.
+    pub features: Vec<u32>,
     /// Names of features whose craters stay in the heights, with the reason.
     pub kept: BTreeSet<(String, NoNearest)>,
 }
@@ -45,10 +47,13 @@ impl Ground {
         let [corner, _] = self.description().grid.extent();
         let nearest = self.reliefs().par_iter().map(|relief| relief.crater().map(|crater| crater.nearest()));
         let nearest: Vec<_> = nearest.collect();
-        let (mut craters, mut kept) = (Vec::new(), BTreeSet::new());
+        let (mut craters, mut features, mut kept) = (Vec::new(), Vec::new(), BTreeSet::new());
         for (relief, nearest) in self.reliefs().iter().zip(&nearest) {
             match nearest {
-                Some(Ok(nearest)) => craters.push(moved(nearest, corner)),
+                Some(Ok(nearest)) => {
+                    craters.push(moved(nearest, corner));
+                    features.push(relief.feature);
+                }
                 Some(Err(reason)) => {
                     let id = &self.description().features[relief.feature as usize].id;
                     kept.insert((id.clone(), *reason));
@@ -58,7 +63,7 @@ impl Ground {
         }
         let is_in_heights: Vec<bool> =
             nearest.iter().map(|nearest| !matches!(nearest, Some(Ok(_)))).collect();
-        Export { elevation: self.elevation(&is_in_heights), craters, kept }
+        Export { elevation: self.elevation(&is_in_heights), craters, features, kept }
     }
 
     /// Heights of some reliefs over the base, on even posts.

@@ -7,7 +7,7 @@ use files::{FileError, read_all, write_atomic};
 use limits::Limit;
 
 use crate::description::Description;
-use crate::edit::{EditError, add, remove};
+use crate::edit::{EditError, add, import, remove};
 use crate::journal::{Journal, JournalError};
 
 /// A landscape file and its journal, `NAME.toml.journal`.
@@ -22,6 +22,12 @@ pub enum LandscapeFileError {
     /// A file that cannot be read or written.
     #[error(transparent)]
     File(#[from] FileError),
+    /// A file that is there already.
+    #[error("{path}: is there already; expected a new name; remove it first, or choose another", path = .path.display())]
+    Exists {
+        /// Path of the file.
+        path: PathBuf,
+    },
     /// A file that is no text.
     #[error("{path}: byte {byte} is not UTF-8; save the file as UTF-8", path = .path.display())]
     Text {
@@ -57,6 +63,19 @@ impl LandscapeFile {
         Self { path: path.into() }
     }
 
+    /// Writes a new landscape. Nothing is replaced, neither a landscape nor a journal.
+    ///
+    /// # Errors
+    /// If a file of the name is there, the text is no landscape, or the file cannot be written.
+    pub fn create(&self, text: &str) -> Result<(), LandscapeFileError> {
+        if let Some(path) = [self.path.clone(), self.journal_path()].into_iter().find(|path| path.exists()) {
+            return Err(LandscapeFileError::Exists { path });
+        }
+        self.check(text)?;
+        write_atomic(&self.path, |file| file.write_all(text.as_bytes()))?;
+        Ok(())
+    }
+
     /// Path of the journal: that of the landscape with `.journal` behind it.
     pub fn journal_path(&self) -> PathBuf {
         let mut name = self.path.clone().into_os_string();
@@ -78,6 +97,22 @@ impl LandscapeFile {
     /// If a file cannot be read or written, or no feature has the name.
     pub fn remove(&self, id: &str) -> Result<(), LandscapeFileError> {
         self.edit(&format!("remove {id}"), |text| remove(text, id))
+    }
+
+    /// Lays an elevation file below the features. `file` is its path from the folder of the landscape.
+    ///
+    /// # Errors
+    /// If a file cannot be read or written, or the text would be no landscape.
+    pub fn import(&self, file: &str, band: Option<usize>) -> Result<(), LandscapeFileError> {
+        self.edit(&format!("import {file}"), |text| import(text, file, band))
+    }
+
+    /// Text of the landscape.
+    ///
+    /// # Errors
+    /// If the file cannot be read, or is no text.
+    pub fn text(&self) -> Result<String, LandscapeFileError> {
+        text_of(&self.path)
     }
 
     /// Undoes the last edit, and says what it was.
@@ -115,11 +150,16 @@ impl LandscapeFile {
         let (text, mut journal) = (text_of(&self.path)?, self.journal()?);
         let to =
             edited(&text).map_err(|error| LandscapeFileError::Edit { path: self.path.clone(), error })?;
-        let folder = self.path.parent().unwrap_or(Path::new(""));
-        let name = self.path.display().to_string();
-        Description::parse(&name, &to, folder).map_err(LandscapeFileError::Problems)?;
+        self.check(&to)?;
         journal.push(what, &text, &to);
         self.write(&to, &journal)
+    }
+
+    /// Whether a text is a landscape.
+    fn check(&self, text: &str) -> Result<Description, LandscapeFileError> {
+        let folder = self.path.parent().unwrap_or(Path::new(""));
+        let name = self.path.display().to_string();
+        Description::parse(&name, text, folder).map_err(LandscapeFileError::Problems)
     }
 
     /// The journal comes second: cut off in between, undo says that the text is not as the last edit left it.

@@ -84,7 +84,7 @@ pub use boulder::{Boulder, Shape, USUAL_BURIAL, USUAL_FACES};
 pub use crater::{Crater, CraterForm, Decay, Nearest, NoNearest, USUAL_CONSTANT, USUAL_EXTENT};
 pub use description::{BaseWish, BoulderLook, Description, Feature, Kind};
 pub use distribution::{Distribution, Item, MOST_ITEMS};
-pub use edit::{EditError, add, remove};
+pub use edit::{EditError, add, import, remove};
 pub use effects::{Effect, effects};
 pub use export::Export;
 pub use frame::{Frame, FrameWarning, MOON_RADIUS};

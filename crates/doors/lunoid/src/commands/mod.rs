@@ -30,6 +30,7 @@ pub mod state;
 pub mod study;
 pub mod sun;
 pub mod survey;
+pub mod terrain;
 pub mod timing;
 pub mod trace;
 pub mod trigger;
@@ -62,6 +63,7 @@ pub fn run(cli: &Cli, start: Instant) -> Result<Verdict, Failure> {
         Command::Bank(bank) => bank.run(),
         Command::Survey(survey) => survey.run(),
         Command::Sight(sight) => sight.run(),
+        Command::Terrain(terrain) => terrain.run(),
         Command::Sun(sun) => sun.run(),
         Command::Photo(photo) => photo.run(),
         Command::Model(model) => model.run(),

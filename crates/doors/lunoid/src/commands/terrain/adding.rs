@@ -1,0 +1,152 @@
+//! `lunoid terrain add`: features from a file or from options.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use files::read_all;
+use limits::Limit;
+use terrain_builder::LandscapeFile;
+
+use crate::commands::terrain::{Landscape, edits::done};
+use crate::{Failure, values};
+
+const AFTER: &str = "Examples:
+  lunoid terrain add runs/ground.toml --id west --crater 3.03,26.05,400 --wall-percent 4 --depth-percent 20
+  lunoid terrain add runs/ground.toml --id stone --boulder 3.05,26.05,4 --shape rock
+  lunoid terrain add runs/ground.toml --block field.toml
+
+A block is a file with one or more [[feature]] tables: craters, growth from control points, boulders, distributions,
+roughness (docs/terrain.md).";
+
+#[derive(Debug, Args)]
+#[command(after_help = AFTER)]
+pub struct Add {
+    #[command(flatten)]
+    landscape: Landscape,
+    /// File with [[feature]] tables.
+    #[arg(long, value_name = "TOML", required_unless_present_any = ["crater", "boulder"])]
+    block: Option<PathBuf>,
+    /// Name of the feature: letters, digits and hyphens.
+    #[arg(long, conflicts_with = "block")]
+    id: Option<String>,
+    /// Centre of a crater (degrees), and the radius of its wall.
+    #[arg(long, value_name = "LON,LAT,RADIUS_M", value_parser = three, conflicts_with_all = ["block", "boulder"],
+          requires_all = ["id", "wall_percent", "depth_percent"])]
+    crater: Option<[f64; 3]>,
+    /// Height of the wall in per cent of the radius.
+    #[arg(long, value_name = "PERCENT", requires = "crater", value_parser = values::percent)]
+    wall_percent: Option<f64>,
+    /// Depth of the middle in per cent of the radius.
+    #[arg(long, value_name = "PERCENT", requires = "crater", value_parser = values::percent)]
+    depth_percent: Option<f64>,
+    /// How the wall falls off outside.
+    #[arg(long, value_enum, requires = "crater", default_value = "exponential")]
+    decay: DecayWord,
+    /// Elevation of the impact; 90 is straight down.
+    #[arg(long, value_name = "DEGREES", requires = "crater", value_parser = values::finite)]
+    impact_elevation_deg: Option<f64>,
+    /// Azimuth to which the impactor travels, from north towards east.
+    #[arg(long, value_name = "DEGREES", requires = "crater", value_parser = values::finite)]
+    impact_direction_deg: Option<f64>,
+    /// Place of a boulder (degrees), and its radius.
+    #[arg(long, value_name = "LON,LAT,RADIUS_M", value_parser = three, conflicts_with = "block", requires = "id")]
+    boulder: Option<[f64; 3]>,
+    /// Form of the boulder.
+    #[arg(long, value_enum, requires = "boulder", default_value = "rock")]
+    shape: ShapeWord,
+    /// Share of the boulder's height below the ground, 0 to 0.9.
+    #[arg(long, value_name = "SHARE", requires = "boulder", value_parser = values::not_negative)]
+    burial: Option<f64>,
+    /// Seed of the boulder: it turns the boulder and forms a rock.
+    #[arg(long, requires = "boulder", value_parser = values::at_least(0_u64))]
+    seed: Option<u64>,
+    /// Print what was done as JSON.
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum DecayWord {
+    /// Steep at the wall, flat outside.
+    Exponential,
+    /// One slope from the wall to the end.
+    Linear,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum ShapeWord {
+    /// A sphere of the radius.
+    Sphere,
+    /// A cube whose side is the radius.
+    Cube,
+    /// A convex polyhedron of 14 faces.
+    Rock,
+}
+
+fn three(text: &str) -> Result<[f64; 3], String> {
+    let numbers: Result<Vec<f64>, _> = text.split(',').map(values::finite).collect();
+    let numbers = numbers.ok().and_then(|numbers| numbers.try_into().ok());
+    numbers.ok_or_else(|| "expected longitude, latitude and radius, as 3.03,26.05,400".into())
+}
+
+impl Add {
+    /// Adds the features; the file must then still be a landscape.
+    pub fn run(&self) -> Result<(), Failure> {
+        let block = match &self.block {
+            Some(file) => text_of(file)?,
+            None => self.feature(),
+        };
+        LandscapeFile::new(&self.landscape.file).add(&block)?;
+        let what = self.id.as_ref().map_or("features".into(), |id| format!("feature {id}"));
+        done(&self.landscape.file, "add", &format!("added {what}"), self.json)
+    }
+
+    /// The feature of the options as a block of text.
+    fn feature(&self) -> String {
+        let id = serde_json::Value::from(self.id.as_deref().unwrap_or_default());
+        let (kind, [longitude, latitude, radius], rest) = match (self.crater, self.boulder) {
+            (Some(crater), _) => ("crater", crater, self.of_crater()),
+            (None, boulder) => ("boulder", boulder.unwrap_or_default(), self.of_boulder()),
+        };
+        let lines = rest.into_iter().map(|(key, value)| format!("{key} = {value}\n"));
+        format!(
+            "[[feature]]\nid = {id}\nkind = \"{kind}\"\nlongitude_deg = {longitude:?}\nlatitude_deg = {latitude:?}\n\
+             radius_m = {radius:?}\n{}",
+            lines.collect::<String>()
+        )
+    }
+
+    fn of_crater(&self) -> Vec<(&'static str, String)> {
+        let number = |key, value: Option<f64>| value.map(|value| (key, format!("{value:?}")));
+        let decay = (self.decay == DecayWord::Linear).then(|| ("decay", "\"linear\"".to_owned()));
+        [
+            number("wall_percent", self.wall_percent),
+            number("depth_percent", self.depth_percent),
+            decay,
+            number("impact_elevation_deg", self.impact_elevation_deg),
+            number("impact_direction_deg", self.impact_direction_deg),
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
+    }
+
+    fn of_boulder(&self) -> Vec<(&'static str, String)> {
+        let shape = match self.shape {
+            ShapeWord::Sphere => "sphere",
+            ShapeWord::Cube => "cube",
+            ShapeWord::Rock => "rock",
+        };
+        let burial = self.burial.map(|burial| ("burial", format!("{burial:?}")));
+        let seed = self.seed.map(|seed| ("seed", seed.to_string()));
+        [Some(("shape", format!("\"{shape}\""))), burial, seed].into_iter().flatten().collect()
+    }
+}
+
+fn text_of(file: &PathBuf) -> Result<String, Failure> {
+    let text = String::from_utf8(read_all(file, Limit::TextBytes)?);
+    text.map_err(|error| {
+        let byte = error.utf8_error().valid_up_to();
+        Failure::input(format!("{}: byte {byte} is not UTF-8; save the file as UTF-8", file.display()))
+    })
+}

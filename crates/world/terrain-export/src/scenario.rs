@@ -1,0 +1,98 @@
+//! A scenario over the files of an export.
+
+use std::fmt::Write;
+
+use quantities::degrees;
+use terrain_builder::{Ground, elevation_and_azimuth, sun_direction};
+
+use crate::bodies::Object;
+
+/// Azimuth and elevation of the sun (degrees) where the landscape has none, or one that is down.
+const USUAL_SUN_DEG: [f64; 2] = [90.0, 20.0];
+/// Length of the drive (m), and its share of the ground at most.
+const DRIVE_M: f64 = 10.0;
+const DRIVE_SHARE: f64 = 0.02;
+/// Seconds of the drive, at one metre a second or slower.
+const DRIVE_S: f64 = 10.0;
+
+/// Text of a scenario that drives north over the middle of the landscape.
+pub(crate) fn text(ground: &Ground, has_craters: bool, objects: &[Object]) -> String {
+    let description = ground.description();
+    let grid = description.grid;
+    let [[south, west], [north, east]] = grid.extent();
+    let size = [north - south, east - west];
+    let [x, y] = size.map(|length| 0.5 * length);
+    let drive = DRIVE_M.min(DRIVE_SHARE * size[0]);
+    let (features, objects) = (features(has_craters), objects_of(objects));
+    let [azimuth, elevation] = sun(ground);
+    let (title, resolution) = (quoted(&description.title), grid.north.resolution);
+    let (start, end) = (0.25 * resolution, size[0].max(size[1]));
+    format!(
+        "# Written by `lunoid terrain export`.
+format = 1
+title = {title}
+shows = \"A drive over the middle of a landscape that the terrain builder made.\"
+machine = \"ideal\"
+duration_s = {DRIVE_S}
+
+[landscape]
+bank = \"ground.bank\"
+{features}
+[sun]
+azimuth_deg = {azimuth}
+elevation_deg = {elevation}
+
+[shadows]
+finest_m = {finest}
+
+[vehicle]
+
+[path]
+keyframes = [{{ t_s = 0, x_m = {x}, y_m = {y} }}, {{ t_s = {DRIVE_S}, x_m = {x_end}, y_m = {y} }}]
+
+[raster]
+sweeps = 500
+update_hz = 5
+
+[range]
+programme = \"geometric\"
+start_m = {start}
+end_m = {end}
+
+[display]
+white = 0.8
+gamma = 2.2
+{objects}",
+        finest = resolution.clamp(0.01, 1000.0),
+        x_end = x + drive,
+    )
+}
+
+fn features(has_craters: bool) -> &'static str {
+    if has_craters { "\n[features]\nlist = \"craters.csv\"\n" } else { "" }
+}
+
+fn objects_of(objects: &[Object]) -> String {
+    let mut text = String::new();
+    for (number, Object { file, at: [x, y], .. }) in objects.iter().enumerate() {
+        // Writing to a text does not fail.
+        let _ = write!(
+            text,
+            "\n[[object]]\nid = \"boulder-{number}\"\nfile = \"{file}\"\nx_m = {x}\ny_m = {y}\n"
+        );
+    }
+    text
+}
+
+/// Azimuth and elevation of the sun at the centre (degrees).
+fn sun(ground: &Ground) -> [f64; 2] {
+    let Some(light) = ground.description().light else { return USUAL_SUN_DEG };
+    let direction = sun_direction(ground.description().frame.centre(), light.sub_solar);
+    let [elevation, azimuth] = elevation_and_azimuth(direction).map(degrees);
+    if elevation > 0.0 { [azimuth, elevation] } else { USUAL_SUN_DEG }
+}
+
+/// A text between quotes, as TOML has it: control characters, quotes and backslashes are escaped as in JSON.
+fn quoted(text: &str) -> String {
+    serde_json::Value::from(text).to_string()
+}
