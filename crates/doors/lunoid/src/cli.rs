@@ -4,8 +4,8 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::commands::{
     augment, bank, beam, cartridge, check, compare, completions, explain, info, list, lockstep, man, model,
-    netlist, page, photo, probe, replay, schema, sight, sizing, state, study, sun, survey, terrain, timing, trace,
-    trigger,
+    netlist, page, photo, probe, replay, schema, sight, sizing, state, study, sun, survey, terrain, timing,
+    trace, trigger,
 };
 use crate::output::Colour;
 
