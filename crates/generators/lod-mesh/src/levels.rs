@@ -28,7 +28,7 @@ impl LevelTable {
     /// # Errors
     /// If ranges do not rise.
     pub fn new(terrain: &Terrain, run: &Parameters, focal: f64) -> Result<Self, PrepareError> {
-        let count = run.level_count();
+        let count = run.level_count().min(terrain.order() as usize + 1);
         let side = side(terrain);
         let error = |level: usize| if level + 1 < count { error(terrain, level) } else { 0.0 };
         let errors: Vec<f64> = (0..count).map(error).collect();
@@ -38,11 +38,12 @@ impl LevelTable {
             false => run.ranges[..count].to_vec(),
         };
         let levels = ends.iter().enumerate().map(|(level, &end)| Level { end, share: share(level) });
-        let levels = Levels::new(run.order, levels.collect()).map_err(|error| PrepareError::Unsupported {
-            generator: NAME,
-            what: error.to_string(),
-            remedy: "choose other lod.ranges_m or lod.morph_percent".into(),
-        })?;
+        let levels =
+            Levels::new(terrain.order(), levels.collect()).map_err(|error| PrepareError::Unsupported {
+                generator: NAME,
+                what: error.to_string(),
+                remedy: "choose other lod.ranges_m or lod.morph_percent".into(),
+            })?;
         let is_short = |level: &usize| share(*level) > 0.0 && levels.zone(*level) < side;
         let short = (0..count - 1).find(is_short).map(|level| (level, levels.zone(level), side));
         Ok(Self { levels, ends, errors, short_zone: short })

@@ -10,7 +10,7 @@
 //!
 //! # Law
 //!
-//! - **Posts.** The ground of all levels of the bank at posts `spacing_m` apart, without craters smaller than that
+//! - **Posts.** Those of a terrain database ([`landscape::Posts`]), or the ground of all levels of the bank at posts `spacing_m` apart, without craters smaller than that
 //!   ([`landscape::Landscape::at_spacing`]). The last tile of a row or column has narrower cells, so that the ground ends where it should.
 //! - **Tiles, levels, morphing, edges, stitching**: `lod-tiles`. Distances are those on the flat map.
 //! - **Ranges** are given, or they follow from a tolerance: level l goes on to the distance at which the largest move of its vertices is

@@ -25,6 +25,7 @@ impl Prepared {
     /// # Errors
     /// If the ground is too large, or ranges do not rise.
     pub fn new(stage: Stage, run: Parameters) -> Result<Self, PrepareError> {
+        let run = over_stored(&stage, run);
         let mut posts = Posts::new(&stage, &run)?;
         let slopes = std::mem::take(&mut posts.slopes).into();
         let table = LevelTable::new(&posts.terrain, &run, focal(&stage))?;
@@ -35,6 +36,17 @@ impl Prepared {
     pub fn map(&self, sun: [f64; 3]) -> Option<GroundMap> {
         GroundMap::of_slopes(self.posts.axes, self.slopes.clone(), self.stage.landscape.clone(), sun)
     }
+}
+
+/// The run parameters with what a terrain database says where they say nothing: its order always, its ranges where none are given.
+fn over_stored(stage: &Stage, mut run: Parameters) -> Parameters {
+    let Some(stored) = stage.landscape.posts() else { return run };
+    run.order = stored.order;
+    if run.ranges.is_empty() && run.level_count() <= stored.ranges.len() {
+        run.ranges = stored.ranges.iter().map(|[end, _]| *end).collect();
+        run.shares = stored.ranges.iter().map(|[_, share]| *share).collect();
+    }
+    run
 }
 
 /// Pixels in a tangent of 1, the larger of both directions.

@@ -1,4 +1,4 @@
-//! Posts of a landscape's ground, cut into tiles.
+//! Posts of a landscape's ground, stored or sampled, cut into tiles.
 
 use std::ops::RangeInclusive;
 
@@ -35,12 +35,34 @@ impl Posts {
     /// # Errors
     /// If there are too many, or the bank has no ground at one of them.
     pub fn new(stage: &Stage, run: &Parameters) -> Result<Self, PrepareError> {
-        let refused = |what: String, remedy: &str| PrepareError::Unsupported {
-            generator: NAME,
-            what,
-            remedy: remedy.into(),
+        match stage.landscape.posts() {
+            Some(stored) => Self::stored(stored),
+            None => Self::of_landscape(&stage.landscape, run),
+        }
+    }
+
+    /// The posts of a terrain database. Slopes are those to the posts around each.
+    fn stored(stored: &landscape::Posts) -> Result<Self, PrepareError> {
+        let [rows, columns] = &stored.places;
+        let axes = [even(rows)?, even(columns)?];
+        let height = |row: usize, column: usize| stored.heights[row * columns.len() + column];
+        let slope = |places: &[f64], at: usize, height: &dyn Fn(usize) -> f64| {
+            let (before, behind) = (at.saturating_sub(1), (at + 1).min(places.len() - 1));
+            ((height(behind) - height(before)) / (places[behind] - places[before])) as f32
         };
-        let [south, west, north, east] = extent(&stage.landscape);
+        let slopes = |post: usize| {
+            let (row, column) = (post / columns.len(), post % columns.len());
+            [
+                slope(rows, row, &|row| height(row, column)),
+                slope(columns, column, &|column| height(row, column)),
+            ]
+        };
+        let slopes = (0..stored.heights.len()).into_par_iter().map(slopes).collect();
+        Self::cut(stored.order, [rows.clone(), columns.clone()], axes, (stored.heights.clone(), slopes))
+    }
+
+    fn of_landscape(landscape: &Landscape, run: &Parameters) -> Result<Self, PrepareError> {
+        let [south, west, north, east] = extent(landscape);
         let spacing = run.spacing.unwrap_or((north - south).max(east - west) / USUAL_CELLS);
         let axes = [axis(south, north, spacing, run.order), axis(west, east, spacing, run.order)];
         let count = axes[0].posts.saturating_mul(axes[1].posts);
@@ -49,14 +71,40 @@ impl Posts {
             return Err(refused(what, "ask for a larger lod.spacing_m"));
         }
         let places = axes.map(|axis| places(&axis));
-        let Some((heights, slopes)) = sampled(&stage.landscape, &places, spacing) else {
-            return Err(refused("ground with holes".into(), "give it a bank whose levels nest"));
-        };
-        let [rows, columns] = places;
-        let terrain = Terrain::new(run.order, [columns, rows], heights)
+        match sampled(landscape, &places, spacing) {
+            Some(ground) => Self::cut(run.order, places, axes, ground),
+            None => Err(refused("ground with holes".into(), "give it a bank whose levels nest")),
+        }
+    }
+
+    /// Cuts posts into tiles.
+    fn cut(
+        order: u32,
+        [rows, columns]: [Vec<f64>; 2],
+        axes: [Axis; 2],
+        (heights, slopes): (Vec<f64>, Vec<[f32; 2]>),
+    ) -> Result<Self, PrepareError> {
+        let terrain = Terrain::new(order, [columns, rows], heights)
             .map_err(|error| refused(error.to_string(), "choose another lod.order or lod.spacing_m"))?;
         let heights = terrain.tiles().map(|tile| heights_of(&terrain, tile)).collect();
         Ok(Self { terrain, slopes, axes, heights })
+    }
+}
+
+fn refused(what: String, remedy: &str) -> PrepareError {
+    PrepareError::Unsupported { generator: NAME, what, remedy: remedy.into() }
+}
+
+/// The axis of stored places: evenly spaced, but for those of a last tile.
+fn even(places: &[f64]) -> Result<Axis, PrepareError> {
+    let cell = |at: usize| places[at + 1] - places[at];
+    let cells = places.len().saturating_sub(1);
+    let is_like = |at: &usize, step: f64| (cell(*at) - step).abs() <= 1e-6 * step;
+    let (step, last_step) = (cell(0), cell(cells - 1));
+    let whole = (0..cells).take_while(|at| is_like(at, step)).count();
+    match (whole..cells).all(|at| is_like(&at, last_step)) {
+        true => Ok(Axis { first: places[0], step, whole, last_step, posts: places.len() }),
+        false => Err(refused("posts at uneven distances".into(), "export the terrain again")),
     }
 }
 

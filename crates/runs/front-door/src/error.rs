@@ -9,9 +9,10 @@ use files::FileError;
 use generator::PrepareError;
 use landscape::bank_file::BankFileError;
 use landscape::relief::ReliefError;
-use landscape::{AlbedoMapError, BankError, TextureError};
+use landscape::{AlbedoMapError, BankError, LUNOID_RADIUS, TextureError};
 use photographs::PhotographFileError;
 use scenario::{PathProblems, SceneryProblems};
+use terrain_database::DatabaseError;
 
 /// Why files and wishes do not come to a generator on a stage.
 #[derive(Debug, thiserror::Error)]
@@ -110,6 +111,34 @@ pub enum StageError {
         file: PathBuf,
         /// Why the picture is no map of the albedo.
         error: AlbedoMapError,
+    },
+    /// The terrain database cannot be read.
+    #[error("[landscape] database: {0}")]
+    Database(#[from] Box<DatabaseError>),
+    /// The terrain database is of another body.
+    #[error(
+        "[landscape] database: {}: a body of radius {radius} m, expected the Moon ({LUNOID_RADIUS} m); export a landscape on it",
+        file.display()
+    )]
+    OtherBody {
+        /// File of the database.
+        file: PathBuf,
+        /// Radius of its body (m).
+        radius: f64,
+    },
+    /// The terrain database and the bank are of different ground.
+    #[error(
+        "[landscape] database: {}: its posts lie between x = {:.1} and {:.1} m, y = {:.1} and {:.1} m, and the bank between x = {:.1} and {:.1} m, \
+         y = {:.1} and {:.1} m; expected the same ground, from one export",
+        file.display(), posts[0], posts[2], posts[1], posts[3], bank[0], bank[2], bank[1], bank[3]
+    )]
+    ApartDatabase {
+        /// File of the database.
+        file: PathBuf,
+        /// South, west, north, east border of its posts (m).
+        posts: [f64; 4],
+        /// The same of the bank's finest level.
+        bank: [f64; 4],
     },
     /// The texture does not go with the ground.
     #[error("[texture]: {0}")]

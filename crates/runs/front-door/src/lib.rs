@@ -16,6 +16,7 @@
 //! - [`settings`], [`build`], [`over`], [`under`], [`bank`], [`landscape`](fn@landscape): the steps by themselves.
 
 mod albedo;
+mod database;
 mod error;
 mod extremes;
 mod ground;

@@ -1,7 +1,7 @@
 //! The ground of a run.
 
 use landscape::relief::Relief;
-use landscape::{AlbedoMap, Landscape, Level, Texels, bank_file};
+use landscape::{AlbedoMap, Landscape, Level, Posts, Texels, bank_file};
 use quantities::degrees;
 use scenario::GroundSource;
 use serde::{Deserialize, Serialize};
@@ -23,6 +23,9 @@ pub struct GroundRecord {
     /// Map of the albedo, where there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub albedo_map: Option<AlbedoMapRecord>,
+    /// BLAKE3 of the posts of a terrain database, where there is one, hexadecimal.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub posts_blake3: Option<String>,
     /// Levels, the finest first.
     pub levels: Vec<LevelRecord>,
     /// Parameters of a generated landscape, in the keys of a scenario file.
@@ -59,6 +62,16 @@ impl From<&AlbedoMap> for AlbedoMapRecord {
     }
 }
 
+/// Hash of everything that a terrain database says of the ground.
+fn posts_hash(posts: &Posts) -> String {
+    let places = posts.places.iter().flatten();
+    let numbers = places.chain(&posts.heights).chain(posts.ranges.iter().flatten());
+    let mut bytes: Vec<u8> = posts.order.to_le_bytes().into();
+    posts.places.iter().for_each(|places| bytes.extend((places.len() as u64).to_le_bytes()));
+    bytes.extend(numbers.flat_map(|number| number.to_le_bytes()));
+    hash(&bytes)
+}
+
 /// A level of the ground.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LevelRecord {
@@ -90,6 +103,7 @@ impl GroundRecord {
             content_blake3: bank_file::content_hash(bank).iter().map(|byte| format!("{byte:02x}")).collect(),
             albedo: landscape.albedo(),
             albedo_map: landscape.albedo_map().map(AlbedoMapRecord::from),
+            posts_blake3: landscape.posts().map(posts_hash),
             levels: bank.levels().iter().map(LevelRecord::from).collect(),
             generator,
         }

@@ -3,7 +3,7 @@
 use features::{Features, Rise};
 use quantities::intensity;
 
-use crate::{AlbedoMap, Bank, Level, Photometry, Silhouette, Texture};
+use crate::{AlbedoMap, Bank, Level, Photometry, Posts, Silhouette, Texture};
 
 /// The ground at one point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,13 +34,23 @@ pub struct Landscape {
     texture: Option<Texture>,
     photometry: Photometry,
     silhouettes: Vec<Silhouette>,
+    posts: Option<Posts>,
 }
 
 impl Landscape {
     /// The landscape of a bank, of one albedo (0..=1): terrain alone, Lambert's law.
     pub fn new(bank: Bank, albedo: f64) -> Self {
         let (features, photometry) = (Features::default(), Photometry::Lambert);
-        Self { bank, albedo, albedo_map: None, features, texture: None, photometry, silhouettes: Vec::new() }
+        Self {
+            bank,
+            albedo,
+            albedo_map: None,
+            features,
+            texture: None,
+            photometry,
+            silhouettes: Vec::new(),
+            posts: None,
+        }
     }
 
     /// The same with features on it.
@@ -66,6 +76,16 @@ impl Landscape {
     /// The same with mountains beyond the stored area.
     pub fn with_silhouettes(self, silhouettes: Vec<Silhouette>) -> Self {
         Self { silhouettes, ..self }
+    }
+
+    /// The same with its ground as posts too.
+    pub fn with_posts(self, posts: Option<Posts>) -> Self {
+        Self { posts, ..self }
+    }
+
+    /// The ground as posts in tiles, where it has them.
+    pub fn posts(&self) -> Option<&Posts> {
+        self.posts.as_ref()
     }
 
     /// Returns the terrain coefficients, all levels of them.

@@ -29,6 +29,8 @@ pub struct Scenario {
     pub coarse: Option<Relief>,
     /// Craters on the ground, each with its own closed form.
     pub features: CraterWishes,
+    /// Terrain database of the same ground, for generators that draw levels of detail.
+    pub database: Option<PathBuf>,
     /// Share of the light that the ground returns, 0..=1.
     pub albedo: f64,
     /// Map of the same over it.
@@ -157,7 +159,8 @@ impl Scenario {
             StarSource::Catalogue { file, .. } => Some(file.as_path()),
             StarSource::Seeded(_) => None,
         });
-        let ground = bank.into_iter().chain(self.path_file.as_deref()).chain(list);
+        let database = self.database.as_deref();
+        let ground = bank.into_iter().chain(database).chain(self.path_file.as_deref()).chain(list);
         ground.chain(shapes).chain(vehicle).chain(map).chain(stars).collect()
     }
 }

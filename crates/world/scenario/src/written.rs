@@ -175,6 +175,8 @@ fn scenario(root: &Reader, surroundings: &Surroundings, problems: &Problems) -> 
     let length = length(root);
     let ground =
         root.table("landscape").map(|table| (ground::ground(&table, folder), albedo::albedo(&table, folder)));
+    let database =
+        root.optional_table("landscape").map_or(Some(None), |table| ground::database(&table, folder));
     let features = features::features(&root.table_or_empty("features"), folder, problems);
     let lies_on = bank.map(Ground::Bank).or_else(|| match &ground.as_ref()?.0.as_ref()?.0 {
         GroundSource::Bank(bank) => Some(Ground::Bank(bank)),
@@ -234,6 +236,7 @@ fn scenario(root: &Reader, surroundings: &Surroundings, problems: &Problems) -> 
         ground,
         coarse,
         features: features?,
+        database: database?,
         albedo,
         albedo_map,
         photometry: photometry?.unwrap_or(Photometry::Lambert),

@@ -161,6 +161,7 @@ const CHANGES: &[(&str, usize, &str, &str)] = &[
     ("duration_s", 1, "duration_s = 12.5", "duration_s = 12"),
     ("landscape.albedo", 0, "albedo = 0.8", "albedo = 0.9"),
     ("landscape.bank", 1, "kepler.bank", "tycho.bank"),
+    ("landscape.database", 1, "bank = \"kepler.bank\"", "bank = \"kepler.bank\"\ndatabase = \"kepler.lod\""),
     ("sun.azimuth_deg", 0, "azimuth_deg = 110", "azimuth_deg = -110"),
     ("sun.elevation_deg", 0, "elevation_deg = 12", "elevation_deg = 13"),
     ("vehicle.eye_height_m", 0, "eye_height_m = 1.6334", "eye_height_m = 2"),

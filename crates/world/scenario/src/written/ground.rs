@@ -1,6 +1,6 @@
 //! `[landscape]`: a bank or a seeded landscape.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use diagnostics::Reader;
 use landscape::relief::{Craters, MAX_WAVES, Massif, Meander, Relief, ReliefError, Rille, Undulation};
@@ -171,4 +171,10 @@ fn meander(table: &Reader) -> Option<Meander> {
     let swing = table.f64("swing_m").at_least(0.0).unit("m").required();
     let length = table.f64("length_m").above(0.0).unit("m").required();
     Some(Meander { swing: swing?, length: length? })
+}
+
+/// The terrain database of the same ground, where there is one.
+pub(super) fn database(table: &Reader, folder: &Path) -> Option<Option<PathBuf>> {
+    let file = reference(table, "database", folder);
+    (file.is_some() || !table.has("database")).then_some(file)
 }
