@@ -37,6 +37,7 @@ duration_s = {DRIVE_S}
 
 [landscape]
 bank = \"ground.bank\"
+database = \"terrain.lod\"
 {features}
 [sun]
 azimuth_deg = {azimuth}
