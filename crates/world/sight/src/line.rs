@@ -57,21 +57,25 @@ impl Line {
         Self { end, ..self }
     }
 
+    #[inline(always)]
     fn chord(&self, share: f64) -> f64 {
         (1.0 - share) * self.start + share * self.end
     }
 
     /// Height (m) above the datum at a share of the way.
+    #[inline(always)]
     pub fn at(&self, share: f64) -> f64 {
         self.chord(share) - self.sag.at(share)
     }
 
     /// A height (m) below which the line does not fall between two shares.
+    #[inline(always)]
     pub fn lowest(&self, [a, b]: [f64; 2]) -> f64 {
         self.chord(a).min(self.chord(b)) - self.sag.most([a, b])
     }
 
     /// Clearance (m) at both ends of a piece. The ends of the way belong to observer and target.
+    #[inline(always)]
     pub fn clearances(&self, piece: &Piece) -> [f64; 2] {
         [0, 1].map(|end| self.at(piece.shares[end]) - piece.ground[end])
     }
@@ -109,10 +113,12 @@ impl Line {
 }
 
 impl Sag {
+    #[inline(always)]
     fn is_flat(&self) -> bool {
         matches!(self, Self::Parabola(0.0))
     }
 
+    #[inline(always)]
     fn at(&self, share: f64) -> f64 {
         match self {
             Self::Parabola(bend) => bend * share * (1.0 - share),
@@ -121,6 +127,7 @@ impl Sag {
     }
 
     /// Its most between two shares: it is concave.
+    #[inline(always)]
     fn most(&self, [a, b]: [f64; 2]) -> f64 {
         match self {
             Self::Parabola(bend) => {
