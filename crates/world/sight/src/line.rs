@@ -22,8 +22,20 @@ pub struct Line {
 enum Sag {
     /// Drop (m) over the whole way, by a parabola; 0 where the datum is flat.
     Parabola(f64),
-    /// The sphere: its drop, the whole way (m), the drop over it (m), and the share of the largest sag.
-    Sphere { curvature: Curvature, whole: f64, drop: f64, deepest: f64 },
+    /// A sphere.
+    Sphere(Sphere),
+}
+
+/// The sag of a line over a sphere.
+#[derive(Debug, Clone, Copy)]
+struct Sphere {
+    curvature: Curvature,
+    /// Length of the way (m).
+    whole: f64,
+    /// Drop (m) over the whole way.
+    drop: f64,
+    /// Share of the largest sag.
+    deepest: f64,
 }
 
 impl Line {
@@ -34,7 +46,7 @@ impl Line {
             Law::Flat | Law::Parabola { .. } => Sag::Parabola(drop),
             Law::Sphere { radius } => {
                 let deepest = steep(radius, drop / distance) / distance;
-                Sag::Sphere { curvature, whole: distance, drop, deepest }
+                Sag::Sphere(Sphere { curvature, whole: distance, drop, deepest })
             }
         };
         Self { start, end, sag }
@@ -45,21 +57,25 @@ impl Line {
         Self { end, ..self }
     }
 
+    #[inline(always)]
     fn chord(&self, share: f64) -> f64 {
         (1.0 - share) * self.start + share * self.end
     }
 
     /// Height (m) above the datum at a share of the way.
+    #[inline(always)]
     pub fn at(&self, share: f64) -> f64 {
         self.chord(share) - self.sag.at(share)
     }
 
     /// A height (m) below which the line does not fall between two shares.
+    #[inline(always)]
     pub fn lowest(&self, [a, b]: [f64; 2]) -> f64 {
         self.chord(a).min(self.chord(b)) - self.sag.most([a, b])
     }
 
     /// Clearance (m) at both ends of a piece. The ends of the way belong to observer and target.
+    #[inline(always)]
     pub fn clearances(&self, piece: &Piece) -> [f64; 2] {
         [0, 1].map(|end| self.at(piece.shares[end]) - piece.ground[end])
     }
@@ -67,11 +83,11 @@ impl Line {
     /// The share inside a piece at which a curved line comes nearest to the ground, where it does so inside.
     pub fn nearest(&self, piece: &Piece) -> Option<f64> {
         let [a, b] = piece.shares;
-        if a == b {
+        if a == b || self.sag.is_flat() {
             return None;
         }
         let [at_a, at_b] = self.clearances(piece);
-        let nearest = self.sag.nearest([a, b], (at_b - at_a) / (b - a))?;
+        let nearest = self.sag.nearest([a, b], (at_b - at_a) / (b - a));
         (nearest > a.min(b) && nearest < a.max(b)).then_some(nearest)
     }
 
@@ -80,11 +96,11 @@ impl Line {
     /// Over a piece the clearance is `p + q t - sag(t)`, so the end must rise by `-(p / t + q - sag(t) / t)`.
     pub fn raised_most(&self, piece: &Piece) -> Option<f64> {
         let [a, b] = piece.shares;
-        if a == b {
+        if a == b || self.sag.is_flat() {
             return None;
         }
         let at_ends = self.clearances(piece);
-        let share = self.sag.raised_most([a, b], at_ends)?;
+        let share = self.sag.raised_most([a, b], at_ends);
         (share > a.min(b) && share < a.max(b)).then_some(share)
     }
 
@@ -97,56 +113,79 @@ impl Line {
 }
 
 impl Sag {
-    fn at(self, share: f64) -> f64 {
+    #[inline(always)]
+    fn is_flat(&self) -> bool {
+        matches!(self, Self::Parabola(0.0))
+    }
+
+    #[inline(always)]
+    fn at(&self, share: f64) -> f64 {
         match self {
             Self::Parabola(bend) => bend * share * (1.0 - share),
-            Self::Sphere { curvature, whole, drop, .. } => share * drop - curvature.drop(share * whole),
+            Self::Sphere(sphere) => sphere.at(share),
         }
     }
 
     /// Its most between two shares: it is concave.
-    fn most(self, [a, b]: [f64; 2]) -> f64 {
+    #[inline(always)]
+    fn most(&self, [a, b]: [f64; 2]) -> f64 {
         match self {
             Self::Parabola(bend) => {
                 let sag = |share: f64| share * (1.0 - share);
                 let middle = (a - 0.5) * (b - 0.5) < 0.0;
                 bend * if middle { 0.25 } else { sag(a).max(sag(b)) }
             }
-            Self::Sphere { deepest, .. } => self.at(deepest.clamp(a.min(b), a.max(b))),
+            Self::Sphere(sphere) => sphere.at(sphere.deepest.clamp(a.min(b), a.max(b))),
         }
     }
 
-    /// The share at which a clearance of a mean slope (m a share) between two shares is least; `None` on a flat datum.
-    fn nearest(self, [a, b]: [f64; 2], slope: f64) -> Option<f64> {
+    /// The share at which a clearance of a mean slope (m a share) between two shares is least, on a datum that bends.
+    fn nearest(&self, [a, b]: [f64; 2], slope: f64) -> f64 {
         match self {
-            Self::Parabola(0.0) => None,
-            Self::Parabola(bend) => Some(0.5 * (a + b) - slope / (2.0 * bend)),
-            Self::Sphere { curvature, whole, .. } => {
-                let drops = [a, b].map(|share| curvature.drop(share * whole));
-                let falls = (drops[1] - drops[0]) / (b - a) - slope;
-                Some(steep(curvature.reach(), falls / whole) / whole)
-            }
+            Self::Parabola(bend) => 0.5 * (a + b) - slope / (2.0 * bend),
+            Self::Sphere(sphere) => sphere.nearest([a, b], slope),
         }
     }
 
-    /// The share at which a clearance, by its values at two shares, asks most of the end of the line; `None` on a flat datum.
-    fn raised_most(self, [a, b]: [f64; 2], at: [f64; 2]) -> Option<f64> {
+    /// The share at which a clearance, by its values at two shares, asks most of the end of the line, on a datum
+    /// that bends.
+    fn raised_most(&self, [a, b]: [f64; 2], at: [f64; 2]) -> f64 {
         let slope = (at[1] - at[0]) / (b - a);
         match self {
-            Self::Parabola(0.0) => None,
             Self::Parabola(bend) => {
                 let q = slope - bend * (a + b);
                 let p = at[0] - a * (q + bend * a);
-                Some((p.max(0.0) / bend).sqrt())
+                (p.max(0.0) / bend).sqrt()
             }
-            Self::Sphere { curvature, whole, .. } => {
-                let drops = [a, b].map(|share| curvature.drop(share * whole));
-                let q = slope - (drops[1] - drops[0]) / (b - a);
-                let p = (at[0] - drops[0] - a * q).max(0.0);
-                let radius = curvature.reach();
-                Some(radius * (p * (2.0 * radius + p)).sqrt() / ((radius + p) * whole))
-            }
+            Self::Sphere(sphere) => sphere.raised_most([a, b], at[0], slope),
         }
+    }
+}
+
+// Apart from the parabola, whose few operations are what most lines cost.
+impl Sphere {
+    #[inline(never)]
+    fn at(&self, share: f64) -> f64 {
+        share * self.drop - self.curvature.drop(share * self.whole)
+    }
+
+    /// Slope (m a share) of the drop between two shares.
+    fn slope(&self, [a, b]: [f64; 2]) -> f64 {
+        let drops = [a, b].map(|share| self.curvature.drop(share * self.whole));
+        (drops[1] - drops[0]) / (b - a)
+    }
+
+    #[inline(never)]
+    fn nearest(&self, shares: [f64; 2], slope: f64) -> f64 {
+        steep(self.curvature.reach(), (self.slope(shares) - slope) / self.whole) / self.whole
+    }
+
+    #[inline(never)]
+    fn raised_most(&self, [a, b]: [f64; 2], at_a: f64, slope: f64) -> f64 {
+        let q = slope - self.slope([a, b]);
+        let p = (at_a - self.curvature.drop(a * self.whole) - a * q).max(0.0);
+        let radius = self.curvature.reach();
+        radius * (p * (2.0 * radius + p)).sqrt() / ((radius + p) * self.whole)
     }
 }
 

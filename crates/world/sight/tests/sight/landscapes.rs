@@ -109,6 +109,24 @@ fn the_rim_of_a_crater_is_a_parabola() {
     assert!((line.blocker.unwrap().distance - meets).abs() < 1e-6, "{:?} {meets}", line.blocker);
 }
 
+/// Terrain alone would not reach the line: the rim does.
+#[test]
+fn a_rim_on_flat_ground_hides_what_stands_behind_it() {
+    let crater = Crater::new([250.0, 250.0], Shape::RimmedBowl { r1: 60.0, r2: 100.0 }, 30.0, 8.0).unwrap();
+    let ground = flat_with(crater);
+    for (height, clearance) in [(5.0, -3.0), (7.9, -0.1), (9.0, 1.0)] {
+        let [eye, target] = [20.0, 480.0].map(|east| Point::above_ground([250.0, east], height));
+        let line = ground.line_of_sight(&eye, &target, FLAT).unwrap();
+        assert!((line.clearance - clearance).abs() < 1e-9, "{height}: {}", line.clearance);
+        assert_eq!(line.sight == Sight::Hidden, clearance < 0.0, "{height}");
+        // The rim reaches the line where 8 (1 - (u / 20)^2) is the height; its crest stands 150 m away.
+        let meets = line.blocker.map(|blocker| blocker.distance);
+        let expected = (height < 8.0).then(|| 150.0 - 20.0 * (1.0 - height / 8.0_f64).sqrt());
+        assert!(meets.zip(expected).is_none_or(|(a, b)| (a - b).abs() < 1e-6), "{meets:?} {expected:?}");
+        assert_eq!(meets.is_some(), expected.is_some());
+    }
+}
+
 /// Random terrain with craters of all kinds, on two levels.
 fn random_ground(random: &mut Random, levels: usize) -> Terrain {
     let mut words = |_: f64, _: f64| std::array::from_fn(|_| random.between(-6.0, 6.0));
