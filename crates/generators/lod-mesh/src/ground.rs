@@ -64,6 +64,13 @@ pub fn finest(prepared: &Prepared, place: [f64; 2]) -> f64 {
     surface(prepared, &state).under(place)
 }
 
+/// The same; `None` beside the ground.
+pub fn finest_at(prepared: &Prepared, place: [f64; 2]) -> Option<f64> {
+    let [low, high] = prepared.posts.terrain.extent();
+    let is_over = (0..2).all(|axis| (low[axis]..=high[axis]).contains(&place[axis]));
+    is_over.then(|| finest(prepared, place))
+}
+
 /// The tiles of a surface that a camera may show.
 pub fn mesh(prepared: &Prepared, surface: &Surface<'_>, camera: &Camera) -> Mesh {
     let frustum = Frustum::new(camera);

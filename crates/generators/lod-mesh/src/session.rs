@@ -115,7 +115,19 @@ impl GeneratorSession for Session {
     }
 
     fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
-        check_free_eye(&self.prepared.stage.landscape, frame, pose)
+        check_free_eye(&self.prepared.stage.landscape, frame, pose)?;
+        let [north, east, up] = pose.eye;
+        let spacing = self.prepared.posts.axes[0].step;
+        match ground::finest_at(&self.prepared, [east, north]).filter(|height| *height >= up) {
+            Some(height) => Err(FrameError::Refused {
+                frame,
+                reason: format!(
+                    "the eye is {:.3} m under the ground between posts {spacing:.1} m apart; ask for a smaller lod.spacing_m, or lift the eye",
+                    height - up
+                ),
+            }),
+            None => Ok(()),
+        }
     }
 
     fn omissions(&self) -> Vec<Omission> {

@@ -27,6 +27,27 @@ fn an_eye_in_the_ground_is_refused() {
 }
 
 #[test]
+fn an_eye_above_the_landscape_and_under_its_triangles_is_refused() {
+    let coarse = lod_mesh::Parameters {
+        spacing: Some(200.0),
+        order: 1,
+        levels: Some(1),
+        ranges: vec![450.0],
+        ..run()
+    };
+    let stage = stage(32);
+    let landscape = stage.landscape.clone();
+    let session = session(stage, coarse);
+    let refused = (0..400).find_map(|step| {
+        let [x, y] = [f64::from(step % 20), f64::from(step / 20)].map(|at| 10.0 + 79.0 * at);
+        let eye = [x, y, landscape.height(x, y).unwrap() + 0.5];
+        session.check(7, &pose(eye, 0.0, 0.0)).err()
+    });
+    let told = refused.unwrap().to_string();
+    assert!(told.contains("frame 7") && told.contains("posts 200.0 m apart"), "{told}");
+}
+
+#[test]
 fn too_many_posts_are_refused_with_their_number() {
     let run = lod_mesh::Parameters { spacing: Some(0.1), ..run() };
     let error = LodMesh { parameters: run }.prepare(stage(32)).err().unwrap().to_string();
