@@ -63,10 +63,8 @@ fn least_heights_have_a_scale() {
 
 #[test]
 fn the_line_stands_over_its_ground() {
-    let places: Vec<[f64; 3]> = (0..=100)
-        .map(|step| f64::from(step))
-        .map(|at| [at, if at < 50.0 { 0.0 } else { f64::NAN }, 10.0])
-        .collect();
+    let places: Vec<[f64; 3]> =
+        (0..=100).map(f64::from).map(|at| [at, if at < 50.0 { 0.0 } else { f64::NAN }, 10.0]).collect();
     let profile = SightProfile { places: &places, blocker: Some(75.0), title: "a line", facts: &[] };
     let drawing = sight_profile(&profile).unwrap();
     let bottom = drawing.lines() - 58;

@@ -2,6 +2,7 @@
 
 mod closed_forms;
 mod landscapes;
+mod random_landscapes;
 mod real_ground;
 mod refused;
 mod second_evaluator;
