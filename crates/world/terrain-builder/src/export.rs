@@ -7,8 +7,9 @@ use features::Shape;
 use rayon::prelude::*;
 use survey::{Affine, Elevation, Frame as FileFrame, Method, Projection};
 
-use crate::crater::{Nearest, NoNearest};
+use crate::crater::{Crater, Nearest, NoNearest};
 use crate::ground::Ground;
+use crate::height_grid::Area;
 
 /// A landscape in the axes of a bank: x north, y east, origin at the south-west corner of its posts.
 #[derive(Debug, Clone)]
@@ -42,10 +43,12 @@ impl Export {
 }
 
 impl Ground {
-    /// The landscape for other generators. Craters that the feature generator cannot draw (oblique, without depth) stay in the heights.
+    /// The landscape for other generators. Craters that the feature generator cannot draw (oblique, without
+    /// depth, over the border) stay in the heights.
     pub fn exported(&self) -> Export {
-        let [corner, _] = self.description().grid.extent();
-        let nearest = self.reliefs().par_iter().map(|relief| relief.crater().map(|crater| crater.nearest()));
+        let [corner, far] = self.description().grid.extent();
+        let nearest = |crater: &Crater| crater.nearest().and_then(|nearest| inside(nearest, [corner, far]));
+        let nearest = self.reliefs().par_iter().map(|relief| relief.crater().map(nearest));
         let nearest: Vec<_> = nearest.collect();
         let (mut craters, mut features, mut kept) = (Vec::new(), Vec::new(), BTreeSet::new());
         for (relief, nearest) in self.reliefs().iter().zip(&nearest) {
@@ -89,6 +92,14 @@ impl Ground {
         elevation.title.clone_from(&description.title);
         elevation
     }
+}
+
+/// The crater, if it lies wholly inside an area.
+fn inside(nearest: Nearest, [low, high]: Area) -> Result<Nearest, NoNearest> {
+    let (centre, outer) = (nearest.crater.centre(), nearest.crater.outer());
+    let is_inside =
+        (0..2).all(|axis| centre[axis] - outer >= low[axis] && centre[axis] + outer <= high[axis]);
+    if is_inside { Ok(nearest) } else { Err(NoNearest::Border) }
 }
 
 /// The same crater with its centre in the axes of a bank whose origin is `corner`.

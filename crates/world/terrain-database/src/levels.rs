@@ -7,7 +7,7 @@ use crate::tiling::Tiling;
 /// Errors and bounds of a tile.
 pub(crate) fn tile(of: &Contents, tiling: Tiling, number: usize) -> Tile {
     let view = View { of, tiling, corner: tiling.place(number).map(|at| at << tiling.order) };
-    let errors = (0..=tiling.order).map(|level| view.error(level)).collect();
+    let errors = (0..=tiling.order).map(|level| if level == 0 { 0.0 } else { view.error(level) }).collect();
     Tile { errors, bounds: view.bounds() }
 }
 

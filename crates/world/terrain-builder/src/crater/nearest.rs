@@ -34,6 +34,11 @@ pub enum NoNearest {
     /// No depth: a bowl of type 2 has a foot above radius 0.
     #[error("a crater without depth: a crater of type 2 has a bowl; set `depth_percent` above 0")]
     Flat,
+    /// The crater reaches over the border of the landscape.
+    #[error(
+        "a crater over the border of the landscape: the feature generator draws craters that lie wholly inside"
+    )]
+    Border,
 }
 
 impl Crater {
