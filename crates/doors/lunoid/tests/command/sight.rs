@@ -19,7 +19,7 @@ fn number(value: &Value) -> f64 {
 /// Posts 5 m apart, three rows of 141: flat but for a ridge of 8 m at column 20. The southernmost row is row 2.
 fn ridge(scene: &Scene) {
     let heights = (0..3 * 141).map(|at| if at % 141 == 20 { 8.0 } else { 0.0 }).collect();
-    write_npy(&scene.join("ridge.npy"), &Npy::new(vec![3, 141], NpyData::F64(heights)).unwrap()).unwrap();
+    write_npy(scene.join("ridge.npy"), &Npy::new(vec![3, 141], NpyData::F64(heights)).unwrap()).unwrap();
 }
 
 const RIDGE: [&str; 5] = ["ridge.npy", "--spacing-m", "5", "--curvature", "flat"];
@@ -79,7 +79,7 @@ fn an_area_of_a_scenario_is_written_in_four_kinds() {
     let told = document(&scene, &[&look[..], &outs].concat());
     let area = &told["area"];
     assert_eq!((&area["rows"], &area["columns"]), (&21.into(), &16.into()), "{told}");
-    let codes = read_npy(&scene.join("seen.npy"), 1 << 20).unwrap();
+    let codes = read_npy(scene.join("seen.npy"), 1 << 20).unwrap();
     assert_eq!(codes.shape(), [21, 16]);
     let codes = codes.data().to_f64();
     let count = |code: f64| codes.iter().filter(|found| **found == code).count() as f64;
