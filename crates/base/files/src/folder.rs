@@ -204,3 +204,13 @@ pub fn make_folder(path: &Path) -> Result<Vec<PathBuf>, FolderError> {
     fs::create_dir_all(&clean).map_err(failed)?;
     Ok(made)
 }
+
+/// Gives what stands at `from` the name `to`, which nothing has.
+///
+/// # Errors
+/// If the system refuses.
+pub fn rename(from: &Path, to: &Path) -> Result<(), FolderError> {
+    let failed =
+        |source| FolderError::System { path: to.to_owned(), doing: "give the folder this name", source };
+    fs::rename(from, to).map_err(failed)
+}

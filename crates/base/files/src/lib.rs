@@ -34,7 +34,7 @@ mod temporary;
 
 pub use atomic::write_atomic;
 pub use error::{Action, FileError, folder_of};
-pub use folder::{Folder, FolderError, make_folder};
+pub use folder::{Folder, FolderError, make_folder, rename};
 pub use kind::{Kind, leads_outside};
 pub use leftovers::{remove_leftovers, remove_leftovers_of};
 pub use lock::LOCK;

@@ -5,7 +5,7 @@ use crate::{Crater, Shape};
 /// A ring of a crater, from the outer radius of the ring before, or from the centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Ring {
-    /// Outer radius (m).
+    /// Outer radius of the ring (m).
     pub outer: f64,
     /// Height (m) at a distance rho (m) from the centre is `terms[0] rho^2 + terms[1] rho + terms[2]`.
     pub terms: [f64; 3],

@@ -15,7 +15,7 @@ pub struct Curvature(pub(crate) Law);
 /// The law of a [`Curvature`].
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Law {
-    /// No drop.
+    /// The ground does not drop.
     #[default]
     Flat,
     /// A drop of `half_bend s^2` (1/m).

@@ -22,7 +22,7 @@ pub struct Line {
 enum Sag {
     /// Drop (m) over the whole way, by a parabola; 0 where the datum is flat.
     Parabola(f64),
-    /// A sphere.
+    /// Below a sphere's tangent plane.
     Sphere(Sphere),
 }
 

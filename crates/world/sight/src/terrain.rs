@@ -36,7 +36,7 @@ impl Terrain {
         Self { landscape, tiers }
     }
 
-    /// The landscape.
+    /// The landscape that hides.
     pub fn landscape(&self) -> &Landscape {
         &self.landscape
     }

@@ -9,7 +9,7 @@ pub struct Way {
     pub from: [f64; 2],
     /// From the observer to the target: north, east (m).
     pub step: [f64; 2],
-    /// Length (m).
+    /// Length of the way (m).
     pub length: f64,
 }
 

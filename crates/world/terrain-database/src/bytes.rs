@@ -16,7 +16,7 @@ impl<'b> Numbers<'b> {
         self.rest.len()
     }
 
-    /// The next bytes.
+    /// Takes the next bytes off.
     pub fn bytes<const N: usize>(&mut self) -> Option<[u8; N]> {
         let (first, rest) = self.rest.split_first_chunk()?;
         self.rest = rest;
@@ -33,12 +33,12 @@ impl<'b> Numbers<'b> {
         self.bytes().map(u64::from_le_bytes)
     }
 
-    /// The next number.
+    /// Takes the next number off.
     pub fn f64(&mut self) -> Option<f64> {
         self.bytes().map(f64::from_le_bytes)
     }
 
-    /// The next numbers.
+    /// Takes the next numbers off.
     pub fn f64s<const N: usize>(&mut self) -> Option<[f64; N]> {
         let mut numbers = [0.0; N];
         for number in &mut numbers {
@@ -48,7 +48,7 @@ impl<'b> Numbers<'b> {
     }
 }
 
-/// Appends numbers.
+/// Appends numbers in order.
 pub(crate) fn put(bytes: &mut Vec<u8>, numbers: impl IntoIterator<Item = f64>) {
     numbers.into_iter().for_each(|number| bytes.extend(number.to_le_bytes()));
 }

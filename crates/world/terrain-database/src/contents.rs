@@ -32,7 +32,7 @@ pub enum Map {
 }
 
 impl Map {
-    /// Number of posts.
+    /// How many posts it has.
     pub fn len(&self) -> usize {
         match self {
             Self::U8(values) => values.len(),
@@ -90,7 +90,7 @@ pub struct Boulder {
 /// What a terrain is made of. Axes: x east, y north, z up (m).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contents {
-    /// Body and axes.
+    /// Body and axes of the terrain.
     pub frame: Frame,
     /// Order n of the tiles, 1 to 12: `2^n + 1` posts a side.
     pub order: u32,

@@ -67,7 +67,7 @@ pub enum DatabaseError {
     Damaged {
         /// Path of the file.
         path: PathBuf,
-        /// The damaged block.
+        /// Which block is damaged.
         block: Block,
     },
     /// A block that is whole, and says what cannot be.

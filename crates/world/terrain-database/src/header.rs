@@ -60,13 +60,13 @@ pub(crate) struct Header {
 /// Why bytes are no header.
 #[derive(Debug, PartialEq)]
 pub(crate) enum NoHeader {
-    /// Other first bytes.
+    /// The first bytes are others.
     Magic,
-    /// Another version.
+    /// It has another version.
     Version(u32),
     /// The bytes end; at least so many are needed.
     Short(u64),
-    /// The hash differs.
+    /// The hash is another one.
     Damaged,
     /// A value that cannot be.
     Unfit(Unfit),

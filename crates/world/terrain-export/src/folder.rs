@@ -4,7 +4,7 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use files::{Npy, NpyData, folder_of, make_folder, write_atomic, write_npy};
+use files::{Npy, NpyData, folder_of, make_folder, rename, write_atomic, write_npy};
 use landscape::bank_file;
 
 use crate::error::ExportError;
@@ -52,7 +52,7 @@ fn hidden(out: &Path, word: &str) -> PathBuf {
 
 /// Puts the old folder back that an export moved aside before it was killed.
 fn restore(out: &Path, old: &Path) -> Result<(), ExportError> {
-    if old.is_dir() && !out.exists() { rename(old, out) } else { remove(old) }
+    if old.is_dir() && !out.exists() { Ok(rename(old, out)?) } else { remove(old) }
 }
 
 fn expect_ours(out: &Path) -> Result<(), ExportError> {
@@ -109,14 +109,9 @@ fn replace(out: &Path, new: &Path, old: &Path) -> Result<(), ExportError> {
         if has_old {
             rename(old, out)?;
         }
-        return Err(error);
+        return Err(error.into());
     }
     remove(old)
-}
-
-fn rename(from: &Path, to: &Path) -> Result<(), ExportError> {
-    let system = |source| ExportError::System { path: to.into(), doing: "give the folder its name", source };
-    fs::rename(from, to).map_err(system)
 }
 
 fn remove(folder: &Path) -> Result<(), ExportError> {

@@ -4,7 +4,7 @@ use features::{Crater, Features, Shape};
 use landscape::{Bank, Landscape, Level};
 use sight::{Curvature, Point, Raster, Sight, Terrain};
 
-/// No curvature.
+/// Ground on a flat datum.
 pub const FLAT: Curvature = Curvature::FLAT;
 
 /// A level whose words at each corner (x, y) are those of a function of place.

@@ -28,7 +28,7 @@ fn random_ground(random: &mut Random, levels: usize) -> Terrain {
 }
 
 struct Sampled {
-    /// Least clearance (m).
+    /// Least clearance of the line (m).
     clearance: f64,
     /// Distance (m) of the first place below the line, by more than 1e-6 m.
     first: Option<f64>,
