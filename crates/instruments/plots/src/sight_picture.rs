@@ -26,7 +26,7 @@ pub enum SightLayer<'a> {
 /// Cells on a regular grid, rows from north to south, with the heights of their ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SightMap<'a> {
-    /// Rows and columns.
+    /// Numbers of rows and columns.
     pub size: [usize; 2],
     /// Place of the north-western cell: north, east (m).
     pub corner: [f64; 2],

@@ -7,7 +7,7 @@ use crate::error::{Unfit, expect};
 use crate::heights::MOST_STEPS;
 use crate::tiling::{MOST_ORDER, Tiling};
 
-/// Largest height (m).
+/// Largest height that is allowed (m).
 const MOST_HEIGHT: f64 = 1e9;
 
 /// The tiles of so many posts along x and along y.
@@ -57,7 +57,7 @@ pub(crate) fn check_frame(frame: &Frame) -> Result<(), Unfit> {
     expect(is_near, "origin", format_args!("{origin:?}"), "lengths within 1e9 m")
 }
 
-/// Whether ranges rise.
+/// Whether the ranges of levels rise.
 pub(crate) fn check_ranges(ranges: &[Range], order: u32) -> Result<(), Unfit> {
     let most = order as usize + 1;
     expect(

@@ -85,7 +85,7 @@ pub enum DatabaseError {
     TooLarge {
         /// Path of the file.
         path: PathBuf,
-        /// Number of posts.
+        /// How many posts it has.
         posts: u64,
         /// Bytes of their heights in memory.
         bytes: u64,

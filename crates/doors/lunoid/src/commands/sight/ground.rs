@@ -19,15 +19,15 @@ const BANK: &[u8] = b"LUNOBANK";
 
 /// Ground of one of the surfaces.
 pub enum Ground {
-    /// Triangles between posts.
+    /// Ground of triangles between posts.
     Mesh(Posts),
-    /// A closed form.
+    /// Ground in closed form.
     Landscape(Box<Terrain>),
 }
 
 /// A ground with its place on a map.
 pub struct Site {
-    /// The ground.
+    /// The ground that hides.
     pub ground: Ground,
     /// The places over which an area is looked at.
     pub targets: Raster,
@@ -45,7 +45,7 @@ pub struct Site {
 pub enum Source {
     /// A scenario or a bank.
     Landscape(Box<Landscape>, String),
-    /// An elevation file.
+    /// What an elevation file says.
     Elevation,
 }
 

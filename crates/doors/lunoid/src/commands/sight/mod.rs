@@ -44,7 +44,7 @@ pub struct SightCommand {
     /// Place of one target.
     #[arg(long, value_name = "NORTH,EAST", value_parser = values::place, conflicts_with_all = ["path", "area"])]
     to: Option<[f64; 2]>,
-    /// File of targets.
+    /// File with the targets of a path.
     #[arg(long, value_name = "CSV", conflicts_with = "area")]
     path: Option<PathBuf>,
     /// Edges of the area with the targets; all of the ground if left out.

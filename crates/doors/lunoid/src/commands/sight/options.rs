@@ -53,7 +53,7 @@ pub enum Layer {
 /// The law of curvature.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Law {
-    /// No curvature.
+    /// The ground does not bend.
     Flat,
     /// The datum falls by s^2 / 2R.
     Parabola,

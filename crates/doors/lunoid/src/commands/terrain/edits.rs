@@ -27,7 +27,7 @@ pub struct New {
     /// Southern and northern edge of the area (degrees).
     #[arg(long, value_name = "S,N", value_parser = values::pair)]
     latitude_deg: [f64; 2],
-    /// Distance between posts.
+    /// Distance between posts in metres.
     #[arg(long, value_name = "METRES", value_parser = values::metres)]
     resolution_m: f64,
     /// Tiles have 2^N cells a side.

@@ -24,7 +24,7 @@ crater and region. An earlier export in the folder is replaced whole.";
 pub struct Export {
     #[command(flatten)]
     landscape: Landscape,
-    /// Folder to write.
+    /// Folder to write the files into.
     #[arg(short, long, value_name = "FOLDER")]
     out: PathBuf,
     /// Step of the heights in the database. Every bit is kept if left out.

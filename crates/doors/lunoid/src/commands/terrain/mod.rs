@@ -75,7 +75,7 @@ fn built(file: &Path, description: Description, base: Base) -> Result<Ground, Fa
 /// A landscape file that a command reads or edits.
 #[derive(Debug, Args)]
 struct Landscape {
-    /// Landscape file (TOML).
+    /// File of the landscape (TOML).
     #[arg(value_name = "FILE")]
     file: PathBuf,
 }
