@@ -23,7 +23,7 @@ roughness (docs/terrain.md).";
 pub struct Add {
     #[command(flatten)]
     landscape: Landscape,
-    /// File with [[feature]] tables.
+    /// File with `[[feature]]` tables.
     #[arg(long, value_name = "TOML", required_unless_present_any = ["crater", "boulder"])]
     block: Option<PathBuf>,
     /// Name of the feature: letters, digits and hyphens.
