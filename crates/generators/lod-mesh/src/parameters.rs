@@ -10,7 +10,7 @@ pub struct Parameters {
     pub sampling: scene_sampler::Parameters,
     /// Order n of a tile: it has `2^n` cells a side.
     pub order: u32,
-    /// Distance of posts (m); `None` parts the longer side of the ground into [`USUAL_CELLS`](crate::terrain::USUAL_CELLS).
+    /// Distance of posts (m); `None` parts the longer side of the ground into 1024 cells.
     pub spacing: Option<f64>,
     /// Most levels; `None` is all that tiles of the order have.
     pub levels: Option<u32>,
