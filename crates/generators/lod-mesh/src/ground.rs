@@ -59,9 +59,7 @@ pub fn surface<'a>(prepared: &'a Prepared, state: &'a State) -> Surface<'a> {
 
 /// Height (m) of the finest triangles under a place (east, north; m).
 pub fn finest(prepared: &Prepared, place: [f64; 2]) -> f64 {
-    let tiles = vec![TileState { level: 0, fraction: 0.0 }; prepared.posts.heights.len()];
-    let state = State::of(&prepared.posts.terrain, tiles);
-    surface(prepared, &state).under(place)
+    surface(prepared, &prepared.finest).under(place)
 }
 
 /// The same; `None` beside the ground.

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use generator::{PrepareError, Stage};
+use lod_tiles::{State, TileState};
 use scene_sampler::GroundMap;
 
 use crate::levels::LevelTable;
@@ -15,6 +16,8 @@ pub struct Prepared {
     pub run: Parameters,
     pub posts: Posts,
     pub table: LevelTable,
+    /// All tiles at the finest level.
+    pub finest: State,
     /// Slopes of all posts, as the map of the ground shares them.
     slopes: Arc<[[f32; 2]]>,
 }
@@ -29,7 +32,9 @@ impl Prepared {
         let mut posts = Posts::new(&stage, &run)?;
         let slopes = std::mem::take(&mut posts.slopes).into();
         let table = LevelTable::new(&posts.terrain, &run, focal(&stage))?;
-        Ok(Self { stage, run, posts, table, slopes })
+        let tiles = vec![TileState { level: 0, fraction: 0.0 }; posts.heights.len()];
+        let finest = State::of(&posts.terrain, tiles);
+        Ok(Self { stage, run, posts, table, finest, slopes })
     }
 
     /// The map of the ground's slopes under a sun (unit vector to it: north, east, up).

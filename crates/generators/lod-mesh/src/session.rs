@@ -9,7 +9,7 @@ use light_points::BeamBudget;
 use lod_tiles::State;
 use raster::{Lists, Screen};
 use scenario::Pose;
-use scene_sampler::{Camera, Filled, SIDE, Scene, judged_faces};
+use scene_sampler::{Camera, Filled, Scene, judged_faces};
 use serde_json::Value;
 use signal::Probe;
 
@@ -42,12 +42,7 @@ impl Session {
     /// # Errors
     /// If its raster or its ground is too large, or ranges do not rise.
     pub fn new(stage: Stage, run: Parameters) -> Result<Self, PrepareError> {
-        let size = [stage.view.columns, stage.view.lines];
-        let screen = Screen::new(size, SIDE as u32).map_err(|error| PrepareError::Unsupported {
-            generator: NAME,
-            what: error.to_string(),
-            remedy: "ask for a smaller raster".into(),
-        })?;
+        let screen = scene_sampler::screen(&stage, NAME)?;
         Ok(Self { prepared: Prepared::new(stage, run)?, screen })
     }
 
@@ -131,21 +126,7 @@ impl GeneratorSession for Session {
     }
 
     fn omissions(&self) -> Vec<Omission> {
-        let Stage { landscape, scenery, view } = &self.prepared.stage;
-        let lacks = [
-            (!scenery.patches(f64::INFINITY).is_empty(), "vehicle tracks"),
-            (landscape.texture().is_some(), "texture"),
-            (!landscape.silhouettes().is_empty(), "far silhouettes"),
-            (view.shadows.is_some(), "remote shadow"),
-        ];
-        let omission = |what: &str| Omission {
-            block: NAME,
-            what: what.into(),
-            why: "it draws faces, sheets and lights".into(),
-            weight: Weight::NotModelled,
-        };
-        let mut omissions: Vec<_> =
-            lacks.into_iter().filter(|(is_there, _)| *is_there).map(|(_, what)| omission(what)).collect();
+        let mut omissions = scene_sampler::omissions(&self.prepared.stage, NAME);
         omissions.extend(self.prepared.table.short_zone.map(|(level, zone, tile)| Omission {
             block: NAME,
             what: format!("continuity of edges in time at level {level}"),

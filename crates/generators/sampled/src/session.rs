@@ -2,12 +2,12 @@
 
 use generator::{
     BeamEntry, FaceScene, Fact, FrameCounts, FrameError, Omission, PlaneKind, Planes, PrepareError,
-    Session as GeneratorSession, Stage, Weight, check_eye,
+    Session as GeneratorSession, Stage, check_eye,
 };
 use ground_mesh::Rings;
 use raster::{Lists, Screen};
 use scenario::Pose;
-use scene_sampler::{Camera, Filled, SIDE, Scene, judged_faces};
+use scene_sampler::{Camera, Filled, Scene, judged_faces};
 use serde_json::Value;
 use signal::{Probe, Wire};
 use translucency::Losses;
@@ -44,12 +44,7 @@ impl Session {
     /// # Errors
     /// If its raster is too large.
     pub fn new(stage: Stage, parameters: Parameters, hardware: Hardware) -> Result<Self, PrepareError> {
-        let size = [stage.view.columns, stage.view.lines];
-        let screen = Screen::new(size, SIDE as u32).map_err(|error| PrepareError::Unsupported {
-            generator: NAME,
-            what: error.to_string(),
-            remedy: "ask for a smaller raster".into(),
-        })?;
+        let screen = scene_sampler::screen(&stage, NAME)?;
         let frames = stage.scenery.course().len();
         if parameters.overload.shows_earlier_frames() && frames == 0 {
             return Err(PrepareError::Unsupported {
@@ -166,20 +161,7 @@ impl GeneratorSession for Session {
     }
 
     fn omissions(&self) -> Vec<Omission> {
-        let Stage { landscape, scenery, view } = &self.stage;
-        let lacks = [
-            (!scenery.patches(f64::INFINITY).is_empty(), "vehicle tracks"),
-            (landscape.texture().is_some(), "texture"),
-            (!landscape.silhouettes().is_empty(), "far silhouettes"),
-            (view.shadows.is_some(), "remote shadow"),
-        ];
-        let omission = |what: &str| Omission {
-            block: NAME,
-            what: what.into(),
-            why: "it draws faces, sheets and lights".into(),
-            weight: Weight::NotModelled,
-        };
-        lacks.into_iter().filter(|(is_there, _)| *is_there).map(|(_, what)| omission(what)).collect()
+        scene_sampler::omissions(&self.stage, NAME)
     }
 
     fn wires(&self) -> Vec<Wire> {

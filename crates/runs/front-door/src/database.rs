@@ -16,18 +16,53 @@ const SAME_BODY: f64 = 1e-3;
 /// If the file is no sound database, is of another body, or has no ground in common with the bank.
 pub(crate) fn posts(file: &Path, bank: [f64; 4]) -> Result<Posts, StageError> {
     let database = Database::open(file).map_err(Box::new)?;
-    let Contents { frame, order, places, heights, ranges, .. } = database.contents();
+    let Contents { frame, order, places, heights, ranges, .. } = database.into_contents();
     if (frame.radius - LUNOID_RADIUS).abs() > SAME_BODY * LUNOID_RADIUS {
         return Err(StageError::OtherBody { file: file.into(), radius: frame.radius });
     }
     let [east, north] =
         [0, 1].map(|axis| places[axis].iter().map(|place| place - frame.origin[axis]).collect::<Vec<f64>>());
-    let ranges = ranges.iter().map(|range| [range.end, range.share]).collect();
-    let posts = Posts { order: *order, places: [north, east], heights: heights.clone(), ranges };
+    let ranges = ranges.into_iter().map(|range| [range.end, range.share]).collect();
+    let posts = Posts { order, places: [north, east], heights, ranges };
     let [south, west, north, east] = posts.extent();
     let is_apart = south >= bank[2] || north <= bank[0] || west >= bank[3] || east <= bank[1];
     match is_apart {
         true => Err(StageError::ApartDatabase { file: file.into(), posts: posts.extent(), bank }),
         false => Ok(posts),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use terrain_database::Frame;
+
+    use super::*;
+
+    /// 5 x 3 posts 100 m apart whose height is the place to the east; the landscape's origin lies 50 m east and 20 m north of theirs.
+    fn read(radius: f64, bank: [f64; 4]) -> Result<Posts, StageError> {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("ground.lod");
+        let frame = Frame { radius, latitude: 0.4, longitude: 0.1, origin: [50.0, 20.0] };
+        let places = |count: u32| (0..count).map(|post| 100.0 * f64::from(post)).collect::<Vec<_>>();
+        let heights = (0..15).map(|post| 100.0 * f64::from(post % 5)).collect();
+        let contents = Contents::new(frame, 1, [places(5), places(3)], heights);
+        Database::new(contents).unwrap().write(&file).unwrap();
+        posts(&file, bank)
+    }
+
+    #[test]
+    fn posts_stand_in_the_axes_of_the_landscape() {
+        let posts = read(LUNOID_RADIUS, [0.0, 0.0, 100.0, 100.0]).unwrap();
+        assert_eq!(posts.places[0], [-20.0, 80.0, 180.0]);
+        assert_eq!(posts.extent(), [-20.0, -50.0, 180.0, 350.0]);
+        assert_eq!(posts.heights[..6], [0.0, 100.0, 200.0, 300.0, 400.0, 0.0]);
+    }
+
+    #[test]
+    fn other_bodies_and_other_ground_are_refused() {
+        let mars = read(3_389_500.0, [0.0, 0.0, 100.0, 100.0]).unwrap_err().to_string();
+        assert!(mars.contains("3389500") && mars.contains("ground.lod"), "{mars}");
+        let apart = read(LUNOID_RADIUS, [180.0, 0.0, 900.0, 100.0]).unwrap_err().to_string();
+        assert!(apart.contains("from one export") && apart.contains("900.0"), "{apart}");
     }
 }

@@ -6,4 +6,5 @@ mod order;
 mod parameters;
 mod pops;
 mod shots;
+mod stored;
 mod told;

@@ -2,6 +2,7 @@
 
 use generator::PlaneKind;
 use lod_mesh::{GroundLight, Parameters, Transition};
+use scenario::Curvature;
 
 use crate::shots::{draw, pose, run, session, stage};
 
@@ -62,4 +63,18 @@ fn a_sounding_is_the_distance_in_the_picture_and_tells_a_switch() {
     let pop =
         |run: &Parameters| (sounding(run, [&before, &behind]) - sounding(run, [&behind, &before])).abs();
     assert!(pop(&switch) > 0.5 && pop(&run()) < 1e-9, "{} {}", pop(&switch), pop(&run()));
+}
+
+/// On a body that bends, a level that is wholly the next one lies on the next one's chords.
+#[test]
+fn the_drop_of_the_lunoid_morphs_too() {
+    let mut stage = stage(PIXELS as u32);
+    stage.view.laws.curvature = Curvature::Parabolic;
+    let ground = stage.landscape.at_spacing(755.0, 752.0, 10.0).unwrap().height;
+    let session = session(stage, run());
+    let at = |up: f64| pose([755.0, 752.0, ground + up], 0.0, -90.0);
+    let [before, behind] = [455.0, 445.0].map(at);
+    let sounding = |levels| session.sounding(0, &before, levels).unwrap().unwrap();
+    let pop: f64 = sounding([&before, &behind]) - sounding([&behind, &before]);
+    assert!(pop.abs() < 1e-9, "{pop}");
 }

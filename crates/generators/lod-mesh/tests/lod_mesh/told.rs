@@ -49,6 +49,11 @@ fn distances_are_those_of_the_drawn_ground() {
     let eye = [803.0, 811.0, 300.0];
     let planes = draw(&*session, 65, &pose(eye, 0.0, -90.0));
     let middle = planes.get(PlaneKind::Distance).unwrap()[32 * 65 + 32];
-    let ground = stage(65).landscape.height(803.0, 811.0).unwrap();
+    let stage = stage(65);
+    let ground = stage.landscape.height(803.0, 811.0).unwrap();
+    let slopes = stage.landscape.at(803.0, 811.0).unwrap().slopes;
+    let light = 0.8 * stage.scenery.sun(0.0).reflectivity(slopes);
+    let drawn = f64::from(planes.get(PlaneKind::Intensity).unwrap()[32 * 65 + 32]);
+    assert!((drawn - light).abs() < 0.03, "{drawn} {light}");
     assert!((f64::from(middle) - (300.0 - ground)).abs() < 1.5, "{middle} {ground}");
 }

@@ -122,7 +122,7 @@ impl Site {
         Ok(Self { ground: Ground::Mesh(posts), targets, first, origin, frame, title })
     }
 
-    /// Radius (m) of the body of its map; that of the Moon where the map does not say.
+    /// Radius (m) of the body that its map names, else of the Moon.
     pub fn radius(&self) -> f64 {
         self.frame.sphere().unwrap_or(LUNOID_RADIUS)
     }

@@ -65,7 +65,7 @@ pub struct SightCommand {
     cell_m: Option<f64>,
     #[command(flatten)]
     bending: Bending,
-    /// What is told of each place of an area.
+    /// Answer for each place of an area.
     #[arg(long, value_enum, default_value = "seen", conflicts_with_all = ["to", "path"])]
     layer: Layer,
     /// File to write, may be given several times. Of an area: .tif, .npy, .csv, .png, .svg; of one line: .csv, .png, .svg; of a path:

@@ -41,7 +41,7 @@ pub fn height(text: &str) -> Result<Height, String> {
     }
 }
 
-/// What is told of each place of an area.
+/// Answer for each place of an area.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum Layer {
     /// Whether a target is seen: 1 visible, 0 hidden, 255 unknown.
@@ -67,7 +67,7 @@ pub struct Bending {
     /// Curvature of the datum along the line.
     #[arg(long, value_enum, default_value = "sphere")]
     pub curvature: Law,
-    /// Radius of the body; that of the map of the ground if left out, else that of the Moon.
+    /// Radius of the body. If left out, the map of the ground names it, or it is the Moon.
     #[arg(long, value_name = "METRES", value_parser = values::positive)]
     radius_m: Option<f64>,
     /// Refraction coefficient of an atmosphere, from 0 to below 1.

@@ -1,0 +1,59 @@
+//! Ground from a terrain database.
+
+use std::sync::Arc;
+
+use generator::{Generator, Stage};
+use landscape::Posts;
+use lod_mesh::{LodMesh, Parameters};
+
+use crate::shots::{pose, run, session, stage};
+
+/// The stage with posts whose heights rise by 0.3 m a metre to the east.
+fn stored(places: [Vec<f64>; 2], ranges: Vec<[f64; 2]>) -> Stage {
+    let heights = places[0].iter().flat_map(|_| places[1].iter().map(|east| 0.3 * east)).collect();
+    let posts = Posts { order: 2, places, heights, ranges };
+    let stage = stage(32);
+    let landscape = Arc::new((*stage.landscape).clone().with_posts(Some(posts)));
+    Stage { landscape, ..stage }
+}
+
+fn every(step: f64, count: u32) -> Vec<f64> {
+    (0..count).map(|post| step * f64::from(post)).collect()
+}
+
+#[test]
+fn the_posts_of_a_database_are_drawn_and_not_the_bank() {
+    let session = session(stored([every(100.0, 17), every(100.0, 9)], Vec::new()), Parameters::default());
+    let eye = [700.0, 310.0, 900.0];
+    let camera = pose(eye, 0.0, -90.0);
+    let distance = session.sounding(0, &camera, [&camera; 2]).unwrap().unwrap();
+    assert!((distance - (900.0 - 0.3 * 310.0)).abs() < 1e-9, "{distance}");
+    let facts = session.explain(0, &camera, [16, 16]).unwrap();
+    let tile = facts.iter().find(|fact| fact.what == "tile").unwrap();
+    assert!(tile.value.starts_with("column 0, row 1"), "{}", tile.value);
+}
+
+#[test]
+fn ranges_of_a_database_hold_where_the_scenario_gives_none() {
+    let ranges = vec![[500.0, 0.5], [900.0, 0.5], [2000.0, 0.5]];
+    let told = |run: Parameters| {
+        let session = session(stored([every(100.0, 17), every(100.0, 9)], ranges.clone()), run);
+        let facts = session.explain(0, &pose([700.0, 310.0, 900.0], 0.0, -90.0), [16, 16]).unwrap();
+        facts.into_iter().find(|fact| fact.what == "levels").unwrap().value
+    };
+    assert!(told(Parameters::default()).contains("0 to 500 m"));
+    assert!(told(Parameters { ranges: vec![450.0, 900.0, 1350.0], ..run() }).contains("0 to 450 m"));
+}
+
+#[test]
+fn a_last_tile_may_be_narrower_and_other_posts_are_refused() {
+    let mut narrow = every(100.0, 5);
+    narrow.extend([450.0, 500.0, 550.0, 600.0]);
+    let of = |east: Vec<f64>| {
+        LodMesh { parameters: Parameters::default() }.prepare(stored([every(100.0, 9), east], vec![]))
+    };
+    assert!(of(narrow.clone()).is_ok());
+    narrow[6] = 490.0;
+    let error = of(narrow).err().unwrap().to_string();
+    assert!(error.contains("uneven distances"), "{error}");
+}
