@@ -65,3 +65,43 @@ fn step(surface: &Surface<'_>, tile: Tile, at: [usize; 2]) -> [f64; 2] {
     let cell = |tile: &Tile| surface.cell(*tile);
     tiles.iter().map(cell).fold([0.0; 2], |most, cell| [most[0].max(cell[0]), most[1].max(cell[1])])
 }
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use lod_tiles::{Edges, State, Stitch, Terrain, TileState};
+    use quantities::unit_interval;
+
+    use super::*;
+
+    /// 3 x 3 tiles of random levels over random heights: a vertex has one slope, whichever tile it is asked of.
+    #[test]
+    fn both_sides_of_an_edge_have_the_same_slopes() {
+        for seed in 0..40 {
+            let random = |word: u64| unit_interval(seed, &[word]);
+            let places: Vec<f64> = (0..25).map(f64::from).collect();
+            let heights = (0..625).map(|post| 10.0 * random(post)).collect();
+            let terrain = Terrain::new(3, [places.clone(), places], heights).unwrap();
+            let tile =
+                |number: u64| TileState { level: (3.0 * random(1000 + number)) as usize, fraction: 0.0 };
+            let state = State::of(&terrain, (0..9).map(tile).collect());
+            let surface = Surface {
+                terrain: &terrain,
+                state: &state,
+                levels: 4,
+                edges: Edges::Shared,
+                stitch: Stitch::CoarseSide,
+            };
+            let mut known = BTreeMap::new();
+            for tile in terrain.tiles() {
+                let vertices: Vec<DVec3> =
+                    surface.mesh(tile).vertices.iter().map(|[x, y, z]| DVec3::new(*y, *x, *z)).collect();
+                for (vertex, slopes) in vertices.iter().zip(of_tile(&surface, tile, &vertices)) {
+                    let first = *known.entry([vertex.x, vertex.y].map(f64::to_bits)).or_insert(slopes);
+                    assert!((0..2).all(|axis| (first[axis] - slopes[axis]).abs() < 1e-9), "{seed}: {vertex}");
+                }
+            }
+        }
+    }
+}

@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
-use generator::{Generator, Stage};
+use generator::{Generator, PlaneKind, Stage};
 use landscape::Posts;
 use lod_mesh::{LodMesh, Parameters};
 
-use crate::shots::{pose, run, session, stage};
+use crate::shots::{draw, pose, run, session, stage};
 
 /// The stage with posts whose heights rise by 0.3 m a metre to the east.
 fn stored(places: [Vec<f64>; 2], ranges: Vec<[f64; 2]>) -> Stage {
@@ -28,6 +28,10 @@ fn the_posts_of_a_database_are_drawn_and_not_the_bank() {
     let camera = pose(eye, 0.0, -90.0);
     let distance = session.sounding(0, &camera, [&camera; 2]).unwrap().unwrap();
     assert!((distance - (900.0 - 0.3 * 310.0)).abs() < 1e-9, "{distance}");
+    // Lit as a plane of its slope.
+    let light = 0.8 * stage(32).scenery.sun(0.0).reflectivity([0.0, 0.3]);
+    let drawn = f64::from(draw(&*session, 32, &camera).get(PlaneKind::Intensity).unwrap()[16 * 32 + 16]);
+    assert!((drawn - light).abs() < 1e-6, "{drawn} {light}");
     let facts = session.explain(0, &camera, [16, 16]).unwrap();
     let tile = facts.iter().find(|fact| fact.what == "tile").unwrap();
     assert!(tile.value.starts_with("column 0, row 1"), "{}", tile.value);
