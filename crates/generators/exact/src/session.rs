@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use generator::{
     Counter, Fact, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes, PrepareError,
-    Role, Row, Session as GeneratorSession, Stage,
+    Role, Row, Session as GeneratorSession, Stage, photographs_beside,
 };
 use quantities::intensity;
 use rayon::prelude::*;
@@ -122,7 +122,7 @@ impl GeneratorSession for Session {
     }
 
     fn omissions(&self) -> Vec<Omission> {
-        Vec::new()
+        photographs_beside(&self.stage.landscape, ROW.name).into_iter().collect()
     }
 
     /// All planes of the pixel: of its column alone, so that nobody waits for the picture.

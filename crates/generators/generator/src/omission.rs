@@ -1,5 +1,7 @@
 //! What a scene does not need, and is told so.
 
+use landscape::Landscape;
+
 /// What leaving something out does to the picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Weight {
@@ -22,6 +24,19 @@ pub struct Omission {
     pub why: String,
     /// What it does to the picture.
     pub weight: Weight,
+}
+
+/// What the photographs of a landscape are to a generator that draws the ground itself; `None` without photographs.
+pub fn photographs_beside(landscape: &Landscape, block: &'static str) -> Option<Omission> {
+    let omission = || {
+        let what = "photographs of the ground (`[[photograph]]`)";
+        Omission::lossless(
+            block,
+            what,
+            "it draws the ground itself; --machine panels lays photographs over it",
+        )
+    };
+    (!landscape.photographs().is_empty()).then(omission)
 }
 
 impl Omission {

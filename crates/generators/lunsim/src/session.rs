@@ -2,7 +2,7 @@
 
 use generator::{
     Counter, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes, PrepareError, Scan,
-    Session as GeneratorSession, Stage, Timed, check_eye,
+    Session as GeneratorSession, Stage, Timed, check_eye, photographs_beside,
 };
 use scenario::{Pose, View};
 use serde_json::{Value, json};
@@ -125,7 +125,9 @@ impl GeneratorSession for Session {
     }
 
     fn omissions(&self) -> Vec<Omission> {
-        restrictions::omissions(&self.stage)
+        let mut omissions = restrictions::omissions(&self.stage);
+        omissions.extend(photographs_beside(&self.stage.landscape, NAME));
+        omissions
     }
 
     fn wires(&self) -> Vec<Wire> {

@@ -2,7 +2,7 @@
 
 use generator::{
     BeamEntry, FaceScene, Fact, FrameCounts, FrameError, Omission, PlaneKind, Planes, PrepareError,
-    Session as GeneratorSession, Stage, check_eye,
+    Session as GeneratorSession, Stage, check_eye, photographs_beside,
 };
 use ground_mesh::Rings;
 use raster::{Lists, Screen};
@@ -161,7 +161,9 @@ impl GeneratorSession for Session {
     }
 
     fn omissions(&self) -> Vec<Omission> {
-        scene_sampler::omissions(&self.stage, NAME)
+        let mut omissions = scene_sampler::omissions(&self.stage, NAME);
+        omissions.extend(photographs_beside(&self.stage.landscape, NAME));
+        omissions
     }
 
     fn wires(&self) -> Vec<Wire> {

@@ -10,6 +10,7 @@ use generator::PrepareError;
 use landscape::bank_file::BankFileError;
 use landscape::relief::ReliefError;
 use landscape::{AlbedoMapError, BankError, LUNOID_RADIUS, TextureError};
+use photograph::PhotoError;
 use photographs::PhotographFileError;
 use scenario::{PathProblems, SceneryProblems};
 use terrain_database::DatabaseError;
@@ -111,6 +112,14 @@ pub enum StageError {
         file: PathBuf,
         /// Why the picture is no map of the albedo.
         error: AlbedoMapError,
+    },
+    /// A photograph cannot be read.
+    #[error("[[photograph]] {}: {error}", file.display())]
+    Photograph {
+        /// File of the picture.
+        file: PathBuf,
+        /// Why it is no photograph of ground.
+        error: Box<PhotoError>,
     },
     /// The terrain database cannot be read.
     #[error("[landscape] database: {0}")]

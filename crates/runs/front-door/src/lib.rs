@@ -25,6 +25,7 @@ mod kind;
 mod open;
 mod opened;
 mod overlays;
+mod photographs;
 mod stage;
 mod wishes;
 mod written_keys;

@@ -67,7 +67,7 @@ pub use laws::{
 };
 pub use lights::{Flash, LightPoint, LightSource, Lobe};
 pub use limits::{Limit, LimitReport};
-pub use looks::{AlbedoMapWish, MapCurve, RollDisplay, ShadowFineness, TextureWish};
+pub use looks::{AlbedoMapWish, MapCurve, PhotographWish, RollDisplay, ShadowFineness, TextureWish};
 pub use meant::{GroundSource, Length, Scenario};
 pub use objects::{Action, Event, Object, Stance};
 pub use path::{HeightOver, Path, PathError, Station, Waypoint};

@@ -8,8 +8,8 @@ use quantities::Rate;
 
 use crate::{
     AlbedoMapWish, Channel, CraterWishes, Display, EffectWishes, Event, FieldWish, Group, LawWishes,
-    LevelSwitch, Object, Path, RangeProgramme, RasterWishes, Rocks, RollDisplay, Scalar, ShadowFineness,
-    StarSource, Sunlight, TextureWish, Tracks, Vehicle, VehicleShape,
+    LevelSwitch, Object, Path, PhotographWish, RangeProgramme, RasterWishes, Rocks, RollDisplay, Scalar,
+    ShadowFineness, StarSource, Sunlight, TextureWish, Tracks, Vehicle, VehicleShape,
 };
 
 /// What happens: ground, light, vehicle, path, and how it is to be seen.
@@ -35,6 +35,8 @@ pub struct Scenario {
     pub albedo: f64,
     /// Map of the same over it.
     pub albedo_map: Option<AlbedoMapWish>,
+    /// Photographs of the ground; each file stands there once.
+    pub photographs: Vec<PhotographWish>,
     /// How the ground returns it.
     pub photometry: Photometry,
     /// Small detail of the foreground.
@@ -161,6 +163,7 @@ impl Scenario {
         });
         let database = self.database.as_deref();
         let ground = bank.into_iter().chain(database).chain(self.path_file.as_deref()).chain(list);
-        ground.chain(shapes).chain(vehicle).chain(map).chain(stars).collect()
+        let photographs = self.photographs.iter().flat_map(|wish| [wish.file.as_path(), &wish.camera]);
+        ground.chain(shapes).chain(vehicle).chain(map).chain(stars).chain(photographs).collect()
     }
 }

@@ -19,6 +19,7 @@ mod object_ids;
 mod overlays;
 mod path_gpx;
 mod path_table;
+mod photographs;
 mod points;
 mod quaternion;
 mod raster;
@@ -185,6 +186,7 @@ fn scenario(root: &Reader, surroundings: &Surroundings, problems: &Problems) -> 
     let is_generated = matches!(lies_on, Some(Ground::Generated));
     let sun_table = root.table("sun");
     let sun = sun_table.as_ref().map(|table| sun::sun(table, is_generated));
+    let photographs = photographs::photographs(&root.tables("photograph"), folder);
     let shadows = part(root, "shadows", light::shadows);
     let photometry = part(root, "photometry", light::photometry);
     let texture = part(root, "texture", light::texture);
@@ -239,6 +241,7 @@ fn scenario(root: &Reader, surroundings: &Surroundings, problems: &Problems) -> 
         database: database?,
         albedo,
         albedo_map,
+        photographs: photographs?,
         photometry: photometry?.unwrap_or(Photometry::Lambert),
         texture: texture?,
         silhouettes: silhouettes?,
