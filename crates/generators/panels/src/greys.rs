@@ -9,7 +9,7 @@ use crate::mesh::Mesh;
 /// What photographs show of a panel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Grey {
-    /// Its light.
+    /// Light of the panel, 0 or more.
     pub light: f64,
     /// Where the light comes from.
     pub source: Source,
@@ -22,7 +22,7 @@ pub enum Source {
     Mean {
         /// Number of the photograph, from 0.
         photograph: usize,
-        /// Number of pixels.
+        /// Number of pixels in the mean.
         pixels: u32,
     },
     /// A look at its middle: it is smaller than a pixel, or several photographs are blended.

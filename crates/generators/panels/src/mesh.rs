@@ -12,7 +12,7 @@ pub struct Mesh {
     pub vertices: Vec<DVec3>,
     /// Numbers of the corners of each panel, counter-clockwise seen from above; two a cell, cells in the order of their south-western posts.
     pub panels: Vec<[u32; 3]>,
-    /// Columns of posts.
+    /// Number of columns of posts.
     columns: usize,
 }
 

@@ -16,17 +16,17 @@ pub const LEAST_COSINE: f64 = 0.1;
 pub struct Albedo {
     /// Albedo, 0 or more; NaN where no photograph sees the post and the posts around do not enclose it.
     pub values: Vec<f64>,
-    /// Posts in shadow in the photograph: their albedo is that of the posts around.
+    /// Posts in shadow in the photograph, or beside it: their albedo is that of the posts around.
     pub shadowed: usize,
     /// Posts that no photograph sees, and whose albedo is that of the posts around.
     pub inferred: usize,
-    /// Posts without albedo.
+    /// Number of posts without albedo.
     pub missing: usize,
 }
 
 impl Drape {
-    /// Albedo of all posts: light over the cosine of the photograph's sun. Posts in its shadow, and unseen ones that others enclose, are filled
-    /// harmonically. Under the law of Lambert this is the albedo of the ground.
+    /// Albedo of all posts: light over the cosine of the photograph's sun. Posts in its shadow or beside it, and unseen ones that others enclose, are
+    /// filled harmonically. Under the law of Lambert this is the albedo of the ground.
     ///
     /// # Errors
     /// If a photograph does not say where its sun was.
@@ -41,17 +41,45 @@ impl Drape {
             let place = ground.post([post / columns, post % columns]);
             let normal = ground.normal([place.x, place.y]);
             let Some(shown) = self.at(place, &Footprint::square(normal, ground.spacing())) else {
-                return Of::Nothing;
+                return (Of::Nothing, 0);
             };
             let cosine = normal.dot(suns[shown.photograph]);
             match cosine <= 0.0 || maps[shown.photograph].shadowed()[post] {
-                true => Of::Shadow,
-                false => Of::Light(shown.light / cosine.max(LEAST_COSINE)),
+                true => (Of::Shadow, 0),
+                false => (Of::Light(shown.light / cosine.max(LEAST_COSINE)), reach(shown.weight, ground)),
             }
         };
-        let found: Vec<Of> = (0..ground.heights().len()).into_par_iter().map(of_post).collect();
-        filled(&found, ground)
+        let found: Vec<(Of, usize)> = (0..ground.heights().len()).into_par_iter().map(of_post).collect();
+        filled(&away_from_shadow(&found, ground), ground)
     }
+}
+
+/// Pixels of a photograph beside a shadow that have a part of it: linear look-ups reach one pixel, and shadows are known to half a one. Chosen.
+const BESIDE_PIXELS: f64 = 1.5;
+
+/// Most posts beside a shadow that have no albedo of their own. Chosen: it bounds the work where pixels are large.
+const MOST_BESIDE: f64 = 8.0;
+
+/// How many posts around one reach into the same pixels of a photograph with so many pixels on a square metre.
+fn reach(weight: f64, ground: &Ground) -> usize {
+    (BESIDE_PIXELS / (weight.sqrt() * ground.spacing())).ceil().min(MOST_BESIDE) as usize
+}
+
+/// The posts, but those beside a shadow are in shadow too: their pixels have a part of it.
+fn away_from_shadow(found: &[(Of, usize)], ground: &Ground) -> Vec<Of> {
+    let [rows, columns] = ground.size();
+    let is_beside = |post: usize, reach: usize| {
+        let (row, column) = (post / columns, post % columns);
+        let around = |at: usize, count: usize| at.saturating_sub(reach)..(at + reach + 1).min(count);
+        around(row, rows).any(|row| {
+            around(column, columns).any(|column| matches!(found[row * columns + column].0, Of::Shadow))
+        })
+    };
+    let of_post = |post: usize| match found[post] {
+        (Of::Light(_), reach) if is_beside(post, reach) => Of::Shadow,
+        (of, _) => of,
+    };
+    (0..found.len()).into_par_iter().map(of_post).collect()
 }
 
 impl Drape {
@@ -89,6 +117,7 @@ impl Albedo {
 }
 
 /// What a post is known by.
+#[derive(Debug, Clone, Copy)]
 enum Of {
     Light(f64),
     Shadow,

@@ -34,7 +34,7 @@ pub struct Shown {
     pub seen_by: usize,
 }
 
-/// Photographs over ground.
+/// Photographs over the posts of ground.
 #[derive(Debug, Clone)]
 pub struct Drape {
     ground: Ground,

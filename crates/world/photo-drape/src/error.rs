@@ -43,7 +43,7 @@ pub enum DrapeError {
         posts: u128,
         /// Distance between them (m).
         spacing: f64,
-        /// Most posts.
+        /// Most posts that are allowed.
         most: u128,
     },
     /// The ground has a hole.

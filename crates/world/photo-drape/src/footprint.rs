@@ -10,7 +10,7 @@ const LEAST_COSINE: f64 = 0.02;
 pub struct Footprint {
     /// Across the line of sight.
     pub across: DVec3,
-    /// Along it.
+    /// Along the line of sight.
     pub along: DVec3,
 }
 

@@ -15,7 +15,7 @@ pub struct Ground {
     /// Place of the south-western post: north, east (m).
     corner: [f64; 2],
     spacing: f64,
-    /// Rows and columns.
+    /// Number of rows and of columns.
     size: [usize; 2],
     heights: Vec<f64>,
     /// Slopes to the north and to the east (m/m).

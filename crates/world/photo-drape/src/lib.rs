@@ -19,7 +19,7 @@
 //!   along its longer axis, each into the smaller picture whose pixels are as large as its shorter one. Smaller pictures are means of 2 x 2
 //!   pixels; looks are linear between them.
 //! - **Triangle.** The mean light of the pixels whose centres lie in it. A centre on the side of two triangles is in one of them.
-//! - **Albedo** is light over `max(n . s, 0.1)`, with s the photograph's sun. Where the photograph is in shadow there is none, and the posts around fill
+//! - **Albedo** is light over `max(n . s, 0.1)`, with s the photograph's sun. In the photograph's shadow, and so near it that pixels have a part of it, there is none, and the posts around fill
 //!   it harmonically.
 //! - All work is in light, never in codes.
 //!

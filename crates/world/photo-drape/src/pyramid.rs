@@ -12,7 +12,7 @@ pub(crate) struct Pyramid {
 
 #[derive(Debug, Clone)]
 struct Level {
-    /// Columns and lines.
+    /// Number of columns and of lines.
     size: [usize; 2],
     lights: Vec<f32>,
 }
