@@ -33,6 +33,8 @@ pub struct Group {
     pub priority: i32,
     /// Which sun lights it.
     pub sun: SunProgramme,
+    /// Factor of the brightness of its faces, above 0.
+    pub gain: f64,
     /// How it meets a list below it.
     pub detail: Detail,
     sequences: Vec<Sequence<Vec<usize>>>,
@@ -43,7 +45,7 @@ impl Group {
     pub fn new(name: impl Into<String>, mesh: Mesh, priority: i32) -> Self {
         let normals = CornerNormals::new(&mesh, Weights::Equal);
         let (sun, detail) = (SunProgramme::Scenario, Detail::Replace);
-        Self { name: name.into(), mesh, normals, priority, sun, detail, sequences: Vec::new() }
+        Self { name: name.into(), mesh, normals, priority, sun, gain: 1.0, detail, sequences: Vec::new() }
     }
 
     /// The same with normals averaged by `weights`.
@@ -54,6 +56,11 @@ impl Group {
     /// The same under another sun.
     pub fn under(self, sun: SunProgramme) -> Self {
         Self { sun, ..self }
+    }
+
+    /// The same with the brightness of its faces multiplied by `gain`, above 0.
+    pub fn with_gain(self, gain: f64) -> Self {
+        Self { gain, ..self }
     }
 
     /// The same with another detail rule.
@@ -99,9 +106,9 @@ impl Group {
         (0..shows.len()).filter(|&face| shows[face]).collect()
     }
 
-    /// Brightness (0 to 1) at the corners of a face under a unit `sun`; from `behind`, the normals are reversed.
+    /// Brightness at the corners of a face under a unit `sun`, gain included; from `behind`, the normals are reversed.
     pub fn brightness(&self, face: usize, sun: DVec3, behind: bool) -> Vec<f64> {
         let side = if behind { -1.0 } else { 1.0 };
-        self.normals.of_face(face).iter().map(|normal| brightness(*normal * side, sun)).collect()
+        self.normals.of_face(face).iter().map(|normal| self.gain * brightness(*normal * side, sun)).collect()
     }
 }

@@ -110,6 +110,11 @@ impl TurningSun {
         self.turn
     }
 
+    /// The same sun, held as it stands in frame 0.
+    pub fn still(&self) -> Self {
+        Self { turn: Turn::STILL, ..*self }
+    }
+
     /// Unit vector to the sun in `frame`: north, east, up.
     pub fn vector(&self, frame: u64) -> DVec3 {
         sun_vector(self.azimuth + TAU * self.turn.at(frame), self.elevation)

@@ -1,8 +1,12 @@
 //! Smooth-shaded faces against the check values of their specification, closed forms and bad input.
 
 mod bad_faces;
+mod cones;
 mod groups;
 mod interpolation;
+mod mounds;
+mod patterns;
+mod sea;
 mod sequences;
 mod shading;
 mod suns;
