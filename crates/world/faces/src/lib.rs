@@ -23,16 +23,20 @@
 //! [`solids`] reads files of shapes.
 
 mod board;
+mod bow_wake;
 mod check;
+mod clip;
 mod cone;
 mod cut;
 mod error;
 mod face;
+mod flight;
 mod group;
 mod levels;
 mod mesh;
 mod normals;
 mod pattern;
+mod plume;
 mod priority;
 mod ramp;
 mod roads;
@@ -44,15 +48,19 @@ mod sun;
 mod warning;
 
 pub use board::{Board, GridVertex};
+pub use bow_wake::{BOW_FACES, BowWake, Side, blend};
+pub use clip::Half;
 pub use cone::Cone;
 pub use cut::Cut;
 pub use error::FaceError;
 pub use face::{Face, Shading, Sides, Vertex};
+pub use flight::{Flight, MOON};
 pub use group::{Detail, Group};
 pub use levels::Level;
 pub use mesh::{Loaded, Mesh};
 pub use normals::{CornerNormals, Weights};
 pub use pattern::{Pattern, TwoSine};
+pub use plume::Plume;
 pub use priority::{Cover, Order, check_priorities};
 pub use ramp::{End, Interpolation, Ramp, Scan, ScreenCorner};
 pub use roads::{Animate, renumbered, steps_of};

@@ -1,7 +1,9 @@
 //! Smooth-shaded faces against the check values of their specification, closed forms and bad input.
 
 mod bad_faces;
+mod bow_wakes;
 mod cones;
+mod flights;
 mod groups;
 mod interpolation;
 mod mounds;
