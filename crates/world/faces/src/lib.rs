@@ -20,7 +20,8 @@
 //!
 //! # See also
 //!
-//! [`solids`] reads files of shapes.
+//! - [`ship`]: LPH-2 and DD963, their motion, and ways to hide the hull.
+//! - [`solids`] reads files of shapes.
 
 mod board;
 mod bow_wake;
@@ -43,6 +44,7 @@ mod roads;
 mod sea;
 mod sequence;
 mod shade;
+pub mod ship;
 mod states;
 mod sun;
 mod warning;

@@ -11,6 +11,7 @@ mod patterns;
 mod sea;
 mod sequences;
 mod shading;
+mod ships;
 mod suns;
 
 use faces::{Face, Mesh, Vertex};
