@@ -81,7 +81,7 @@ impl BowWake {
             vertices.extend(self.corners(face, side).map(Vertex::at));
             faces.push(Face::flat(vec![first, first + 1, first + 2], self.colour(face)).both_sides());
         }
-        let mesh = Mesh::new(name, vertices, faces)?.mesh;
+        let mesh = Mesh::load(name, vertices, faces)?.mesh;
         let members = (0..mesh.faces().len()).map(|face| Some(vec![face])).collect();
         let turns = Sequence::new(members, frames, 0, Mode::Cycle)?;
         Group::new(name, mesh, priority).with_sequences(vec![turns])

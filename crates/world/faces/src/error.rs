@@ -155,6 +155,20 @@ pub enum FaceError {
     },
 }
 
+impl FaceError {
+    /// Number of the face that is at fault, if one is.
+    pub fn face(&self) -> Option<usize> {
+        match self {
+            Self::Corners { face, .. }
+            | Self::NoVertex { face, .. }
+            | Self::Colour { face, .. }
+            | Self::NotPlane { face, .. }
+            | Self::NotConvex { face, .. } => Some(*face),
+            _ => None,
+        }
+    }
+}
+
 /// Hertz as a whole number or a fraction of whole numbers.
 fn fraction(rate: Rate) -> String {
     match rate.fraction() {

@@ -40,14 +40,14 @@ impl Mesh {
     ///
     /// # Errors
     /// If a number is not finite or out of range, a corner is missing, a flat face is not plane, or a face is not convex.
-    pub fn new(list: &str, vertices: Vec<Vertex>, faces: Vec<Face>) -> Result<Loaded, FaceError> {
+    pub fn load(list: &str, vertices: Vec<Vertex>, faces: Vec<Face>) -> Result<Loaded, FaceError> {
         Self::limited(list, vertices, faces, Self::MOST_FACES)
     }
 
     /// The same with at most `most` faces.
     ///
     /// # Errors
-    /// As [`Mesh::new`].
+    /// As [`Mesh::load`].
     pub fn limited(
         list: &str,
         vertices: Vec<Vertex>,
@@ -117,7 +117,7 @@ impl Mesh {
     /// The same faces with the corners at the places that `place` gives, and given normals turned by `turn`, a rotation.
     ///
     /// # Errors
-    /// As [`Mesh::new`], where `place` bends or squeezes faces.
+    /// As [`Mesh::load`], where `place` bends or squeezes faces.
     pub fn moved(
         &self,
         list: &str,

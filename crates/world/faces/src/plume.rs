@@ -62,7 +62,7 @@ impl Plume {
             let corners = (first..vertices.len() as u32).collect();
             faces.push(Face::flat(corners, self.colour).both_sides());
         }
-        let loaded = Mesh::new(name, vertices, faces)?;
+        let loaded = Mesh::load(name, vertices, faces)?;
         let members = loaded.kept.into_iter().map(|kept| Some(kept.into_iter().collect())).collect();
         let turns = Sequence::new(members, frames, 0, Mode::Cycle)?.staggered(copy, copies);
         Group::new(name, loaded.mesh, priority).with_sequences(vec![turns])

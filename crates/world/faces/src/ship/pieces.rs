@@ -39,6 +39,6 @@ impl Pieces {
 
     /// The list `list` of all faces; none has to be left out.
     pub fn mesh(self, list: &str) -> Result<Mesh, FaceError> {
-        Ok(Mesh::new(list, self.vertices, self.faces)?.mesh)
+        Ok(Mesh::load(list, self.vertices, self.faces)?.mesh)
     }
 }

@@ -8,7 +8,7 @@ use crate::{WHITE, vertices};
 const SQUARE: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0], [1.0, 0.0, 0.0]];
 
 fn refusal(vertices: Vec<Vertex>, face: Face) -> FaceError {
-    Mesh::new("hull", vertices, vec![face]).expect_err("a face that is refused")
+    Mesh::load("hull", vertices, vec![face]).expect_err("a face that is refused")
 }
 
 fn refused(places: &[[f64; 3]], corners: &[u32]) -> FaceError {
@@ -52,7 +52,7 @@ fn an_uneven_face_is_refused_flat_and_cut_smooth() {
     };
     let load = |up: f64, shading| {
         let face = Face { shading, ..Face::smooth(vec![0, 1, 2, 3], WHITE) };
-        Mesh::new("hull", vertices(&raised(up)), vec![face])
+        Mesh::load("hull", vertices(&raised(up)), vec![face])
     };
     assert!(matches!(load(0.1, Shading::Flat), Err(FaceError::NotPlane { face: 0, .. })));
     assert!(!load(0.1, Shading::Smooth).expect("a smooth face").mesh.is_plane(0));
@@ -80,7 +80,7 @@ fn a_face_that_turns_back_names_the_corner() {
     // Three corners on one line are convex.
     let straight = [[0.0; 3], [0.0, 1.0, 0.0], [0.0, 2.0, 0.0], [1.0, 0.0, 0.0]];
     let face = Face::flat(vec![0, 1, 2, 3], WHITE);
-    assert!(Mesh::new("hull", vertices(&straight), vec![face]).is_ok());
+    assert!(Mesh::load("hull", vertices(&straight), vec![face]).is_ok());
 }
 
 #[test]
@@ -88,7 +88,7 @@ fn faces_without_area_are_left_out_by_name() {
     let places = [[0.0; 3], [0.0, 1.0, 0.0], [0.0, 2.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
     let corners = [vec![0, 1, 2], vec![0, 1, 3], vec![0, 1, 4, 3], vec![0, 1, 1, 3]];
     let faces = corners.map(|corners| Face::smooth(corners, WHITE)).into();
-    let loaded = Mesh::new("hull", vertices(&places), faces).expect("faces of which some are left out");
+    let loaded = Mesh::load("hull", vertices(&places), faces).expect("faces of which some are left out");
     assert_eq!(loaded.kept, [None, Some(0), None, None]);
     let told: Vec<String> = loaded.warnings.iter().map(ToString::to_string).collect();
     assert_eq!(
@@ -104,7 +104,7 @@ fn faces_without_area_are_left_out_by_name() {
 #[test]
 fn a_million_faces_are_refused_before_they_are_looked_at() {
     let faces = vec![Face::smooth(Vec::new(), WHITE); Mesh::MOST_FACES + 1];
-    let found = Mesh::new("hull", Vec::new(), faces).expect_err("too many faces").to_string();
+    let found = Mesh::load("hull", Vec::new(), faces).expect_err("too many faces").to_string();
     assert_eq!(
         found,
         "list `hull` has 200001 faces: expected 200000 or fewer; raise `faces.limit`, or use a coarser model"

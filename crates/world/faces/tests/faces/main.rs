@@ -28,7 +28,7 @@ fn vertices(places: &[[f64; 3]]) -> Vec<Vertex> {
 /// A mesh of smooth white faces, of which none is left out.
 fn smooth(places: &[[f64; 3]], faces: &[&[u32]]) -> Mesh {
     let faces = faces.iter().map(|corners| Face::smooth(corners.to_vec(), WHITE)).collect();
-    let loaded = Mesh::new("test", vertices(places), faces).expect("faces that can be drawn");
+    let loaded = Mesh::load("test", vertices(places), faces).expect("faces that can be drawn");
     assert!(loaded.warnings.is_empty(), "{:?}", loaded.warnings);
     loaded.mesh
 }

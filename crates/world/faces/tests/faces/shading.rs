@@ -86,7 +86,7 @@ fn given_normals_stand_and_flat_faces_keep_their_own() {
     given[1].normal = Some(DVec3::new(0.0, 3.0, 4.0));
     let faces = |shading| vec![Face { shading, ..Face::smooth(vec![0, 1, 2], WHITE) }];
     let normal = |shading| {
-        let mesh = Mesh::new("test", given.clone(), faces(shading)).expect("a face").mesh;
+        let mesh = Mesh::load("test", given.clone(), faces(shading)).expect("a face").mesh;
         CornerNormals::new(&mesh, Weights::Equal).of_face(0)[1]
     };
     assert!(normal(Shading::Smooth).distance(DVec3::new(0.0, 0.6, 0.8)) < 1e-15);
