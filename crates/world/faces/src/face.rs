@@ -25,6 +25,8 @@ pub enum Shading {
     Flat,
     /// Brightness runs linearly between that of the corners.
     Smooth,
+    /// The face shines of itself: full brightness under any sun, from both sides (chosen).
+    Glow,
 }
 
 /// Which sides of a face are seen.

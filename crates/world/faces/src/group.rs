@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use crate::error::FaceError;
+use crate::face::Shading;
 use crate::mesh::Mesh;
 use crate::normals::{CornerNormals, Weights};
 use crate::sequence::Sequence;
@@ -108,6 +109,9 @@ impl Group {
 
     /// Brightness at the corners of a face under a unit `sun`, gain included; from `behind`, the normals are reversed.
     pub fn brightness(&self, face: usize, sun: DVec3, behind: bool) -> Vec<f64> {
+        if self.mesh.faces()[face].shading == Shading::Glow {
+            return vec![self.gain; self.mesh.faces()[face].corners.len()];
+        }
         let side = if behind { -1.0 } else { 1.0 };
         self.normals.of_face(face).iter().map(|normal| self.gain * brightness(*normal * side, sun)).collect()
     }

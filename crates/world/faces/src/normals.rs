@@ -44,7 +44,7 @@ impl CornerNormals {
         let (mut starts, mut normals) = (vec![0], Vec::new());
         for (face, own) in mesh.faces().iter().zip(mesh.normals()) {
             let unit = |&corner: &u32| match face.shading {
-                Shading::Flat => *own,
+                Shading::Flat | Shading::Glow => *own,
                 Shading::Smooth => units[corner as usize].unwrap_or(*own),
             };
             normals.extend(face.corners.iter().map(unit));

@@ -49,7 +49,7 @@ fn with_normals(
 fn face(table: &Reader) -> Option<Face> {
     let corners = table.u64_list("corners").at_most(u64::from(u32::MAX)).required();
     let colour = table.f64_array("colour").between(0.0, 1.0).required();
-    let shading = [("flat", Shading::Flat), ("smooth", Shading::Smooth)];
+    let shading = [("flat", Shading::Flat), ("smooth", Shading::Smooth), ("glow", Shading::Glow)];
     let shading = table.one_of("shading", &shading).default(Shading::Smooth);
     let sides = table.one_of("sides", &[("one", Sides::One), ("both", Sides::Both)]).default(Sides::One);
     let corners = corners?.into_iter().map(|corner| corner as u32).collect();

@@ -14,7 +14,7 @@ fn flight(speed: f64, degrees: f64) -> Flight {
 #[test]
 fn apex_range_and_time() {
     let first = flight(3.0, 60.0);
-    near(first.apex(), 2.0833333333333333);
+    near(first.apex(), 2.0833333333333335);
     near(first.range(), 4.811252243247);
     near(first.time(), 3.207501495498);
     near(flight(2.0, 45.0).apex(), 0.617283950617);

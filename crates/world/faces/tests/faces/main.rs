@@ -3,9 +3,11 @@
 mod bad_faces;
 mod bow_wakes;
 mod cones;
+mod effects;
 mod flights;
 mod groups;
 mod interpolation;
+mod models;
 mod mounds;
 mod patterns;
 mod sea;
