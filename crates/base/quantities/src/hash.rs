@@ -22,8 +22,9 @@ pub fn unit_interval(seed: u64, words: &[u64]) -> f64 {
 /// Odd constant nearest to 2^64 over the golden ratio: spreads small integers over all bits.
 const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
 
+/// One step of SplitMix64: adds the golden constant to `word`, then mixes all 64 bits (Steele, Lea and Flood).
 #[inline]
-fn mix(word: u64) -> u64 {
+pub fn mix(word: u64) -> u64 {
     let word = word.wrapping_add(GOLDEN);
     let word = (word ^ (word >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     let word = (word ^ (word >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);

@@ -11,7 +11,7 @@ mod reading;
 mod time;
 
 pub use angle::{degrees, radians, sin_cos, wrap_heading};
-pub use hash::{hash_on, hash_words, unit_interval};
+pub use hash::{hash_on, hash_words, mix, unit_interval};
 pub use luminance::{LUMINANCE_WEIGHTS, intensity, is_grey, luminance};
 pub use reading::fixed;
 pub use time::{Rate, SweepClock, SweepTime, Tick, Timebase, TimebaseError};

@@ -33,6 +33,7 @@ mod ply;
 mod shells;
 mod solids;
 mod stl;
+mod surface;
 mod text;
 mod told;
 
@@ -40,6 +41,8 @@ use std::path::{Path, PathBuf};
 
 use diagnostics::{Problem, ProblemList};
 use limits::Limit;
+
+pub use surface::{Surface, SurfaceFace, parse_surface, read_surface};
 
 use crate::Solid;
 use faults::Faults;

@@ -64,6 +64,14 @@ impl Faults {
         problem.expected(expected)
     }
 
+    /// The place of a face in a text; other files have none.
+    pub fn place(&self, at: &At) -> Option<Place> {
+        match &self.form {
+            Form::Text(source) => Some(Place { source: source.clone(), span: at.clone() }),
+            Form::Numbered { .. } => None,
+        }
+    }
+
     /// What is wrong with the whole file.
     pub fn of_file(&self, title: impl Into<String>) -> Problem {
         let name = match &self.form {
