@@ -1,6 +1,7 @@
 //! What a scene does not need, and is told so.
 
 use landscape::Landscape;
+use scenario::Scenery;
 
 /// What leaving something out does to the picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,6 +38,16 @@ pub fn photographs_beside(landscape: &Landscape, block: &'static str) -> Option<
         )
     };
     (!landscape.photographs().is_empty()).then(omission)
+}
+
+/// What the lists of faces of a stage are to a generator that does not draw them; `None` without lists.
+pub fn face_lists_beside(scenery: &Scenery, block: &'static str) -> Option<Omission> {
+    (!scenery.face_lists().is_empty()).then(|| Omission {
+        block,
+        what: "sea, ships, effects of faces (`[sea]`, `[[ship]]`, `[[effect]]`, `[[plume]]`)".into(),
+        why: "--machine smooth-faces draws them".into(),
+        weight: Weight::NotModelled,
+    })
 }
 
 impl Omission {

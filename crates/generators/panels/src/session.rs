@@ -2,7 +2,7 @@
 
 use generator::{
     FaceScene, Fact, FrameCounts, FrameError, Omission, Planes, PrepareError, Session as GeneratorSession,
-    Stage, Weight, check_free_eye,
+    Stage, Weight, check_free_eye, face_lists_beside,
 };
 use glam::DVec3;
 use light_points::BeamBudget;
@@ -119,6 +119,7 @@ impl GeneratorSession for Session {
         let omission =
             |what: String, why: String| Omission { block: NAME, what, why, weight: Weight::NotModelled };
         let mut omissions = scene_sampler::omissions(stage, NAME);
+        omissions.extend(face_lists_beside(&stage.scenery, NAME));
         if stage.landscape.bank().levels().len() > 1 {
             let why = "its posts are those of the finest level".to_owned();
             omissions.push(omission("a second level of ground".to_owned(), why));

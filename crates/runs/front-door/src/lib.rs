@@ -19,6 +19,7 @@ mod albedo;
 mod database;
 mod error;
 mod extremes;
+mod face_lists;
 mod ground;
 mod keys;
 mod kind;

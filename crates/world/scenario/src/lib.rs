@@ -20,6 +20,8 @@ mod drift;
 mod effect_placing;
 mod effect_wishes;
 mod effects;
+mod face_lists;
+mod face_wishes;
 mod guests;
 mod laws;
 mod lights;
@@ -60,6 +62,10 @@ pub use effect_wishes::{
     Spot,
 };
 pub use effects::{Carried, Effects};
+pub use face_lists::{Carrier, FaceKind, FaceList, FaceLists, ListAxes, OtherSide, ShipCourse};
+pub use face_wishes::{
+    EffectFileWish, FacePlace, FaceWishes, PlumeWish, SeaWish, ShipWish, SternWakeWish, WaveWish,
+};
 pub use guests::{Frame, Group, GroupSun, Guest, MoveStation, Moves};
 pub use laws::{
     BodyVisibility, Curvature, FeatureLight, LawWishes, Laws, Occlusion, PixelRule, Projection,
