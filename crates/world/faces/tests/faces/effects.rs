@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use faces::{Effect, Group, Setting};
-use quantities::Rate;
+use quantities::{Rate, unit_interval};
 
 const SIGNALS: [&str; 4] = ["pitch", "speed", "thrust", "wheel-speed"];
 
@@ -155,7 +155,7 @@ fn a_whole_file() {
 #[track_caller]
 fn refused(from: &str, to: &str, expected: &[&str]) {
     assert!(GOOD.contains(from), "{from}");
-    let found = parse(&GOOD.replacen(from, to, 1)).err().expect("a file that is refused");
+    let Err(found) = parse(&GOOD.replacen(from, to, 1)) else { panic!("`{to}` is not refused") };
     for words in expected {
         assert!(found.contains(words), "no `{words}` in:\n{found}");
     }
@@ -239,6 +239,33 @@ fn faces_are_limited_and_files_are_named() {
     assert!(parse(empty).expect_err("no faces").contains("a list without faces"));
     assert!(parse("title = ").is_err());
     assert!(Effect::parse("e.toml", b"\xff", setting()).is_err());
+}
+
+/// Bytes of the good file with some of them changed, cut out or doubled.
+fn damaged(seed: u64) -> Vec<u8> {
+    let mut bytes = GOOD.as_bytes().to_vec();
+    for round in 0..1 + seed % 4 {
+        let pick = |word: u64, below: usize| (unit_interval(seed, &[round, word]) * below as f64) as usize;
+        let at = pick(0, bytes.len());
+        match pick(1, 4) {
+            0 => bytes[at] = b"0123456789-.[]{}\"=,\n#ae \xff"[pick(2, 25)],
+            1 => drop(bytes.drain(at..(at + pick(2, 40)).min(bytes.len()))),
+            2 => drop(bytes.splice(at..at, *b"99999999999")),
+            _ => {
+                let piece = bytes[at..(at + pick(2, 60)).min(bytes.len())].to_vec();
+                drop(bytes.splice(at..at, piece));
+            }
+        }
+    }
+    bytes
+}
+
+#[test]
+fn damaged_files_are_read_or_refused_and_never_panic() {
+    let few = Setting { most: 10_000, ..setting() };
+    let read = |seed: &u64| Effect::parse("e.toml", &damaged(*seed), few).is_ok();
+    let good = (0..4000).filter(read).count();
+    assert!(good > 20 && good < 3000, "{good} of 4000 were read");
 }
 
 #[test]
