@@ -57,7 +57,9 @@ fn what_the_library_shows_from_frame_to_frame() {
     assert_eq!(counts("rain"), (72, 12));
     assert_eq!(counts("white-caps"), (16, 4));
     assert_eq!(counts("wand-signals"), (10, 2));
-    assert_eq!(counts("dust-ring"), (1600, 1600));
+    assert_eq!(counts("dust-ring").0, counts("dust-ring").1);
+    assert_eq!(counts("turning-dish"), (144, 12));
+    assert_eq!(counts("opening-panel"), (10, 1));
     assert_eq!(changes(&effect("rain").groups[0], 6), 6);
     assert_eq!(changes(&effect("smoke").groups[0], 48), 12);
     // Four sequences of ten frames a member start 0, 7, 14 and 21 frames early: one of them changes at a time.
@@ -71,6 +73,17 @@ fn flames_shine_of_themselves_from_both_sides() {
     for behind in [false, true] {
         assert_eq!(fire.brightness(5, -glam::DVec3::Z, behind), [1.0; 3]);
     }
+}
+
+#[test]
+fn a_panel_opens_once_and_a_beacon_flashes_by_its_sun() {
+    let panel = &effect("opening-panel").groups[0];
+    assert_eq!((panel.shown(0, |_| 0.0), panel.shown(10_000, |_| 0.0)), (vec![0], vec![9]));
+    let beacon = &effect("beacon").groups[0];
+    let light = |frame| beacon.corner_brightness(0, 0, beacon.sun.vector(frame, glam::DVec3::Z), false);
+    let film: Vec<f64> = (0..30).map(light).collect();
+    assert!(film.iter().any(|&light| light > 0.7) && film.contains(&0.0), "{film:?}");
+    assert_eq!(light(30).to_bits(), light(0).to_bits());
 }
 
 #[test]
@@ -214,6 +227,7 @@ fn bad_patterns_are_refused() {
     refused("rows = [-2, 2]", "rows = [2, 2]", &["whole, the second above the first"]);
     refused("rows = [-2, 2]", "rows = [-2, 2.5]", &["whole, the second above the first"]);
     refused("rows = [-2, 2]", "rows = [-200000, 200000]", &["has 1200000 faces"]);
+    refused("side_m = 10", "side_m = 10\nring_m = [5, 5]", &["ring_m", "the second above the first"]);
     refused("side_m = 10", "side_m = 10\nnormals = 1", &["of at least 2"]);
     refused("side_m = 10", "side_m = 10\nalpha_deg = 91", &["alpha_deg"]);
     refused("side_m = 10", "side_m = 10\nalpha_deg = 0", &["alpha_deg"]);
