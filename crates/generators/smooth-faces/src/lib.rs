@@ -17,7 +17,8 @@
 //!   stored first. Under `depth` the nearest face wins. Samples where the two disagree are counted.
 //! - **Brightness** of a corner is that of `faces`: normals averaged or given, times the list's own sun. Ground has the light of the scene's law
 //!   at its vertices.
-//! - **Pieces.** Faces of more than three corners are cut in triangles. Each piece is clipped at the near plane before it is projected.
+//! - **Pieces.** Faces of more than three corners are cut in triangles. Each piece is clipped at the near plane before it is projected; one that
+//!   lies between samples is left out.
 //! - **Ramps.** On a scan line brightness runs linearly between the two edges of a piece, and along these between their corners: on the screen, or in
 //!   space. A sample is in the piece where its middle lies between both edges, the first one with it. Neighbours share each sample once.
 //! - **Levels of detail.** A list that adds is laid upon what its samples show, where that is not before it: `min(1, a + b)`, or
@@ -45,7 +46,7 @@
 //! | `faces.ground` | true, false | true | whether the ground is drawn |
 //! | `faces.ground_cells` | 4 to 512, a multiple of 4 | 64 | cells along half the side of each ring of the ground |
 //! | `faces.ground_half_side_m` | 0.1 to 100000 | 32 | half the side of the innermost ring |
-//! | `faces.limit` | 1 to 10000000 | 200000 | most faces of a frame |
+//! | `faces.limit` | 1 to 10000000 | 200000 | most faces of a list |
 //!
 //! # Threads
 //!

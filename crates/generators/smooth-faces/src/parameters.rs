@@ -26,7 +26,7 @@ pub struct Parameters {
     pub ambient: f64,
     /// Rings of the ground; `None` where it is not drawn.
     pub ground: Option<Rings>,
-    /// Most faces of a frame.
+    /// Most faces of a list.
     pub limit: u32,
 }
 

@@ -1,5 +1,7 @@
 //! A piece of a face on the screen, and its ramp along a scan line.
 
+use std::ops::Range;
+
 use faces::{Interpolation, in_space};
 use glam::DVec3;
 use scene_sampler::{Camera, NEAR};
@@ -54,10 +56,10 @@ pub struct End {
 pub struct Ramp(pub [End; 2]);
 
 impl Piece {
-    /// The piece of a face before the near plane; `None` where nothing of it is.
+    /// The piece of a face before the near plane; `None` where no sample of a screen of `size` (columns, lines) can be in it.
     pub fn new(
         corners: &[Corner],
-        camera: &Camera,
+        (camera, size): (&Camera, [usize; 2]),
         colour: [f64; 3],
         [list, face]: [u32; 2],
     ) -> Option<Self> {
@@ -67,7 +69,9 @@ impl Piece {
             q: 1.0 / corner.place.z,
             brightness: corner.brightness,
         };
-        (kept.len() >= 3).then(|| Self { spots: kept.iter().map(spot).collect(), colour, list, face })
+        let piece = Self { spots: kept.iter().map(spot).collect(), colour, list, face };
+        let has_samples = |axis: usize| !samples(piece.extent(axis), size[axis]).is_empty();
+        (kept.len() >= 3 && has_samples(0) && has_samples(1)).then_some(piece)
     }
 
     /// Least and largest place along an axis of the screen (pixels).
@@ -92,6 +96,12 @@ impl Piece {
         let last = *ends.iter().max_by(|a, b| a.at.total_cmp(&b.at))?;
         Some(Ramp([first, last]))
     }
+}
+
+/// Samples of `count` along an axis whose middles lie between two places (pixels), the first one with them.
+pub fn samples(places: [f64; 2], count: usize) -> Range<usize> {
+    let [first, last] = places.map(|at| (at - 0.5).ceil().clamp(0.0, count as f64) as usize);
+    first..last.max(first)
 }
 
 /// The part of a convex face that lies before the near plane.
@@ -134,10 +144,8 @@ fn part(share: f64, [from, to]: [f64; 2], interpolation: Interpolation) -> f64 {
 
 impl Ramp {
     /// Samples whose middles lie in it, of a line of `count`.
-    pub fn samples(&self, count: usize) -> std::ops::Range<usize> {
-        let index = |at: f64| (at - 0.5).ceil().clamp(0.0, count as f64) as usize;
-        let [first, last] = self.0.map(|end| index(end.at));
-        first..last.max(first)
+    pub fn samples(&self, count: usize) -> Range<usize> {
+        samples(self.0.map(|end| end.at), count)
     }
 
     /// How near the piece is (1/m), and its brightness, at a place (pixels).

@@ -5,6 +5,7 @@ use quantities::luminance;
 use rayon::prelude::*;
 
 use crate::parameters::Parameters;
+use crate::piece::{Piece, samples};
 use crate::scan_line::{Sample, ScanLine, across};
 use crate::scene::Scene;
 
@@ -28,11 +29,7 @@ struct Crossings {
 
 impl Crossings {
     fn new(scene: &Scene, axis: usize, lines: usize) -> Self {
-        let range = |piece: &crate::piece::Piece| {
-            let index = |at: f64| (at - 0.5).ceil().clamp(0.0, lines as f64) as usize;
-            let [low, high] = piece.extent(axis).map(index);
-            low..high
-        };
+        let range = |piece: &Piece| samples(piece.extent(axis), lines);
         let ranges: Vec<_> = scene.pieces.iter().map(range).collect();
         let mut starts = vec![0; lines + 1];
         ranges.iter().flat_map(Clone::clone).for_each(|line| starts[line + 1] += 1);

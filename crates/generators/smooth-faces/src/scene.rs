@@ -48,6 +48,8 @@ pub struct SceneBuilder<'a> {
     pub camera: &'a Camera,
     /// Run parameters of the generator.
     pub run: Parameters,
+    /// Columns and lines of the screen.
+    size: [usize; 2],
     lists: Vec<List>,
     pieces: Vec<Piece>,
     faces: u64,
@@ -64,12 +66,12 @@ impl SceneBuilder<'_> {
     pub fn add(&mut self, corners: &[Corner], colour: [f64; 3], numbers: [u32; 2]) {
         self.faces += 1;
         if corners.len() == 3 {
-            self.pieces.extend(Piece::new(corners, self.camera, colour, numbers));
+            self.pieces.extend(Piece::new(corners, (self.camera, self.size), colour, numbers));
             return;
         }
         for piece in self.run.cut.pieces(corners.len()) {
             let corners: SmallVec<[Corner; 8]> = piece.into_iter().map(|corner| corners[corner]).collect();
-            self.pieces.extend(Piece::new(&corners, self.camera, colour, numbers));
+            self.pieces.extend(Piece::new(&corners, (self.camera, self.size), colour, numbers));
         }
     }
 }
@@ -78,24 +80,19 @@ impl Scene {
     /// Gathers frame `frame` from a pose.
     ///
     /// # Errors
-    /// If the ground has no mesh there, a body is no shape, or there are too many faces.
+    /// If the ground has no mesh there, or a body is no shape.
     pub fn new(stage: &Stage, run: Parameters, frame: u64, pose: &Pose) -> Result<Self, FrameError> {
         let refused = |reason: String| FrameError::Refused { frame, reason };
         let camera = Camera::new(pose, &stage.view);
-        let mut scene =
-            SceneBuilder { camera: &camera, run, lists: Vec::new(), pieces: Vec::new(), faces: 0 };
+        let size = [stage.view.columns as usize, stage.view.lines as usize];
+        let (lists, pieces) = (Vec::new(), Vec::new());
+        let mut scene = SceneBuilder { camera: &camera, run, size, lists, pieces, faces: 0 };
         frame_lists::add(&mut scene, stage, frame, pose);
         bodies::add(&mut scene, stage, pose).map_err(|error| refused(error.to_string()))?;
         if let Some(rings) = run.ground {
             ground::add(&mut scene, stage, rings, pose.time).map_err(|error| refused(error.to_string()))?;
         }
         let SceneBuilder { lists, pieces, faces, .. } = scene;
-        match faces <= u64::from(run.limit) {
-            true => Ok(Self { lists, pieces, faces, camera }),
-            false => Err(refused(format!(
-                "{faces} faces: expected at most {}; raise faces.limit, or lower faces.ground_cells",
-                run.limit
-            ))),
-        }
+        Ok(Self { lists, pieces, faces, camera })
     }
 }

@@ -6,7 +6,7 @@ use generator::{
     Weight, check_free_eye, photographs_beside,
 };
 use glam::DVec3;
-use scenario::Pose;
+use scenario::{FaceList, Pose};
 use signal::{Probe, Wire};
 
 use crate::name::NAME;
@@ -26,8 +26,18 @@ impl Session {
     /// Makes ready for `stage`.
     ///
     /// # Errors
-    /// If there is no list of faces and nothing else to draw.
+    /// If a list has too many faces.
     pub fn new(stage: Stage, run: Parameters) -> Result<Self, PrepareError> {
+        for FaceList { group, .. } in &stage.scenery.face_lists().lists {
+            let faces = group.mesh.faces().len();
+            if faces > run.limit as usize {
+                return Err(PrepareError::Unsupported {
+                    generator: NAME,
+                    what: format!("{faces} faces of list {} (at most {})", group.name, run.limit),
+                    remedy: "raise faces.limit, or give the list fewer faces".into(),
+                });
+            }
+        }
         // A hull that is whole below the water needs depth, whatever the run asks for.
         let order = if stage.scenery.face_lists().by_depth { Order::Depth } else { run.order };
         Ok(Self { stage, run: Parameters { order, ..run } })

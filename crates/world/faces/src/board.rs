@@ -14,6 +14,7 @@ pub struct Board {
     side: f64,
     rows: Range<i64>,
     columns: Range<i64>,
+    ring: Option<[f64; 2]>,
 }
 
 /// A vertex of a board: its numbers and its place.
@@ -43,7 +44,25 @@ impl Board {
             let far = numbers.start.saturating_abs().max(numbers.end.saturating_abs());
             within("number of a row or column", far as f64, far <= FARTHEST, "from -2^30 to 2^30")?;
         }
-        Ok(Self { side, rows, columns })
+        Ok(Self { side, rows, columns, ring: None })
+    }
+
+    /// The same board, of which only squares show whose middle lies from `inner` to `outer` (m) off the origin: a ring of dust.
+    ///
+    /// # Errors
+    /// If a radius is below 0, or the outer one is not above the inner one.
+    pub fn ring(self, inner: f64, outer: f64) -> Result<Self, FaceError> {
+        within("inner radius of a ring (m)", inner, inner >= 0.0, "0 or more")?;
+        within("outer radius of a ring (m)", outer, outer > inner, "above the inner radius")?;
+        Ok(Self { ring: Some([inner, outer]), ..self })
+    }
+
+    /// Whether a square shows: all do, unless the board is a ring.
+    fn shows(&self, row: i64, column: i64) -> bool {
+        self.ring.is_none_or(|[inner, outer]| {
+            let [x, y] = [column, row].map(|number| (number as f64 + 0.5) * self.side);
+            (inner * inner..=outer * outer).contains(&(x * x + y * y))
+        })
     }
 
     /// Side of a square (m).
@@ -60,19 +79,19 @@ impl Board {
         [&self.rows, &self.columns].map(|numbers| numbers.end.abs_diff(numbers.start))
     }
 
-    /// Vertices of the board, corners shared.
+    /// Vertices of the whole board, corners shared.
     pub fn vertices(&self) -> u64 {
         let [rows, columns] = self.counts();
         (rows + 1) * (columns + 1)
     }
 
-    /// Triangles of the board, two of each square.
+    /// Triangles of the whole board, two of each square.
     pub fn triangles(&self) -> u64 {
         let [rows, columns] = self.counts();
         2 * rows * columns
     }
 
-    /// Edges of the board, one diagonal of each square included.
+    /// Edges of the whole board, one diagonal of each square included.
     pub fn edges(&self) -> u64 {
         let [rows, columns] = self.counts();
         rows * (columns + 1) + columns * (rows + 1) + rows * columns
@@ -140,6 +159,7 @@ impl Board {
             let [a, b, c, d] = [first, first + width, first + width + 1, first + 1];
             if (row + column) % 2 == 0 { [a, b, c, d] } else { [b, c, d, a] }
         };
-        self.rows.clone().flat_map(move |row| self.columns.clone().map(move |column| square(row, column)))
+        let numbers = self.rows.clone().flat_map(|row| self.columns.clone().map(move |column| (row, column)));
+        numbers.filter(|&(row, column)| self.shows(row, column)).map(move |(row, column)| square(row, column))
     }
 }

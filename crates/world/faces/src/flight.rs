@@ -33,7 +33,7 @@ impl Flight {
         2.0 * self.speed * sin_cos(self.angle).0 / self.gravity
     }
 
-    /// Greatest height (m).
+    /// Greatest height of the flight (m).
     pub fn apex(&self) -> f64 {
         let up = self.speed * sin_cos(self.angle).0;
         up * up / (2.0 * self.gravity)

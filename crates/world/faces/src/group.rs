@@ -21,7 +21,7 @@ pub enum Detail {
     AddSoft,
 }
 
-/// An object list.
+/// An object list of the generator.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Group {
     /// Name of the list in messages and records.
@@ -107,12 +107,21 @@ impl Group {
         (0..shows.len()).filter(|&face| shows[face]).collect()
     }
 
-    /// Brightness at the corners of a face under a unit `sun`, gain included; from `behind`, the normals are reversed.
-    pub fn brightness(&self, face: usize, sun: DVec3, behind: bool) -> Vec<f64> {
-        if self.mesh.faces()[face].shading == Shading::Glow {
-            return vec![self.gain; self.mesh.faces()[face].corners.len()];
+    /// Brightness at corner `corner` of a face, gain included; from `behind`, the normal is reversed.
+    ///
+    /// `sun` is a unit vector in the list's own axes: of a list that is turned, turn the sun back.
+    pub fn corner_brightness(&self, face: usize, corner: usize, sun: DVec3, behind: bool) -> f64 {
+        let normal = self.normals.of_face(face)[corner];
+        match (self.mesh.faces()[face].shading, behind) {
+            (Shading::Glow, _) => self.gain,
+            (_, false) => self.gain * brightness(normal, sun),
+            (_, true) => self.gain * brightness(-normal, sun),
         }
-        let side = if behind { -1.0 } else { 1.0 };
-        self.normals.of_face(face).iter().map(|normal| self.gain * brightness(*normal * side, sun)).collect()
+    }
+
+    /// Brightness at all corners of a face; see [`Self::corner_brightness`].
+    pub fn brightness(&self, face: usize, sun: DVec3, behind: bool) -> Vec<f64> {
+        let corners = 0..self.mesh.faces()[face].corners.len();
+        corners.map(|corner| self.corner_brightness(face, corner, sun, behind)).collect()
     }
 }

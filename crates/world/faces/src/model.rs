@@ -19,7 +19,7 @@ pub enum ModelShading {
     AsWritten,
     /// All faces smooth; where a corner has no normal, it is averaged.
     Smooth,
-    /// All faces flat.
+    /// All faces are flat.
     Flat,
 }
 

@@ -10,7 +10,7 @@ use crate::error::{FaceError, within};
 pub enum Pattern {
     /// A hash of seed, row and column: a confused sea (reported, as delivered).
     Random {
-        /// Names the pattern.
+        /// Number that names the pattern.
         seed: u64,
     },
     /// The sum of two sines (reported).

@@ -27,7 +27,7 @@ pub enum Scan {
 pub enum Interpolation {
     /// On the screen (reported).
     Screen,
-    /// In space (exact).
+    /// In space, as true perspective asks.
     Perspective,
 }
 

@@ -11,7 +11,7 @@ pub enum Mode {
     Once,
     /// To the last and back; both ends show once a turn.
     PingPong,
-    /// By a signal.
+    /// By the value of a signal.
     Driven(Drive),
 }
 

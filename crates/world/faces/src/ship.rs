@@ -55,11 +55,11 @@ pub struct Marking {
 pub struct Ship {
     /// Name of the type.
     pub name: &'static str,
-    /// Length overall (m).
+    /// Length of the hull overall (m).
     pub length: f64,
     /// Beam at the waterline (m).
     pub beam: f64,
-    /// Draught (m).
+    /// Draught below the waterline (m).
     pub draught: f64,
     /// Hull from the keel to the deck, the waterline among the levels.
     pub levels: [Level; 5],

@@ -39,11 +39,18 @@ pub(super) fn squares(
     let count = written.u32("normals").at_least(2).default(16);
     let alpha = written.f64("alpha_deg").above(0.0).at_most(90.0).default(75.0);
     let held = written.f64("hold_mean").above(0.0).at_most(1.0).optional();
+    let is_ring = |ends: &[f64; 2]| ends[0] < ends[1];
+    let ring = written.f64_array("ring_m").at_least(0.0).must("the second above the first", is_ring);
+    let ring = ring.map(Some).default(None);
     let pattern = rule(&written);
     let (pattern, colour) = (pattern?, colour?);
     let refused = |error: FaceError| report_at(&written, &error);
     let cone = Cone::new(count?, radians(alpha?)).map_err(refused).ok()?;
     let board = Board::new(side?, rows?, columns?).map_err(refused).ok()?;
+    let board = match ring? {
+        Some([inner, outer]) => board.ring(inner, outer).map_err(refused).ok()?,
+        None => board,
+    };
     let gain = gain(&written, &cone, held, sun?, warnings)?;
     let vertex = |vertex: crate::board::GridVertex| {
         let [north, east] = vertex.place;

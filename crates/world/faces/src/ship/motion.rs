@@ -22,7 +22,7 @@ pub struct Wave {
 /// Sums of sines for each motion; empty sums stand still.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Motion {
-    /// Bow upwards (radians).
+    /// Pitch, bow upwards (radians).
     pub pitch: Vec<Wave>,
     /// Starboard side downwards (radians).
     pub roll: Vec<Wave>,
@@ -35,7 +35,7 @@ pub struct Motion {
 /// How a ship lies.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Attitude {
-    /// Bow upwards (radians).
+    /// Pitch, bow upwards (radians).
     pub pitch: f64,
     /// Starboard side downwards (radians).
     pub roll: f64,

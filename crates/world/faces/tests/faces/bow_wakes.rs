@@ -60,6 +60,26 @@ fn sides_are_mirrored_and_lean_outwards() {
     }
 }
 
+/// Area of a triangle as it is seen along `view`, a unit vector.
+fn seen(corners: [DVec3; 3], view: DVec3) -> f64 {
+    ((corners[1] - corners[0]).cross(corners[2] - corners[0]).dot(view) / 2.0).abs()
+}
+
+#[test]
+fn an_upright_wake_vanishes_from_above_and_a_leaning_one_does_not() {
+    let from = |degrees: f64| {
+        let (sin, cos) = libm::sincos(radians(degrees));
+        DVec3::new(0.0, cos, sin)
+    };
+    let leaning = BowWake { lean: 0.3, ..wake() };
+    for face in 0..BOW_FACES {
+        let area = |wake: BowWake, degrees| seen(wake.corners(face, Side::Starboard), from(degrees));
+        assert!(area(wake(), 89.0) < 0.02 * area(wake(), 0.0), "{face}");
+        let side = leaning.lean * leaning.base(face) / leaning.crest(face);
+        near(area(leaning, 90.0) / area(leaning, 0.0), side);
+    }
+}
+
 #[test]
 fn wakes_that_cannot_be() {
     let refused = |wake: BowWake| wake.group("bow", Side::Port, 2, 2).is_err();

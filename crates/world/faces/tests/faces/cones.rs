@@ -36,7 +36,7 @@ fn brightness_of_a_turning_sun() {
     near(at(5, 0.0), 0.786993423467164);
     near(at(5, 0.7), 0.920561065594065);
     near(at(8, 2.0), 0.965925826289068);
-    near(at(8, 0.0), 0.707106781186548);
+    near(at(8, 0.0), std::f64::consts::FRAC_1_SQRT_2);
     for (number, azimuth) in [(3, 0.4), (7, 2.0), (15, 5.5)] {
         let wave = libm::cos(cone().azimuth(number) - azimuth);
         near(

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use faces::{Effect, Group, Setting};
-use quantities::Rate;
+use quantities::{Rate, unit_interval};
 
 const SIGNALS: [&str; 4] = ["pitch", "speed", "thrust", "wheel-speed"];
 
@@ -57,7 +57,9 @@ fn what_the_library_shows_from_frame_to_frame() {
     assert_eq!(counts("rain"), (72, 12));
     assert_eq!(counts("white-caps"), (16, 4));
     assert_eq!(counts("wand-signals"), (10, 2));
-    assert_eq!(counts("dust-ring"), (1600, 1600));
+    assert_eq!(counts("dust-ring").0, counts("dust-ring").1);
+    assert_eq!(counts("turning-dish"), (144, 12));
+    assert_eq!(counts("opening-panel"), (10, 1));
     assert_eq!(changes(&effect("rain").groups[0], 6), 6);
     assert_eq!(changes(&effect("smoke").groups[0], 48), 12);
     // Four sequences of ten frames a member start 0, 7, 14 and 21 frames early: one of them changes at a time.
@@ -71,6 +73,17 @@ fn flames_shine_of_themselves_from_both_sides() {
     for behind in [false, true] {
         assert_eq!(fire.brightness(5, -glam::DVec3::Z, behind), [1.0; 3]);
     }
+}
+
+#[test]
+fn a_panel_opens_once_and_a_beacon_flashes_by_its_sun() {
+    let panel = &effect("opening-panel").groups[0];
+    assert_eq!((panel.shown(0, |_| 0.0), panel.shown(10_000, |_| 0.0)), (vec![0], vec![9]));
+    let beacon = &effect("beacon").groups[0];
+    let light = |frame| beacon.corner_brightness(0, 0, beacon.sun.vector(frame, glam::DVec3::Z), false);
+    let film: Vec<f64> = (0..30).map(light).collect();
+    assert!(film.iter().any(|&light| light > 0.7) && film.contains(&0.0), "{film:?}");
+    assert_eq!(light(30).to_bits(), light(0).to_bits());
 }
 
 #[test]
@@ -155,7 +168,7 @@ fn a_whole_file() {
 #[track_caller]
 fn refused(from: &str, to: &str, expected: &[&str]) {
     assert!(GOOD.contains(from), "{from}");
-    let found = parse(&GOOD.replacen(from, to, 1)).err().expect("a file that is refused");
+    let Err(found) = parse(&GOOD.replacen(from, to, 1)) else { panic!("`{to}` is not refused") };
     for words in expected {
         assert!(found.contains(words), "no `{words}` in:\n{found}");
     }
@@ -214,6 +227,7 @@ fn bad_patterns_are_refused() {
     refused("rows = [-2, 2]", "rows = [2, 2]", &["whole, the second above the first"]);
     refused("rows = [-2, 2]", "rows = [-2, 2.5]", &["whole, the second above the first"]);
     refused("rows = [-2, 2]", "rows = [-200000, 200000]", &["has 1200000 faces"]);
+    refused("side_m = 10", "side_m = 10\nring_m = [5, 5]", &["ring_m", "the second above the first"]);
     refused("side_m = 10", "side_m = 10\nnormals = 1", &["of at least 2"]);
     refused("side_m = 10", "side_m = 10\nalpha_deg = 91", &["alpha_deg"]);
     refused("side_m = 10", "side_m = 10\nalpha_deg = 0", &["alpha_deg"]);
@@ -239,6 +253,33 @@ fn faces_are_limited_and_files_are_named() {
     assert!(parse(empty).expect_err("no faces").contains("a list without faces"));
     assert!(parse("title = ").is_err());
     assert!(Effect::parse("e.toml", b"\xff", setting()).is_err());
+}
+
+/// Bytes of the good file with some of them changed, cut out or doubled.
+fn damaged(seed: u64) -> Vec<u8> {
+    let mut bytes = GOOD.as_bytes().to_vec();
+    for round in 0..1 + seed % 4 {
+        let pick = |word: u64, below: usize| (unit_interval(seed, &[round, word]) * below as f64) as usize;
+        let at = pick(0, bytes.len());
+        match pick(1, 4) {
+            0 => bytes[at] = b"0123456789-.[]{}\"=,\n#ae \xff"[pick(2, 25)],
+            1 => drop(bytes.drain(at..(at + pick(2, 40)).min(bytes.len()))),
+            2 => drop(bytes.splice(at..at, *b"99999999999")),
+            _ => {
+                let piece = bytes[at..(at + pick(2, 60)).min(bytes.len())].to_vec();
+                drop(bytes.splice(at..at, piece));
+            }
+        }
+    }
+    bytes
+}
+
+#[test]
+fn damaged_files_are_read_or_refused_and_never_panic() {
+    let few = Setting { most: 10_000, ..setting() };
+    let read = |seed: &u64| Effect::parse("e.toml", &damaged(*seed), few).is_ok();
+    let good = (0..4000).filter(read).count();
+    assert!(good > 20 && good < 3000, "{good} of 4000 were read");
 }
 
 #[test]

@@ -7,6 +7,7 @@ mod effects;
 mod flights;
 mod groups;
 mod interpolation;
+mod library;
 mod models;
 mod mounds;
 mod patterns;

@@ -66,6 +66,23 @@ fn boards_that_cannot_be() {
 }
 
 #[test]
+fn a_ring_has_a_hole_and_a_rim() {
+    let board = Board::new(1.0, -20..20, -20..20).expect("a board").ring(5.0, 15.0).expect("a ring");
+    let flat =
+        |vertex: faces::GridVertex| faces::Vertex::at(DVec3::new(vertex.place[0], vertex.place[1], 0.0));
+    let mesh = board.squares("ring", WHITE, 1600, flat).expect("squares").mesh;
+    for face in mesh.faces() {
+        let middle = mesh.places(face).iter().sum::<DVec3>() / 4.0;
+        assert!((5.0..=15.0).contains(&middle.length()), "{middle}");
+    }
+    let area = std::f64::consts::PI * (15.0 * 15.0 - 5.0 * 5.0);
+    assert!((mesh.faces().len() as f64 - area).abs() < 0.03 * area, "{}", mesh.faces().len());
+    for (inner, outer) in [(-1.0, 5.0), (5.0, 5.0), (0.0, f64::NAN)] {
+        assert!(Board::new(1.0, 0..1, 0..1).expect("a board").ring(inner, outer).is_err());
+    }
+}
+
+#[test]
 fn both_roads_give_the_same_sea() {
     let sea = sea(SeaState::High, Mean::USUAL);
     let turned = sea.group("sea", 1, 600).expect("a list");

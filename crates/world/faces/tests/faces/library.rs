@@ -1,0 +1,53 @@
+//! The cost of the effects that ship, as `docs/effects.md` has it.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use faces::{Cut, Effect, Group, Setting, SunProgramme};
+use quantities::Rate;
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..")
+}
+
+/// Faces, faces shown, triangles and edges of a list in frame 0, and words of its sun.
+fn cost(group: &Group) -> [usize; 5] {
+    let shown = group.shown(0, |_| 0.0);
+    let (mut triangles, mut edges) = (0, BTreeSet::new());
+    for &face in &shown {
+        let corners = &group.mesh.faces()[face].corners;
+        for piece in Cut::Fan.pieces(corners.len()) {
+            triangles += 1;
+            for k in 0..3 {
+                let [from, to] = [corners[piece[k]], corners[piece[(k + 1) % 3]]];
+                edges.insert([from.min(to), from.max(to)]);
+            }
+        }
+    }
+    let words = if group.sun == SunProgramme::Scenario { 0 } else { 3 };
+    [group.mesh.faces().len(), shown.len(), triangles, edges.len(), words]
+}
+
+/// The row of an effect in the page.
+fn row(path: &Path) -> String {
+    let setting =
+        Setting { frames: Rate::new(30, 1).expect("a frame rate"), signals: &["thrust"], most: 200_000 };
+    let effect = Effect::read(path, setting).unwrap_or_else(|error| panic!("{error}"));
+    let costs = effect.groups.iter().map(cost);
+    let sum = costs.fold([0; 5], |sum, cost| [0, 1, 2, 3, 4].map(|k| sum[k] + cost[k]));
+    let name = path.file_stem().expect("a name").to_string_lossy().into_owned();
+    let file = path.file_name().expect("a name").to_string_lossy().into_owned();
+    let counts = sum.map(|count| count.to_string()).join(" | ");
+    format!("| [{name}](../scenarios/effects/{file}) | {counts} |")
+}
+
+#[test]
+fn the_page_has_the_cost_of_every_effect() {
+    let entries = std::fs::read_dir(root().join("scenarios/effects")).expect("the library");
+    let mut files: Vec<PathBuf> = entries.map(|entry| entry.expect("a file").path()).collect();
+    files.sort();
+    let expected: Vec<String> = files.iter().map(|path| row(path)).collect();
+    let page = std::fs::read_to_string(root().join("docs/effects.md")).expect("the page");
+    let found: Vec<&str> = page.lines().filter(|line| line.contains("../scenarios/effects/")).collect();
+    assert_eq!(found, expected, "docs/effects.md should have:\n{}", expected.join("\n"));
+}
