@@ -79,6 +79,9 @@ fn parse(text: &str) -> Scenario {
     if let GroundSource::Bank(path) = &mut scenario.ground {
         *path = path.file_name().unwrap().into();
     }
+    for effect in &mut scenario.faces.effects {
+        effect.file = effect.file.file_name().unwrap().into();
+    }
     for photograph in &mut scenario.photographs {
         photograph.file = photograph.file.file_name().unwrap().into();
         photograph.camera = photograph.camera.file_name().unwrap().into();
@@ -99,7 +102,7 @@ fn parse(text: &str) -> Scenario {
 #[test]
 fn all_examples_are_read() {
     let (examples, pieces) = examples();
-    assert_eq!((examples.len(), pieces.len()), (8, 6));
+    assert_eq!((examples.len(), pieces.len()), (9, 6));
     let drive = parse(examples[1]);
     assert_eq!(drive.path.waypoints().len(), 3);
     let tum = parse(&examples[1].replace("drive.csv", "drive.tum"));
@@ -181,11 +184,11 @@ const CHANGES: &[(&str, usize, &str, &str)] = &[
     ("path.keyframes.heading_deg", 0, "heading_deg = 40", "heading_deg = 41"),
     ("path.file", 1, "drive.csv", "drive.tum"),
     ("path.coordinates", 1, "file = \"drive.csv\"", "file = \"drive.csv\"\ncoordinates = \"file\""),
-    ("path.keyframes.lat_deg", 6, "8.1207", "8.1208"),
-    ("path.keyframes.lon_deg", 6, "-38.0093", "-38.0094"),
-    ("path.track", 7, "track = 1", "track = 2"),
-    ("path.segment", 7, "segment = 1", "segment = 2"),
-    ("path.heights", 7, "\"unused\"", "\"above-ground\""),
+    ("path.keyframes.lat_deg", 7, "8.1207", "8.1208"),
+    ("path.keyframes.lon_deg", 7, "-38.0093", "-38.0094"),
+    ("path.track", 8, "track = 1", "track = 2"),
+    ("path.segment", 8, "segment = 1", "segment = 2"),
+    ("path.heights", 8, "\"unused\"", "\"above-ground\""),
     ("raster.sweeps", 0, "sweeps = 525", "sweeps = 526"),
     ("raster.samples_per_sweep", 0, "samples_per_sweep = 1000", "samples_per_sweep = 999"),
     ("raster.columns", 0, "columns = 525", "columns = 526"),
@@ -239,6 +242,79 @@ const CHANGES: &[(&str, usize, &str, &str)] = &[
     ("landscape.albedo_map.file", 3, "fields.png", "meadows.png"),
     ("photograph.file", 3, "fields-above.png", "meadows.png"),
     ("photograph.camera", 3, "fields-above.json", "meadows.json"),
+    ("sea.square_m", 6, "square_m = 10", "square_m = 11"),
+    ("sea.area_m", 6, "[0, 0, 1000, 1200]", "[0, 0, 1000, 1210]"),
+    ("sea.height_m", 6, "height_m = 1.5", "height_m = 1.6"),
+    (
+        "sea.pattern",
+        6,
+        "pattern = \"two-sine\"\nlength_m = 45\nsecond_length_m = 26\nsecond_azimuth_deg = 33",
+        "pattern = \"swell\"\nlength_m = 45",
+    ),
+    (
+        "sea.seed",
+        6,
+        "pattern = \"two-sine\"\nlength_m = 45\nsecond_length_m = 26\nsecond_azimuth_deg = 33",
+        "pattern = \"random\"\nseed = 7",
+    ),
+    ("sea.length_m", 6, "\nlength_m = 45", "\nlength_m = 46"),
+    ("sea.second_length_m", 6, "second_length_m = 26", "second_length_m = 27"),
+    ("sea.second_azimuth_deg", 6, "azimuth_deg = 33", "azimuth_deg = 34"),
+    ("sea.normals", 6, "normals = 32", "normals = 33"),
+    ("sea.normals_deg", 6, "normals_deg = 72", "normals_deg = 73"),
+    ("sea.state", 6, "state = 3", "state = 1"),
+    ("sea.mean", 6, "mean = 0.45", "mean = \"as-reported\""),
+    ("sea.colour", 6, "[0.1, 0.2, 0.3]", "[0.1, 0.2, 0.4]"),
+    ("ship.id", 6, "id = \"lph\"", "id = \"other\""),
+    ("ship.type", 6, "\"lph-2\"", "\"dd963\""),
+    ("ship.x_m", 6, "x_m = 600", "x_m = 601"),
+    ("ship.y_m", 6, "y_m = 500", "y_m = 501"),
+    ("ship.heading_deg", 6, "heading_deg = 20", "heading_deg = 21"),
+    ("ship.speed_m_s", 6, "speed_m_s = 6", "speed_m_s = 7"),
+    ("ship.hull", 6, "hull = \"box\"\ngap_m = 1.2", "hull = \"wedges\""),
+    ("ship.gap_m", 6, "gap_m = 1.2", "gap_m = 1.3"),
+    ("ship.pitch.amplitude_deg", 6, "amplitude_deg = 4", "amplitude_deg = 5"),
+    ("ship.pitch.period_s", 6, "period_s = 8", "period_s = 8.5"),
+    ("ship.pitch.phase_deg", 6, "phase_deg = 10", "phase_deg = 11"),
+    ("ship.roll.amplitude_deg", 6, "amplitude_deg = 6", "amplitude_deg = 7"),
+    ("ship.roll.period_s", 6, "period_s = 11", "period_s = 10"),
+    ("ship.roll.phase_deg", 6, "phase_deg = 20", "phase_deg = 21"),
+    ("ship.heave.amplitude_m", 6, "amplitude_m = 1.1", "amplitude_m = 1.2"),
+    ("ship.heave.period_s", 6, "period_s = 9", "period_s = 10"),
+    ("ship.heave.phase_deg", 6, "phase_deg = 30", "phase_deg = 31"),
+    ("ship.sway.amplitude_m", 6, "amplitude_m = 0.9", "amplitude_m = 0.8"),
+    ("ship.sway.period_s", 6, "period_s = 12", "period_s = 13"),
+    ("ship.sway.phase_deg", 6, "phase_deg = 40", "phase_deg = 41"),
+    ("ship.bow_wake.height_m", 6, "height_m = 5", "height_m = 6"),
+    ("ship.bow_wake.length_m", 6, "length_m = 35.5", "length_m = 36"),
+    ("ship.bow_wake.lean", 6, "lean = 0.2", "lean = 0.3"),
+    ("ship.bow_wake.colour", 6, "[0.9, 0.9, 0.8]", "[0.9, 0.9, 0.7]"),
+    ("ship.bow_wake.frames", 6, "frames = 3 }", "frames = 4 }"),
+    ("ship.stern_wake.length_m", 6, "length_m = 350", "length_m = 360"),
+    ("ship.stern_wake.width_m", 6, "width_m = 24", "width_m = 25"),
+    ("ship.stern_wake.detail", 6, "\"add-soft\"", "\"replace\""),
+    ("ship.stern_wake.colour", 6, "[0.8, 0.9, 0.9]", "[0.7, 0.9, 0.9]"),
+    ("effect.file", 6, "smoke.toml", "fire.toml"),
+    ("effect.x_m", 6, "x_m = 550", "x_m = 551"),
+    ("effect.y_m", 6, "y_m = 470", "y_m = 471"),
+    ("effect.above_m", 6, "above_m = 3", "above_m = 4"),
+    ("effect.heading_deg", 6, "heading_deg = 15", "heading_deg = 16"),
+    ("effect.on", 6, "on = \"buoy\"", "on = \"vehicle\""),
+    ("effect.at_m", 6, "[0.5, 0.1, 1.4]", "[0.5, 0.1, 1.5]"),
+    ("plume.x_m", 6, "x_m = 540", "x_m = 541"),
+    ("plume.y_m", 6, "y_m = 460", "y_m = 461"),
+    ("plume.above_m", 6, "above_m = 0.2", "above_m = 0.3"),
+    ("plume.heading_deg", 6, "heading_deg = 25", "heading_deg = 26"),
+    ("plume.on", 6, "on = \"vehicle\"", "on = \"buoy\""),
+    ("plume.at_m", 6, "[-1.3, 0.8]", "[-1.3, 0.9]"),
+    ("plume.speed_m_s", 6, "speed_m_s = 3", "speed_m_s = 4"),
+    ("plume.launch_deg", 6, "launch_deg = 50", "launch_deg = 51"),
+    ("plume.spread_deg", 6, "spread_deg = 9", "spread_deg = 10"),
+    ("plume.azimuth_deg", 6, "azimuth_deg = 170", "azimuth_deg = 171"),
+    ("plume.faces", 6, "faces = 20", "faces = 21"),
+    ("plume.frames", 6, "frames = 3\n", "frames = 4\n"),
+    ("plume.copies", 6, "copies = 5", "copies = 6"),
+    ("plume.colour", 6, "[0.5, 0.4, 0.4]", "[0.5, 0.4, 0.3]"),
     ("landscape.albedo_map.area_m", 3, "[100, 100, 300, 300]", "[100, 100, 300, 301]"),
     ("landscape.albedo_map.black", 3, "black = 0.1", "black = 0.2"),
     ("landscape.albedo_map.white", 3, "white = 0.6", "white = 0.7"),

@@ -10,8 +10,8 @@ use crate::SeaWish;
 /// Waters of the study's pictures: linear red, green, blue (chosen).
 const COLOUR: [f64; 3] = [0.10, 0.24, 0.36];
 
-/// The words of the patterns, each with the keys that it takes.
-#[derive(Debug, Clone, Copy)]
+/// The words of the patterns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Word {
     Random,
     TwoSine,
@@ -27,6 +27,20 @@ const WORDS: [(&str, Word); 5] = [
     ("swell", Word::Swell),
     ("travelling", Word::Travelling),
 ];
+
+impl Word {
+    /// Keys that the pattern takes.
+    fn keys(self) -> &'static [&'static str] {
+        match self {
+            Self::Random => &["seed"],
+            Self::TwoSine => &["length_m", "second_length_m", "second_azimuth_deg"],
+            Self::MirrorRows | Self::Swell | Self::Travelling => &["length_m"],
+        }
+    }
+}
+
+/// Keys of all patterns.
+const KEYS: [&str; 4] = ["seed", "length_m", "second_length_m", "second_azimuth_deg"];
 
 pub(super) fn sea(table: &Reader) -> Option<SeaWish> {
     let square = table.f64("square_m").between(0.01, 1e5).unit("m").required();
@@ -61,8 +75,14 @@ fn pattern(table: &Reader) -> Option<Pattern> {
         (table.u64("seed").default(1), length("length_m", 40.0), length("second_length_m", 25.0));
     let turned = table.f64("second_azimuth_deg").between(-360.0, 360.0).unit("degrees").map(radians);
     let turned = turned.default(radians(30.0));
-    let (seed, first, second, turned) = (seed?, first?, second?, turned?);
-    Some(match word? {
+    let (word, seed, first, second, turned) = (word?, seed?, first?, second?, turned?);
+    let idle = KEYS.into_iter().find(|key| table.has(key) && !word.keys().contains(key));
+    if let Some(key) = idle {
+        let title = format!("`{}` says nothing about this pattern", table.path(key));
+        table.report(table.problem(key, title).expected(format!("no key but {}", word.keys().join(", "))));
+        return None;
+    }
+    Some(match word {
         Word::Random => Pattern::Random { seed },
         Word::TwoSine => Pattern::TwoSine(TwoSine { lengths: [first, second], turned }),
         Word::MirrorRows => Pattern::MirrorRows { length: first },

@@ -87,7 +87,13 @@ fn hiding(table: &Reader, sea: [f64; 3]) -> Option<Hiding> {
         ("sea-first", Hiding::SeaFirst),
         ("deep-hull", Hiding::DeepHull),
     ];
-    table.one_of("hull", &words).default(Hiding::Waterline)
+    let hiding = table.one_of("hull", &words).default(Hiding::Waterline)?;
+    if table.has("gap_m") && !matches!(hiding, Hiding::Box { .. }) {
+        let title = format!("`{}` of a ship without a box", table.path("gap_m"));
+        table.report(table.problem("gap_m", title).expected("`hull = \"box\"`, or no gap"));
+        return None;
+    }
+    Some(hiding)
 }
 
 fn bow_wake(table: &Reader, sea: [f64; 3]) -> Option<Option<(BowWake, u64)>> {
