@@ -4,3 +4,4 @@ mod beacon;
 mod figures;
 mod lod;
 mod panels;
+mod smooth;

@@ -13,4 +13,4 @@ pub mod trust;
 
 pub use ::lockstep::{ComparedScene, Dice, Drawn, level_of, plane, random, scene};
 pub use lockstep::Lockstep;
-pub use shipped::Shipped;
+pub use shipped::{Shipped, Shown};

@@ -13,7 +13,7 @@ use hardware_model::{HardwareModel, ModelSource, Settings};
 use landscape::Landscape;
 use machine::Prepare;
 use picture::{Depth, Encoder, GreyPicture, Transfer};
-use scenario::{Pose, PoseRow, PoseTable, Scenario, Scenery};
+use scenario::{FaceLists, Pose, PoseRow, PoseTable, Scenario, Scenery};
 use signal::Probe;
 
 /// Scenarios of terrain alone in the folder `scenarios/`, by name.
@@ -44,6 +44,8 @@ pub struct Shipped {
     pub landscape: Arc<Landscape>,
     /// Poses that the frames before it leave a mark on a frame by.
     course: Vec<Pose>,
+    /// Lists of faces of the scenario as it was read.
+    face_lists: Arc<FaceLists>,
     /// Its settings, by its own machine; change them before drawing.
     pub settings: Settings,
 }
@@ -124,7 +126,8 @@ impl Shipped {
         let settings = Settings { shadow_cache: Some(SHADOWS.clone()), ..settings };
         let stage = front_door::build(&scenario, settings).unwrap_or_else(|e| panic!("{name}: {e}"));
         let MachineStage { landscape, scenery, settings } = stage;
-        Self { landscape, course: scenery.course().to_vec(), settings, scenario }
+        let (course, face_lists) = (scenery.course().to_vec(), scenery.face_lists().clone());
+        Self { landscape, course, face_lists, settings, scenario }
     }
 
     /// Frames that the scenario has.
@@ -146,7 +149,7 @@ impl Shipped {
     fn scenery(&self) -> Scenery {
         let scenery = Scenery::of(&self.scenario, &self.landscape, self.settings.timebase.update)
             .expect("a shipped scenery");
-        scenery.with_course(self.course.clone())
+        scenery.with_course(self.course.clone()).with_face_lists(self.face_lists.clone())
     }
 
     /// What the machine draws, by the scenario as it is now.

@@ -95,7 +95,7 @@ impl Scenery {
     }
 
     /// Lists of faces of the mission: sea, ships, effects of files.
-    pub fn face_lists(&self) -> &FaceLists {
+    pub fn face_lists(&self) -> &Arc<FaceLists> {
         &self.face_lists
     }
 
