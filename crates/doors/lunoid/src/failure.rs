@@ -14,6 +14,7 @@ use files::{Action, FileError, FolderError, NpyFileError};
 use front_door::{OpenError, StageError};
 use generator::FrameError;
 use landscape::bank_file::BankFileError;
+use merge::MergeError;
 use photographs::PhotographFileError;
 use picture::PictureFileError;
 use plots::PlotError;
@@ -219,8 +220,21 @@ impl From<ReplayError> for Failure {
             | ReplayError::TruthRecord { .. }
             | ReplayError::TruthNotANumber { .. }
             | ReplayError::Picture { .. } => Self::input(error),
+            ReplayError::Changed { .. } => Self::input(error),
             ReplayError::NoFrames(_) | ReplayError::TooManyChecks { .. } => Self::usage(error),
             _ => Self::output(error),
+        }
+    }
+}
+
+impl From<MergeError> for Failure {
+    fn from(error: MergeError) -> Self {
+        match error {
+            MergeError::Run(error) => error.into(),
+            MergeError::Twice { .. } | MergeError::IntoItself { .. } | MergeError::Outside { .. } => {
+                Self::usage(error)
+            }
+            other => Self::input(other),
         }
     }
 }

@@ -1,0 +1,58 @@
+//! `--shard`: the part of a run that one worker does.
+
+use std::env;
+use std::ops::Range;
+
+use clap::Args;
+use shard::{Shard, ShardError, block_by_count, from_environment};
+
+use crate::Failure;
+
+/// Options that choose a shard.
+#[derive(Debug, Default, Clone, Args)]
+pub struct Sharing {
+    /// Do shard K of N alone, numbered from 1, in a folder of its own; `auto` takes K and N from a Slurm array or an indexed
+    /// Kubernetes job. `lunoid merge` joins the folders; docs/shards.md has the laws.
+    #[arg(long, value_name = "K/N|auto", value_parser = asked)]
+    pub shard: Option<Asked>,
+}
+
+/// Which shard is asked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Asked {
+    /// The one that the environment names.
+    Auto,
+    /// This one.
+    Named(Shard),
+}
+
+fn asked(text: &str) -> Result<Asked, ShardError> {
+    if text == "auto" { Ok(Asked::Auto) } else { text.parse().map(Asked::Named) }
+}
+
+impl Sharing {
+    /// The shard that is asked for.
+    ///
+    /// # Errors
+    /// If the environment names none.
+    pub fn asked(&self) -> Result<Option<Shard>, Failure> {
+        match self.shard {
+            None => Ok(None),
+            Some(Asked::Named(shard)) => Ok(Some(shard)),
+            Some(Asked::Auto) => {
+                let get = |name: &str| env::var_os(name).map(|value| value.to_string_lossy().into_owned());
+                from_environment(get)
+                    .map(Some)
+                    .map_err(|error| Failure::usage(format!("--shard auto: {error}")))
+            }
+        }
+    }
+}
+
+/// The frames of `shard` among `all`.
+///
+/// # Errors
+/// If there are more shards than frames.
+pub fn block(shard: Shard, all: &Range<u64>) -> Result<Range<u64>, Failure> {
+    block_by_count(shard, all).map_err(|error| Failure::usage(format!("--{error}")))
+}
