@@ -56,3 +56,12 @@ impl Sharing {
 pub fn block(shard: Shard, all: &Range<u64>) -> Result<Range<u64>, Failure> {
     block_by_count(shard, all).map_err(|error| Failure::usage(format!("--{error}")))
 }
+
+/// What `shard` has of `all`, in order.
+///
+/// # Errors
+/// If there are more shards than entries.
+pub fn part<T: Clone>(shard: Shard, all: &[T]) -> Result<Vec<T>, Failure> {
+    let Range { start, end } = block(shard, &(0..all.len() as u64))?;
+    Ok(all[start as usize..end as usize].to_vec())
+}

@@ -11,6 +11,9 @@ pub enum MergeError {
     /// A folder that cannot be read or written.
     #[error(transparent)]
     Run(#[from] ReplayError),
+    /// A timing record that cannot be read or written.
+    #[error(transparent)]
+    Timing(#[from] timing::RecordError),
     /// The same folder was given twice.
     #[error("{path}: given twice; give each folder once")]
     Twice {

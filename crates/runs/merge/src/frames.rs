@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 
 use run_record::{FrameRecord, TruthFrame};
 use serde::Serialize;
+use timing::FrameTiming;
 
 use crate::MergeError;
 use crate::same::differences;
-use crate::source::Source;
 
 /// The record of a frame in a run or in its truth.
 pub(crate) trait Frame: Clone + PartialEq + Serialize {
@@ -29,44 +29,53 @@ impl Frame for TruthFrame {
     }
 }
 
+impl Frame for FrameTiming {
+    fn number(&self) -> u64 {
+        self.frame
+    }
+}
+
 /// Frames by their numbers, each with the folder that has its files.
 pub(crate) type Frames<'a, F> = BTreeMap<u64, (&'a F, &'a Path)>;
 
-/// The frames of all `sources`. `of` returns the frames of a source and the path of the record that lists them.
+/// What a record lists.
+pub(crate) struct Listed<'a, F> {
+    pub frames: &'a [F],
+    /// Folder of the run.
+    pub folder: &'a Path,
+    /// Path of the record.
+    pub record: PathBuf,
+}
+
+/// The frames of all records.
 ///
 /// # Errors
-/// If two sources have a frame differently.
+/// If two records have a frame differently.
 pub(crate) fn join_frames<'a, F: Frame + 'a>(
-    sources: &'a [Source],
-    of: impl Fn(&'a Source) -> Option<(&'a [F], PathBuf)>,
+    records: impl Iterator<Item = Listed<'a, F>>,
 ) -> Result<Frames<'a, F>, MergeError> {
-    let mut joined: Frames<F> = BTreeMap::new();
-    for source in sources {
-        let Some((frames, record)) = of(source) else { continue };
-        for frame in frames {
+    let (mut joined, mut listed): (BTreeMap<u64, (&F, usize)>, Vec<Listed<F>>) = Default::default();
+    for record in records {
+        for frame in record.frames {
             match joined.entry(frame.number()) {
                 Entry::Vacant(place) => {
-                    place.insert((frame, &source.folder));
+                    place.insert((frame, listed.len()));
                 }
                 Entry::Occupied(held) if held.get().0 == frame => {}
                 Entry::Occupied(held) => {
-                    let (first, folder) = *held.get();
-                    let first_record = sources
-                        .iter()
-                        .find(|other| other.folder == folder)
-                        .and_then(&of)
-                        .map(|(_, path)| path);
+                    let (first, at) = *held.get();
                     return Err(MergeError::Overlap {
                         frame: frame.number(),
-                        first: first_record.unwrap_or_default(),
-                        second: record,
+                        first: listed[at].record.clone(),
+                        second: record.record,
                         differences: differences(first, frame),
                     });
                 }
             }
         }
+        listed.push(record);
     }
-    Ok(joined)
+    Ok(joined.into_iter().map(|(number, (frame, at))| (number, (frame, listed[at].folder))).collect())
 }
 
 /// Records and folders, side by side and ascending.

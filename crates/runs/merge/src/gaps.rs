@@ -17,6 +17,13 @@ pub struct Gap {
     pub truth: bool,
 }
 
+impl Gap {
+    /// Frames that no folder has a part of.
+    pub(crate) fn of_frames(frames: Range<u64>) -> Self {
+        Self { frames, folder: None, truth: false }
+    }
+}
+
 /// The whole run: `asked`, or the smallest range that holds the frames of all sources and every run that one is a shard of.
 /// Without sources the range is empty.
 ///
@@ -32,13 +39,20 @@ pub(crate) fn whole(sources: &[Source], asked: Option<&Range<u64>>) -> Result<Ra
         let start = ranges().map(|[start, _]| start).min().unwrap_or_default();
         return Ok(start..ranges().map(|[_, end]| end).max().unwrap_or_default());
     };
-    let is_outside = |source: &&Source| source.run.range[0] < asked.start || source.run.range[1] > asked.end;
-    match sources.iter().find(is_outside) {
-        None => Ok(asked.clone()),
-        Some(source) => {
-            let [start, end] = source.run.range;
-            Err(MergeError::Outside { path: source.record(), held: start..end, asked: asked.clone() })
-        }
+    let range = |source: &Source| (source.run.range[0]..source.run.range[1], source.record());
+    expect_inside(asked, sources.iter().map(range))?;
+    Ok(asked.clone())
+}
+
+/// Refuses records with frames outside `asked`.
+pub(crate) fn expect_inside(
+    asked: &Range<u64>,
+    mut records: impl Iterator<Item = (Range<u64>, PathBuf)>,
+) -> Result<(), MergeError> {
+    let is_outside = |(held, _): &(Range<u64>, PathBuf)| held.start < asked.start || held.end > asked.end;
+    match records.find(is_outside) {
+        None => Ok(()),
+        Some((held, path)) => Err(MergeError::Outside { path, held, asked: asked.clone() }),
     }
 }
 
@@ -62,7 +76,7 @@ pub(crate) fn gaps_of_frames(missing: Vec<Range<u64>>, unfinished: &[Unfinished]
             !run.frames.is_empty() && run.frames.iter().all(|frame| frames.contains(frame))
         };
         let folder = unfinished.iter().find(is_part).map(|run| run.folder.clone());
-        Gap { frames, folder, truth: false }
+        Gap { folder, ..Gap::of_frames(frames) }
     };
     missing.into_iter().map(of).collect()
 }

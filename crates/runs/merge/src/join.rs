@@ -8,7 +8,7 @@ use generator::Counter;
 use replay::{ANIMATION, Control, JoinedRun, JoinedTruth, POSES, RunFolder};
 use run_record::{FrameRecord, RunRecord, total_work};
 
-use crate::frames::{Frames, apart, join_frames};
+use crate::frames::{Frames, Listed, apart, join_frames};
 use crate::gaps::{gaps_of_frames, gaps_of_truth, missing, whole};
 use crate::limits::join_limits;
 use crate::rows::{Rows, poses_and_camera};
@@ -73,9 +73,9 @@ pub fn merge(wish: Merge, folder: &RunFolder, control: &Control) -> Result<Outco
         let path = wish.folders.first().cloned().unwrap_or_default();
         return Err(MergeError::NothingFinished { path });
     }
-    expect_same(&finished, |source| Some((&source.run, source.record())))?;
+    expect_same(finished.iter().map(|source| (&source.run, source.record())))?;
     let whole = whole(&finished, wish.frames)?;
-    let frames = join_frames(&finished, |source| Some((&source.run.frames[..], source.record())))?;
+    let frames = join_frames(finished.iter().map(listed))?;
     let truth = join_truth(&finished)?;
     let mut gaps = gaps_of_frames(missing(&whole, frames.keys().copied()), &unfinished);
     gaps.extend(gaps_of_truth(&finished));
@@ -99,6 +99,11 @@ pub fn merge(wish: Merge, folder: &RunFolder, control: &Control) -> Result<Outco
         Some(done) => interrupted(done),
         None => Ok(Outcome::Joined(joined)),
     }
+}
+
+/// What the record of a source lists.
+fn listed(source: &Source) -> Listed<'_, FrameRecord> {
+    Listed { frames: &source.run.frames, folder: &source.folder, record: source.record() }
 }
 
 /// Writes run and truth. Returns the number of whole frames if told to end.

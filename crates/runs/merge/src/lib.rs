@@ -20,6 +20,8 @@
 //! - `run.json`, the frames, what follows from them, and the truth are then those of one machine, byte for byte. Wall times are no
 //!   part of a record: `performance.json` is not joined.
 //!
+//! Timing records are joined alike: the same record but for its frames, the same timing of a frame that several have, gaps.
+//!
 //! Each thread has one file in memory. The records of all frames are held, as `replay` holds them.
 //!
 //! # See also
@@ -33,9 +35,11 @@ mod limits;
 mod rows;
 mod same;
 mod source;
+mod timings;
 mod truth;
 mod verify;
 
 pub use error::MergeError;
 pub use gaps::Gap;
 pub use join::{Joined, Merge, Outcome, merge};
+pub use timings::{Timings, merge_timings};

@@ -7,7 +7,6 @@ use serde::Serialize;
 use serde_json::Value;
 
 use crate::MergeError;
-use crate::source::Source;
 
 /// Keys of a record of a run that depend on its frames.
 const OF_FRAMES: [&str; 7] = ["frames", "range", "shard", "totals", "limits", "check", "outputs"];
@@ -15,12 +14,10 @@ const OF_FRAMES: [&str; 7] = ["frames", "range", "shard", "totals", "limits", "c
 /// Words behind the values of the first record and of the second.
 const WORDS: [&str; 2] = ["in the first", "in the second"];
 
-/// Refuses sources whose records are not of one run. `of` returns a record and its path.
+/// Refuses records that are not of one run. Each has its path.
 pub(crate) fn expect_same<'a, R: Serialize + 'a>(
-    sources: &'a [Source],
-    of: impl Fn(&'a Source) -> Option<(&'a R, PathBuf)>,
+    mut records: impl Iterator<Item = (&'a R, PathBuf)>,
 ) -> Result<(), MergeError> {
-    let mut records = sources.iter().filter_map(of);
     let Some((first, first_path)) = records.next() else { return Ok(()) };
     let first = without_frames(first);
     for (second, second_path) in records {
