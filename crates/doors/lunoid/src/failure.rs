@@ -219,8 +219,9 @@ impl From<ReplayError> for Failure {
             | ReplayError::Unfinished { .. }
             | ReplayError::TruthRecord { .. }
             | ReplayError::TruthNotANumber { .. }
+            | ReplayError::Changed { .. }
+            | ReplayError::Costs { .. }
             | ReplayError::Picture { .. } => Self::input(error),
-            ReplayError::Changed { .. } => Self::input(error),
             ReplayError::NoFrames(_) | ReplayError::TooManyChecks { .. } => Self::usage(error),
             _ => Self::output(error),
         }

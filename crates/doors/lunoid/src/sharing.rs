@@ -4,7 +4,7 @@ use std::env;
 use std::ops::Range;
 
 use clap::Args;
-use shard::{Shard, ShardError, block_by_count, from_environment};
+use shard::{Shard, ShardError, block_by_cost, block_by_count, from_environment};
 
 use crate::Failure;
 
@@ -54,7 +54,19 @@ impl Sharing {
 /// # Errors
 /// If there are more shards than frames.
 pub fn block(shard: Shard, all: &Range<u64>) -> Result<Range<u64>, Failure> {
-    block_by_count(shard, all).map_err(|error| Failure::usage(format!("--{error}")))
+    block_by_count(shard, all).map_err(refused)
+}
+
+/// The frames of `shard` among `all`, by the `costs` of all.
+///
+/// # Errors
+/// If there are more shards than frames.
+pub fn by_cost(shard: Shard, all: &Range<u64>, costs: &[u64]) -> Result<Range<u64>, Failure> {
+    block_by_cost(shard, all, costs).map_err(refused)
+}
+
+fn refused(error: ShardError) -> Failure {
+    Failure::usage(format!("--{error}"))
 }
 
 /// What `shard` has of `all`, in order.

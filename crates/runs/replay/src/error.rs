@@ -179,6 +179,14 @@ pub enum ReplayError {
         /// Frames of the joined run.
         range: Range<u64>,
     },
+    /// A file of wall times that does not have the time of every frame.
+    #[error("{path}: {reason}; draw that run anew with --fresh, all frames in one session")]
+    Costs {
+        /// Path of the file.
+        path: PathBuf,
+        /// What is missing, in words.
+        reason: String,
+    },
     /// A file of a run that is not what its record says.
     #[error(
         "{path}: its bytes are not those that the record of its run lists; the same replay into that folder makes the          file anew"

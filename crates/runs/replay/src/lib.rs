@@ -24,6 +24,7 @@
 
 mod camera;
 mod check;
+mod costs;
 mod draw;
 mod drawable;
 mod error;
@@ -46,6 +47,7 @@ mod truth_files;
 mod world;
 mod written;
 
+pub use costs::frame_costs;
 pub use error::ReplayError;
 pub use film::write_y4m;
 pub use folder::RunFolder;

@@ -106,6 +106,36 @@ fn shards_that_there_are_not_are_refused() {
 }
 
 #[test]
+fn costs_cut_where_the_time_is() {
+    let scene = Scene::new();
+    let costs = |seconds: [f64; 4]| {
+        let frames: Vec<(u64, f64)> = (0..).zip(seconds).collect();
+        let document = serde_json::json!({ "schema": "lunoid.performance/1", "frames_s": frames });
+        fs::create_dir_all(scene.join("costs")).unwrap();
+        scene.write("costs/performance.json", document.to_string());
+    };
+    costs([3.0, 1.0, 1.0, 1.0]);
+    for number in ["1/2", "2/2"] {
+        scene.expect(0, &["replay", "tiny.toml", "--no-page", "--shard", number, "--costs", "costs"]);
+    }
+    assert_eq!(scene.list("runs/tiny-shard-1-of-2/frames"), ["frame-000000.png"]);
+    scene.expect(0, &["merge", "runs/tiny-shard-1-of-2", "runs/tiny-shard-2-of-2", "-o", "joined"]);
+    scene.expect(0, &["replay", "tiny.toml", "--no-page", "--out", "whole"]);
+    expect_equal(&scene, "whole", "joined");
+    // The times of a run as a replay writes them.
+    scene.expect(
+        0,
+        &["replay", "tiny.toml", "--no-page", "--shard", "2/3", "--costs", "whole", "--out", "other"],
+    );
+    scene.write("whole/performance.json", "{}");
+    let (_, said) = scene.expect(3, &["replay", "tiny.toml", "--shard", "1/3", "--costs", "whole"]);
+    assert!(said.contains("whole/performance.json: it has no list `frames_s`"), "{said}");
+    costs([1.0, f64::NAN, 1.0, 1.0]);
+    let (_, said) = scene.expect(3, &["replay", "tiny.toml", "--shard", "1/3", "--costs", "costs"]);
+    assert!(said.contains("costs/performance.json"), "{said}");
+}
+
+#[test]
 fn a_cluster_names_the_shard() {
     let scene = Scene::new();
     let run = |variables: &[(&str, &str)]| {

@@ -30,7 +30,7 @@ use crate::interrupt;
 use crate::loading::{PreviewArgs, StageArgs, StageOptions, Threads, choose_frames, machine_help};
 use crate::output::{Place, expect_outputs, print, print_json, tell};
 use crate::progress::Saying;
-use crate::sharing::{Sharing, block};
+use crate::sharing::Sharing;
 use crate::{Failure, Verdict, values};
 use share::of_one;
 use summary::{Summary, losses};
@@ -69,6 +69,10 @@ pub struct Replay {
     frames: Option<Span>,
     #[command(flatten)]
     sharing: Sharing,
+    /// Share frames out by cost: by the time that each took in the run in this folder, drawn once with a small raster. Every
+    /// worker must get the same folder. Each shard has equally many frames if left out.
+    #[arg(long, value_name = "FOLDER", requires = "shard")]
+    costs: Option<PathBuf>,
     /// Folder of the run; runs/NAME-OF-THE-SCENARIO if left out, of several machines with -side-by-side behind, of all channels with -channels, of one with its
     /// name, of a shard with -shard-K-of-N.
     #[arg(short, long, value_name = "FOLDER")]
@@ -157,7 +161,7 @@ impl Replay {
         let out = self.out(&of_one(self.options.channel.as_deref(), shard));
         self.expect_apart(stage, &out)?;
         let frames = choose_frames(opened, self.frames)?;
-        shard.map(|shard| block(shard, &frames)).transpose()?;
+        let part = shard.map(|shard| self.part(shard, &frames)).transpose()?;
         let generator = &*opened.generator;
         self.expect_sweeps(opened)?;
         let lines = generator.scan(&opened.settings.view()).map_or(0, |scan| scan.timebase.sweeps);
@@ -169,9 +173,9 @@ impl Replay {
         let built = pool.install(|| opened.stage())?;
         phases.mark("landscape");
         let job = self.job(opened, built, frames);
-        let job = match shard {
+        let job = match shard.zip(part) {
             None => job,
-            Some(shard) => self.share(shard, job, stage)?,
+            Some((shard, frames)) => self.share(shard, job, frames, stage),
         };
         let (outcome, truth) = self.draw(stage, opened, &job, &folder, (&pool, &mut phases))?;
         self.tell(opened, &folder, (outcome, truth), phases)

@@ -1,6 +1,8 @@
 //! A shard of a replay.
 
-use replay::Job;
+use std::ops::Range;
+
+use replay::{Job, frame_costs};
 use run_record::ShardRecord;
 use shard::Shard;
 
@@ -8,7 +10,7 @@ use super::{DepthWord, Replay};
 use crate::Failure;
 use crate::commands::words::words;
 use crate::loading::StageArgs;
-use crate::sharing::block;
+use crate::sharing::{block, by_cost};
 
 /// What stands behind the name of the folder of one run.
 pub fn of_one(channel: Option<&str>, shard: Option<Shard>) -> String {
@@ -18,21 +20,29 @@ pub fn of_one(channel: Option<&str>, shard: Option<Shard>) -> String {
 }
 
 impl Replay {
-    /// The part of `job` that is `shard`.
+    /// Frames of `shard` among those of `all`.
+    pub(super) fn part(&self, shard: Shard, all: &Range<u64>) -> Result<Range<u64>, Failure> {
+        // More shards than frames are refused before any file is read.
+        let by_count = block(shard, all)?;
+        let Some(folder) = &self.costs else { return Ok(by_count) };
+        by_cost(shard, all, &frame_costs(folder, all)?)
+    }
+
+    /// The part of `job` that is `shard`, with these `frames`.
     pub(super) fn share<'a>(
         &self,
         shard: Shard,
         job: Job<'a>,
+        frames: Range<u64>,
         stage: &StageArgs,
-    ) -> Result<Job<'a>, Failure> {
-        let frames = block(shard, &job.frames)?;
+    ) -> Job<'a> {
         let record = ShardRecord {
             shard: shard.to_string(),
-            by: "count".into(),
+            by: if self.costs.is_some() { "cost" } else { "count" }.into(),
             of: [job.frames.start, job.frames.end],
             words: self.words_of_whole(stage),
         };
-        Ok(Job { frames, shard: Some(record), ..job })
+        Job { frames, shard: Some(record), ..job }
     }
 
     /// Words of the command that draws the whole run.
