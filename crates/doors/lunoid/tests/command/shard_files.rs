@@ -59,6 +59,29 @@ fn the_files_of_slurm_draw_and_join() {
     expect_whole(&scene, 3);
 }
 
+/// A real array, on whatever nodes the Slurm of this machine has.
+#[test]
+fn a_slurm_array_draws_and_joins() {
+    let nodes = Command::new("sinfo").args(["--noheader", "--states=idle,mixed", "--format=%n"]).output();
+    if !nodes.is_ok_and(|output| output.status.success() && !output.stdout.is_empty()) {
+        eprintln!(
+            "SKIPPED: no node of a Slurm is idle here, so docs/shards/slurm.sh was run by a shell alone"
+        );
+        return;
+    }
+    let scene = Scene::new();
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../docs/shards");
+    let submit = |options: &[&str], file: &str, arguments: &[&str]| {
+        let mut command = Command::new("sbatch");
+        command.arg("--wait").args(options).arg(folder.join(file)).args(arguments);
+        let output = command.current_dir(scene.path()).env("LUNOID", cargo_bin("lunoid")).output().unwrap();
+        assert!(output.status.success(), "{file}: {}", String::from_utf8_lossy(&output.stderr));
+    };
+    submit(&["--array=1-3"], "slurm.sh", &["tiny.toml"]);
+    submit(&[], "slurm-merge.sh", &["tiny.toml", "3"]);
+    expect_whole(&scene, 3);
+}
+
 #[test]
 fn the_file_of_gnu_parallel_draws_and_joins() {
     let version = Command::new("parallel").arg("--version").output();
