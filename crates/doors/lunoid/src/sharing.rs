@@ -11,8 +11,8 @@ use crate::Failure;
 /// Options that choose a shard.
 #[derive(Debug, Default, Clone, Args)]
 pub struct Sharing {
-    /// Do shard K of N alone, numbered from 1, in a folder of its own; `auto` takes K and N from a Slurm array or an indexed
-    /// Kubernetes job. `lunoid merge` joins the folders; docs/shards.md has the laws.
+    /// Do shard K of N alone, numbered from 1; `auto` takes K and N from a Slurm array or an indexed Kubernetes job.
+    /// docs/shards.md says what is shared out, and what `lunoid merge` joins.
     #[arg(long, value_name = "K/N|auto", value_parser = asked)]
     pub shard: Option<Asked>,
 }
@@ -65,15 +65,34 @@ pub fn by_cost(shard: Shard, all: &Range<u64>, costs: &[u64]) -> Result<Range<u6
     block_by_cost(shard, all, costs).map_err(refused)
 }
 
+/// The random seeds of `shard` among `all`.
+///
+/// # Errors
+/// If there are more shards than seeds.
+pub fn seeds(shard: Shard, all: &Range<u64>) -> Result<Range<u64>, Failure> {
+    block_by_count(shard, all).map_err(|_| {
+        let found = all.end - all.start;
+        Failure::usage(format!(
+            "--shard {shard}: there are {found} seeds, expected at most as many shards; give fewer shards"
+        ))
+    })
+}
+
 fn refused(error: ShardError) -> Failure {
     Failure::usage(format!("--{error}"))
 }
 
-/// What `shard` has of `all`, in order.
+/// What `shard` has of `all`, in order, if one is asked for. `what` are the entries, as a word.
 ///
 /// # Errors
 /// If there are more shards than entries.
-pub fn part<T: Clone>(shard: Shard, all: &[T]) -> Result<Vec<T>, Failure> {
-    let Range { start, end } = block(shard, &(0..all.len() as u64))?;
-    Ok(all[start as usize..end as usize].to_vec())
+pub fn part<T>(shard: Option<Shard>, all: Vec<T>, what: &str) -> Result<Vec<T>, Failure> {
+    let Some(shard) = shard else { return Ok(all) };
+    let found = all.len();
+    let Range { start, end } = block_by_count(shard, &(0..found as u64)).map_err(|_| {
+        Failure::usage(format!(
+            "--shard {shard}: there are {found} {what}, expected at most as many shards; give fewer shards"
+        ))
+    })?;
+    Ok(all.into_iter().skip(start as usize).take((end - start) as usize).collect())
 }

@@ -197,3 +197,26 @@ fn timing_records_of_shards_are_that_of_one_machine() {
     assert!(out.contains("frames 1..2 are missing"), "{out}");
     assert!(!scene.join("part.json").exists());
 }
+
+#[test]
+fn cartridges_sweeps_and_seeds_are_shared_out() {
+    let scene = Scene::new();
+    let lockstep = |rest: &[&str]| {
+        let (out, _) = scene.expect(0, &[&["lockstep", "--json", "--frame", "1"], rest].concat());
+        serde_json::from_str::<Value>(&out).unwrap()["sweeps"].as_u64().unwrap()
+    };
+    let part = |shard: &str| lockstep(&["tiny.toml", "--every", "8", "--shard", shard]);
+    assert_eq!((lockstep(&["tiny.toml", "--every", "8"]), part("1/2"), part("2/2")), (5, 2, 3));
+    let (out, _) = scene.expect(0, &["lockstep", "--random", "5", "--seed", "3", "--shard", "2/2"]);
+    assert!(out.contains("random scenes of seeds 5..8 in"), "{out}");
+    let (_, said) = scene.expect(2, &["lockstep", "--random", "5", "--shard", "2/6"]);
+    assert!(said.contains("--shard 2/6: there are 5 seeds, expected at most as many shards"), "{said}");
+    let run = |rest: &[&str]| {
+        let words = ["cartridge", "run", "one-coefficient*", "--json"];
+        let (out, _) = scene.expect(0, &[&words[..], rest].concat());
+        let document: Value = serde_json::from_str(&out).unwrap();
+        let name = |cartridge: &Value| cartridge["name"].as_str().unwrap().to_owned();
+        document["cartridges"].as_array().unwrap().iter().map(name).collect::<Vec<_>>()
+    };
+    assert_eq!([run(&["--shard", "1/2"]), run(&["--shard", "2/2"])].concat(), run(&[]));
+}

@@ -6,4 +6,5 @@ mod gaps;
 mod models;
 mod orders;
 mod refusals;
+mod timings;
 mod truths;

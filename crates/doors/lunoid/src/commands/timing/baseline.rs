@@ -55,10 +55,8 @@ impl Record {
     pub fn run(&self) -> Result<Verdict, Failure> {
         expect_outputs(&[Place::file("--out", &self.out)], &self.stage.sources())?;
         let shard = self.sharing.asked()?;
-        let usual = |opened: &Opened| {
-            let frames = choose(opened, self.frames, first(USUAL_FRAMES))?;
-            shard.map_or(Ok(frames.clone()), |shard| part(shard, &frames))
-        };
+        let usual =
+            |opened: &Opened| part(shard, choose(opened, self.frames, first(USUAL_FRAMES))?, "frames");
         let (rehearsal, frames) = rehearse_timed(&self.stage, &self.threads, usual)?;
         let record = record(!self.no_progress, |hear| rehearsal.record(&frames, hear))?;
         timing::write(&self.out, &record)?;
