@@ -54,7 +54,8 @@ pub(crate) struct Listed<'a, F> {
 pub(crate) fn join_frames<'a, F: Frame + 'a>(
     records: impl Iterator<Item = Listed<'a, F>>,
 ) -> Result<Frames<'a, F>, MergeError> {
-    let (mut joined, mut listed): (BTreeMap<u64, (&F, usize)>, Vec<Listed<F>>) = Default::default();
+    let mut joined: BTreeMap<u64, (&'a F, usize)> = BTreeMap::new();
+    let mut listed: Vec<Listed<'a, F>> = Vec::new();
     for record in records {
         for frame in record.frames {
             match joined.entry(frame.number()) {
