@@ -23,8 +23,8 @@ pub const GREY: Pictures = Pictures { depth: Depth::Eight, colour: false, refres
 /// A scenario of the repository, its ground made once.
 pub struct Drive {
     pub opened: Opened,
-    stage: Stage,
-    pool: ThreadPool,
+    pub stage: Stage,
+    pub pool: ThreadPool,
     /// Frames of the whole run.
     pub frames: Range<u64>,
     pub pictures: Pictures,
