@@ -102,7 +102,8 @@ fn joining_that_was_told_to_end_goes_on() {
     let (drive, whole) = (drive(), at.path().join("whole"));
     drive.whole(&whole);
     let folders = drive.shards(2, at.path());
-    for most in [1, 5, 13] {
+    // Later, the frame on its way when joining is told to end may be all that is left.
+    for most in [1, 5, 9] {
         let out = at.path().join(format!("until-{most}"));
         let outcome = join_until(&folders, None, &out, most);
         let Ok(Outcome::Interrupted { done, of: 14 }) = outcome else { panic!("{outcome:?}") };
