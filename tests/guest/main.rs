@@ -190,6 +190,7 @@ fn run(at: &Path, name: &str, generator: Arc<dyn Generator>, colour: bool) {
         generator,
         stage: stage(&scenario),
         frames: 0..2,
+        shard: None,
         pictures: Pictures { depth: Depth::Eight, colour, refresh: false, film: false },
         check: 0,
     };

@@ -3,9 +3,9 @@
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::commands::{
-    augment, bank, beam, cartridge, check, compare, completions, explain, info, list, lockstep, man, model,
-    netlist, page, photo, probe, replay, schema, sight, sizing, state, study, sun, survey, terrain, timing,
-    trace, trigger,
+    augment, bank, beam, cartridge, check, compare, completions, explain, info, list, lockstep, man, merge,
+    model, netlist, page, photo, probe, replay, schema, sight, sizing, state, study, sun, survey, terrain,
+    timing, trace, trigger,
 };
 use crate::output::Colour;
 
@@ -74,6 +74,8 @@ pub enum Command {
     Replay(replay::Replay),
     /// Write the page of a run again, from its folder.
     Page(page::PageCommand),
+    /// Join the shards of a run into the run of one machine.
+    Merge(merge::MergeCommand),
     /// Put the vehicle's shadow, and its tracks, into an existing picture sequence.
     Augment(augment::Augment),
     /// Say how far one picture, or one run, is from another.

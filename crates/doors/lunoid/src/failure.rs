@@ -14,6 +14,7 @@ use files::{Action, FileError, FolderError, NpyFileError};
 use front_door::{OpenError, StageError};
 use generator::FrameError;
 use landscape::bank_file::BankFileError;
+use merge::MergeError;
 use photographs::PhotographFileError;
 use picture::PictureFileError;
 use plots::PlotError;
@@ -218,9 +219,23 @@ impl From<ReplayError> for Failure {
             | ReplayError::Unfinished { .. }
             | ReplayError::TruthRecord { .. }
             | ReplayError::TruthNotANumber { .. }
+            | ReplayError::Changed { .. }
+            | ReplayError::Costs { .. }
             | ReplayError::Picture { .. } => Self::input(error),
             ReplayError::NoFrames(_) | ReplayError::TooManyChecks { .. } => Self::usage(error),
             _ => Self::output(error),
+        }
+    }
+}
+
+impl From<MergeError> for Failure {
+    fn from(error: MergeError) -> Self {
+        match error {
+            MergeError::Run(error) => error.into(),
+            MergeError::Twice { .. } | MergeError::IntoItself { .. } | MergeError::Outside { .. } => {
+                Self::usage(error)
+            }
+            other => Self::input(other),
         }
     }
 }

@@ -12,6 +12,7 @@ mod loading;
 mod output;
 mod progress;
 mod rehearsing;
+mod sharing;
 mod values;
 #[cfg(test)]
 mod written;

@@ -57,7 +57,8 @@ pub(crate) fn draw_all(
         let mut planes = Planes::new(columns, lines, drawing.kinds());
         while !control.cancel.load(Ordering::Relaxed) {
             let Some(row) = ledger.next(rows) else { break };
-            match drawing.frame(row, &mut planes, control.pool) {
+            let drawn = || drawing.frame(row, &mut planes, control.pool);
+            match drawing.times.of_frame(row.frame, drawn) {
                 Ok(record) => (control.progress)(Progress::Frame { done: ledger.keep(record) }),
                 Err(error) => ledger.fail(row.frame, error),
             }

@@ -166,6 +166,35 @@ pub enum ReplayError {
         /// Frames that were asked for.
         asked: Range<u64>,
     },
+    /// The folder of a joined run holds frames that the joined run does not have.
+    #[error(
+        "{path}: holds frame {frame}, and the joined run has frames {}..{}; choose another --out, or remove that run",
+        range.start, range.end
+    )]
+    OtherFrames {
+        /// Path of the run folder.
+        path: PathBuf,
+        /// A frame of the folder that the joined run does not have.
+        frame: u64,
+        /// Frames of the joined run.
+        range: Range<u64>,
+    },
+    /// A file of wall times that does not have the time of every frame.
+    #[error("{path}: {reason}; draw that run anew with --fresh, all frames in one session")]
+    Costs {
+        /// Path of the file.
+        path: PathBuf,
+        /// What is missing, in words.
+        reason: String,
+    },
+    /// A file of a run that is not what its record says.
+    #[error(
+        "{path}: its bytes are not those that the record of its run lists; the same replay into that folder makes the          file anew"
+    )]
+    Changed {
+        /// Path of the file.
+        path: PathBuf,
+    },
     /// More sweeps to be checked than there are.
     #[error("--check {asked}: the run has {available} sweeps; expected no more of them")]
     TooManyChecks {

@@ -9,7 +9,10 @@ use picture::{
 };
 use quantities::Rate;
 
-use crate::{HeldRun, ReplayError};
+use crate::held::write_changed;
+use crate::names::{ANIMATION, CONTACT_SHEET};
+use crate::{HeldRun, ReplayError, RunFolder};
+use run_record::{FileRecord, file_hash};
 
 /// Most frames on a contact sheet.
 const SHEET_FRAMES: usize = 24;
@@ -19,13 +22,13 @@ const SHEET_COLUMNS: usize = 4;
 const CELL_COLUMNS: usize = 320;
 
 /// Some frames, evenly spread from the first to the last.
-pub(crate) fn sheet(pictures: &[PathBuf]) -> Result<Vec<u8>, ReplayError> {
+fn sheet(pictures: &[PathBuf]) -> Result<Vec<u8>, ReplayError> {
     let count = pictures.len().min(SHEET_FRAMES);
     let spread = |index: usize| index * (pictures.len() - 1) / (count - 1).max(1);
     let chosen: Result<Vec<_>, _> = (0..count).map(|index| read(&pictures[spread(index)])).collect();
     let chosen = chosen?;
     let cell = chosen[0].columns().min(CELL_COLUMNS);
-    let refused = |source| ReplayError::Film { path: crate::names::CONTACT_SHEET.into(), source };
+    let refused = |source| ReplayError::Film { path: CONTACT_SHEET.into(), source };
     let sheet: AnyPicture = match alike(&chosen) {
         Alike::Grey(all) => contact_sheet(&all, SHEET_COLUMNS, cell).map_err(refused)?.into(),
         Alike::Colour(all) => {
@@ -53,8 +56,24 @@ fn read(path: &Path) -> Result<AnyPicture, ReplayError> {
     Ok(read_any_png(path, &Limits::default())?)
 }
 
+/// Writes the contact sheet of all `pictures` into `folder`.
+pub(crate) fn write_sheet(folder: &RunFolder, pictures: &[PathBuf]) -> Result<FileRecord, ReplayError> {
+    write_changed(folder.path(), CONTACT_SHEET, &sheet(pictures)?)
+}
+
+/// Writes all `pictures` as the film of `folder` that a browser plays, `rate` a second.
+pub(crate) fn write_animation(
+    folder: &RunFolder,
+    pictures: &[PathBuf],
+    rate: Rate,
+) -> Result<FileRecord, ReplayError> {
+    let path = folder.join(ANIMATION);
+    files::write_atomic(&path, |out| write_film(out, pictures, rate))?;
+    Ok(FileRecord { file: ANIMATION.into(), blake3: file_hash(&path)? })
+}
+
 /// Writes all pictures as an animated PNG, one in memory at a time.
-pub(crate) fn write_film(out: &mut dyn Write, pictures: &[PathBuf], rate: Rate) -> io::Result<()> {
+fn write_film(out: &mut dyn Write, pictures: &[PathBuf], rate: Rate) -> io::Result<()> {
     let Some(first) = pictures.first().map(|path| read_eight_bits(path)).transpose()? else { return Ok(()) };
     let count = pictures.len() as u32;
     let begin = if first.is_colour() { Apng::colour } else { Apng::new };

@@ -4,7 +4,7 @@ use run_record::{ChannelRecord, PathRecord, RunRecord, SunRecord, VehicleRecord,
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::job::Job;
+use crate::job::{COLOUR, Job, REFRESH};
 use crate::world::World;
 
 /// A hash and the document that it is of.
@@ -60,9 +60,9 @@ impl Fingerprint {
             "vehicle": record.vehicle,
             "waypoints_blake3": record.path.waypoints_blake3,
             "depth": record.pictures.depth,
-            "refresh": record.pictures.one_file_for_each == "refresh",
+            "refresh": record.pictures.one_file_for_each == REFRESH,
         });
-        if record.pictures.kind == "RGB PNG" {
+        if record.pictures.kind == COLOUR {
             document["colour"] = true.into();
         }
         if let Some(channel) = &record.channel {

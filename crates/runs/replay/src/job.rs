@@ -7,7 +7,7 @@ use std::sync::atomic::AtomicBool;
 use generator::{Generator, Stage};
 use picture::Depth;
 use rayon::ThreadPool;
-use run_record::{Inputs, Program};
+use run_record::{Inputs, PicturesRecord, Program, ShardRecord};
 use scenario::Scenario;
 
 /// How frames become files.
@@ -22,6 +22,23 @@ pub struct Pictures {
     /// An animated PNG as well.
     pub film: bool,
 }
+
+impl Pictures {
+    /// As a record has it. It does not say whether there is a film.
+    pub fn of_record(record: &PicturesRecord) -> Self {
+        Self {
+            depth: if record.depth == Depth::Sixteen.bits() { Depth::Sixteen } else { Depth::Eight },
+            colour: record.kind == COLOUR,
+            refresh: record.one_file_for_each == REFRESH,
+            film: false,
+        }
+    }
+}
+
+/// Kind of pictures in colour, in records.
+pub(crate) const COLOUR: &str = "RGB PNG";
+/// Clock of pictures that are kept for each showing, in records.
+pub(crate) const REFRESH: &str = "refresh";
 
 /// A run to be made.
 #[derive(Clone)]
@@ -38,6 +55,8 @@ pub struct Job<'a> {
     pub stage: Stage,
     /// Frames to draw, counted at the update rate.
     pub frames: Range<u64>,
+    /// The part of a larger run that `frames` are, where a worker draws a shard.
+    pub shard: Option<ShardRecord>,
     /// How frames become files.
     pub pictures: Pictures,
     /// Sweeps that are checked against `exact` when all frames are there; at 0 none, and a check that was made of the same

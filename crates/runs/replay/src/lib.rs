@@ -18,10 +18,13 @@
 //!
 //! A file is a run's if a record or a journal lists it, or if it says so itself. No other file is removed or replaced.
 //!
+//! [`JoinedRun`] is a run whose frames other folders have: crate `merge` joins them.
+//!
 //! Every finished frame is written to a journal; the same job again verifies what stands there and draws the rest.
 
 mod camera;
 mod check;
+mod costs;
 mod draw;
 mod drawable;
 mod error;
@@ -30,7 +33,9 @@ mod fingerprint;
 mod folder;
 mod held;
 mod job;
+mod joined;
 mod journal;
+mod listed;
 mod names;
 mod performance;
 mod phases;
@@ -42,14 +47,19 @@ mod truth_files;
 mod world;
 mod written;
 
+pub use costs::frame_costs;
 pub use error::ReplayError;
 pub use film::write_y4m;
 pub use folder::RunFolder;
 pub use held::{HeldRun, RUN_RECORD};
 pub use job::{Control, Job, Pictures, Progress};
-pub use names::{CONTACT_SHEET, PAGE, PAGE_DATA, SCOPE_KIND, SCOPES, is_run_file, picture_name, scope_name};
+pub use joined::{JoinedRun, expect_run_of, read_listed, unfinished_frames};
+pub use names::{
+    ANIMATION, CAMERA, CONTACT_SHEET, PAGE, PAGE_DATA, POSES, SCOPE_KIND, SCOPES, TRUTH, is_run_file,
+    picture_name, scope_name,
+};
 pub use performance::{Performance, peak_memory};
 pub use phases::{Phase, Phases};
 pub use picture_png::picture_png;
 pub use run::{Outcome, run};
-pub use truth::{TruthItems, TruthOutcome, write_truth};
+pub use truth::{JoinedTruth, TruthItems, TruthOutcome, held_truth, write_truth};

@@ -7,17 +7,17 @@ use crate::truth_files::TRUTH_FILES;
 /// Frames of a run.
 pub(crate) const FRAMES: &str = "frames";
 /// Folder of the ground truth.
-pub(crate) const TRUTH: &str = "truth";
+pub const TRUTH: &str = "truth";
 /// File of the wall times.
 pub(crate) const PERFORMANCE: &str = "performance.json";
 /// Where the eye was.
-pub(crate) const POSES: &str = "poses.csv";
+pub const POSES: &str = "poses.csv";
 /// From pixel to ray.
-pub(crate) const CAMERA: &str = "camera.json";
+pub const CAMERA: &str = "camera.json";
 /// Some frames side by side.
 pub const CONTACT_SHEET: &str = "contact-sheet.png";
 /// The film that a browser plays.
-pub(crate) const ANIMATION: &str = "animation.png";
+pub const ANIMATION: &str = "animation.png";
 /// The page of the run, which whoever asked for the run writes.
 pub const PAGE: &str = "index.html";
 /// What the page shows beside the record.

@@ -1,7 +1,9 @@
 //! Wall times: all that differs between equal runs, apart from them.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use generator::Counter;
@@ -16,6 +18,8 @@ use crate::names::PERFORMANCE;
 use crate::phases::Phases;
 use run_record::{FrameRecord, total_work};
 
+/// Key of the seconds of each frame in the document.
+pub(crate) const FRAMES_S: &str = "frames_s";
 /// Key of the phases in the document.
 const PHASES: &str = "phases";
 /// The check, as a phase.
@@ -98,6 +102,25 @@ pub(crate) struct StepTimes {
     pub draw: Stopwatch,
     pub encode: Stopwatch,
     pub write: Stopwatch,
+    /// Seconds from pose to disk, frame by frame.
+    frames: Mutex<BTreeMap<u64, f64>>,
+}
+
+impl StepTimes {
+    /// Brings `frame` from pose to disk, and notes how long it took.
+    pub fn of_frame<T>(&self, frame: u64, step: impl FnOnce() -> T) -> T {
+        let start = Instant::now();
+        let result = step();
+        let seconds = start.elapsed().as_secs_f64();
+        self.frames.lock().unwrap_or_else(PoisonError::into_inner).insert(frame, seconds);
+        result
+    }
+
+    /// Frames with their seconds, ascending.
+    fn frames(&self) -> Vec<(u64, f64)> {
+        let frames = self.frames.lock().unwrap_or_else(PoisonError::into_inner);
+        frames.iter().map(|(frame, seconds)| (*frame, *seconds)).collect()
+    }
 }
 
 /// A sum of durations.
@@ -143,6 +166,7 @@ pub(crate) fn performance(
             "encode": steps.encode.seconds(),
             "write": steps.write.seconds(),
         },
+        FRAMES_S: steps.frames(),
         "peak_memory_kib": peak_memory(),
     })
 }

@@ -8,7 +8,7 @@ use run_record::{
 };
 use scenario::LimitReport;
 
-use crate::job::Job;
+use crate::job::{COLOUR, Job, REFRESH};
 use crate::world::World;
 
 /// What is known when the run is finished.
@@ -47,13 +47,14 @@ pub(crate) fn run_record(job: &Job, finished: Finished<'_>) -> RunRecord {
         view,
         settings,
         pictures: PicturesRecord {
-            kind: if job.pictures.colour { "RGB PNG" } else { "grey PNG" }.into(),
+            kind: if job.pictures.colour { COLOUR } else { "grey PNG" }.into(),
             depth: job.pictures.depth.bits(),
-            one_file_for_each: if job.pictures.refresh { "refresh" } else { "update" }.into(),
+            one_file_for_each: if job.pictures.refresh { REFRESH } else { "update" }.into(),
         },
         omissions: finished.omissions.iter().map(OmissionRecord::from).collect(),
         limits: finished.limits.iter().map(LimitRecord::from).collect(),
         range: finished.range,
+        shard: job.shard.clone().filter(|_| finished.range == [job.frames.start, job.frames.end]),
         totals: total_work(&finished.frames, job.generator.counters()),
         check: finished.check,
         frames: finished.frames,

@@ -13,18 +13,19 @@ use crate::ReplayError;
 use crate::camera::camera;
 use crate::check::{Check, expect_available};
 use crate::draw::{Drawing, draw_all};
-use crate::film::{sheet, write_film};
-use crate::fingerprint::{Fingerprint, differences};
+use crate::film::{write_animation, write_sheet};
+use crate::fingerprint::Fingerprint;
 use crate::folder::RunFolder;
 use crate::held::{HeldRun, RUN_RECORD, frame_range, pretty, whole, write_changed};
 use crate::job::{Control, Job, Progress};
-use crate::journal::{self, Found, JOURNAL, Journal};
+use crate::journal::{self, JOURNAL, Journal};
+use crate::listed::Listed;
 use crate::names::{ANIMATION, CAMERA, CONTACT_SHEET, FRAMES, PERFORMANCE, POSES, picture_name};
 use crate::performance::{CHECK, Performance, StepTimes, performance};
 use crate::phases::Phases;
 use crate::record::{Finished, run_record};
 use crate::world::World;
-use run_record::{CheckRecord, FileRecord, FrameRecord, file_hash};
+use run_record::{CheckRecord, FileRecord, FrameRecord};
 
 /// How a run ended.
 #[derive(Debug, Clone, PartialEq)]
@@ -117,12 +118,10 @@ impl<'a> Run<'a> {
         expect_colour(job)?;
         let world = World::of(job);
         let fingerprint = Fingerprint::of_job(job, &world);
-        let earlier = HeldRun::read_if_there(folder.path())?;
-        let journal = journal::read::<FrameRecord>(&folder.join(JOURNAL))?;
-        let listed = Listed { earlier: earlier.as_ref(), journal: journal.as_ref() };
-        listed.expect_same(folder, &fingerprint)?;
-        listed.expect_within(folder, job.scenario.frames(job.stage.view.update))?;
-        let listed = listed.frames();
+        let held = Listed::read(folder)?;
+        held.expect_same(folder, &fingerprint)?;
+        held.expect_within(folder, job.scenario.frames(job.stage.view.update))?;
+        let (listed, earlier) = (held.frames(), held.earlier);
         let frames = join(folder, &listed, &job.frames)?;
         expect_available(job, frames.end - frames.start)?;
         let poses = job.poses(frames.clone())?;
@@ -310,11 +309,11 @@ impl<'a> Run<'a> {
         let mut outputs = vec![
             self.write(POSES, poses_csv(&self.poses).as_bytes())?,
             self.write(CAMERA, pretty(&camera(&self.job.stage)).as_bytes())?,
-            self.unchanged(CONTACT_SHEET)
-                .map_or_else(|| self.write(CONTACT_SHEET, &sheet(&pictures)?), Ok)?,
+            self.unchanged(CONTACT_SHEET).map_or_else(|| write_sheet(self.folder, &pictures), Ok)?,
         ];
         if film {
-            outputs.push(self.unchanged(ANIMATION).map_or_else(|| self.write_film(&pictures), Ok)?);
+            let write = || write_animation(self.folder, &pictures, self.picture_rate());
+            outputs.push(self.unchanged(ANIMATION).map_or_else(write, Ok)?);
         }
         Ok(outputs)
     }
@@ -331,57 +330,8 @@ impl<'a> Run<'a> {
         output.is_whole(self.folder.path()).then(|| output.clone())
     }
 
-    fn write_film(&self, pictures: &[PathBuf]) -> Result<FileRecord, ReplayError> {
-        let path = self.folder.join(ANIMATION);
-        files::write_atomic(&path, |out| write_film(out, pictures, self.picture_rate()))?;
-        Ok(FileRecord { file: ANIMATION.into(), blake3: file_hash(&path)? })
-    }
-
     fn write(&self, name: &str, bytes: &[u8]) -> Result<FileRecord, ReplayError> {
         write_changed(self.folder.path(), name, bytes)
-    }
-}
-
-/// What an earlier run of the folder lists, finished or not.
-struct Listed<'a> {
-    earlier: Option<&'a HeldRun>,
-    journal: Option<&'a Found<FrameRecord>>,
-}
-
-impl Listed<'_> {
-    /// The earlier run is of the same job.
-    fn expect_same(&self, folder: &RunFolder, now: &Fingerprint) -> Result<(), ReplayError> {
-        let found = [
-            self.earlier.map(|run| Fingerprint::of_record(run)),
-            self.journal.map(|journal| journal.fingerprint.clone()),
-        ];
-        match found.into_iter().flatten().find(|then| then.hash != now.hash) {
-            None => Ok(()),
-            Some(then) => {
-                let path = folder.path().to_owned();
-                Err(ReplayError::OtherRun { path, differences: differences(&then, now) })
-            }
-        }
-    }
-
-    /// It lists no frame that the mission of `frames` frames does not have.
-    fn expect_within(&self, folder: &RunFolder, frames: u64) -> Result<(), ReplayError> {
-        let last = |frames: &[FrameRecord]| frames.iter().map(|frame| frame.frame).max();
-        let found = [
-            (RUN_RECORD, self.earlier.and_then(|run| last(&run.frames))),
-            (JOURNAL, self.journal.and_then(|journal| last(&journal.frames))),
-        ];
-        match found.into_iter().find_map(|(name, last)| Some((name, last.filter(|last| *last >= frames)?))) {
-            None => Ok(()),
-            Some((name, frame)) => Err(ReplayError::Beyond { path: folder.join(name), frame, frames }),
-        }
-    }
-
-    /// All frames, by their numbers.
-    fn frames(&self) -> BTreeMap<u64, FrameRecord> {
-        let listed = self.earlier.iter().flat_map(|run| &run.frames);
-        let listed = listed.chain(self.journal.iter().flat_map(|journal| &journal.frames));
-        listed.map(|frame| (frame.frame, frame.clone())).collect()
     }
 }
 

@@ -8,34 +8,53 @@ const TOLD: usize = 12;
 /// Every key whose value in `then` is not that in `now`, in words, as "view.sweeps (40 there, 20 now)"; nothing if none differs.
 /// The first dozen are named, the others counted.
 pub fn differences(then: &Value, now: &Value) -> Option<String> {
-    let mut found = Vec::new();
-    // A record has been read back: what is compared with it is read back as well.
-    let now = serde_json::from_str(&now.to_string()).unwrap_or(Value::Null);
-    compare(String::new(), Some(then), Some(&now), &mut found);
-    let more = found.len().saturating_sub(TOLD);
-    found.truncate(TOLD);
-    let others = if more > 0 { format!("; and {more} others") } else { String::new() };
-    (!found.is_empty()).then(|| found.join("; ") + &others)
+    differences_of([then, now], ["there", "now"])
 }
 
-fn compare(path: String, then: Option<&Value>, now: Option<&Value>, found: &mut Vec<String>) {
-    let below = |key: &str| if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") };
-    match (then, now) {
-        (then, now) if then == now => {}
-        (Some(Value::Object(then)), Some(Value::Object(now))) => {
-            let mut keys: Vec<_> = then.keys().chain(now.keys()).collect();
-            keys.sort();
-            keys.dedup();
-            keys.into_iter().for_each(|key| compare(below(key), then.get(key), now.get(key), found));
+/// The same of any two documents; `words` stand behind the values of the first and of the second.
+pub fn differences_of([first, second]: [&Value; 2], words: [&str; 2]) -> Option<String> {
+    let mut found = Found { words, list: Vec::new() };
+    // A record has been read back: what is compared with it is read back as well.
+    let second = serde_json::from_str(&second.to_string()).unwrap_or(Value::Null);
+    found.compare(String::new(), Some(first), Some(&second));
+    let more = found.list.len().saturating_sub(TOLD);
+    found.list.truncate(TOLD);
+    let others = if more > 0 { format!("; and {more} others") } else { String::new() };
+    (!found.list.is_empty()).then(|| found.list.join("; ") + &others)
+}
+
+/// Differences that were found so far.
+struct Found<'a> {
+    /// Words behind the values of the first and of the second document.
+    words: [&'a str; 2],
+    list: Vec<String>,
+}
+
+impl Found<'_> {
+    fn compare(&mut self, path: String, first: Option<&Value>, second: Option<&Value>) {
+        let below = |key: &str| if path.is_empty() { key.to_owned() } else { format!("{path}.{key}") };
+        match (first, second) {
+            (first, second) if first == second => {}
+            (Some(Value::Object(first)), Some(Value::Object(second))) => {
+                let mut keys: Vec<_> = first.keys().chain(second.keys()).collect();
+                keys.sort();
+                keys.dedup();
+                keys.into_iter().for_each(|key| self.compare(below(key), first.get(key), second.get(key)));
+            }
+            (Some(Value::Array(first)), Some(Value::Array(second))) if first.len() == second.len() => {
+                let pairs = first.iter().zip(second).enumerate();
+                pairs.for_each(|(at, (first, second))| {
+                    self.compare(below(&at.to_string()), Some(first), Some(second));
+                });
+            }
+            (Some(Value::String(_)), Some(Value::String(_))) if path.ends_with("blake3") => {
+                self.list.push(format!("{path} (other content)"));
+            }
+            (first, second) => {
+                let [one, other] = self.words;
+                self.list.push(format!("{path} ({} {one}, {} {other})", shown(first), shown(second)));
+            }
         }
-        (Some(Value::Array(then)), Some(Value::Array(now))) if then.len() == now.len() => {
-            let pairs = then.iter().zip(now).enumerate();
-            pairs.for_each(|(at, (then, now))| compare(below(&at.to_string()), Some(then), Some(now), found));
-        }
-        (Some(Value::String(_)), Some(Value::String(_))) if path.ends_with("blake3") => {
-            found.push(format!("{path} (other content)"));
-        }
-        (then, now) => found.push(format!("{path} ({} there, {} now)", shown(then), shown(now))),
     }
 }
 

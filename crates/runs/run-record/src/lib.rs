@@ -25,12 +25,13 @@ mod omission;
 mod run;
 mod scenery;
 mod seal;
+mod shard;
 mod sky;
 mod truth;
 mod view;
 
 pub use channel::ChannelRecord;
-pub use differences::differences;
+pub use differences::{differences, differences_of};
 pub use file::{FileRecord, MAX_BYTES, file_hash, hash, stays_inside};
 pub use frame::{FrameRecord, total_work};
 pub use ground::{AlbedoMapRecord, GroundRecord, LevelRecord};
@@ -43,6 +44,7 @@ pub use run::{
 };
 pub use scenery::{SceneryRecord, hash_of};
 pub use seal::{is_as_sealed, sealed};
+pub use shard::ShardRecord;
 pub use sky::{PhaseRecord, PlaceRecord, SeenRecord, SkyRecord};
 pub use truth::{TRUTH_SCHEMA, TruthFrame, TruthRecord};
 pub use view::{DisplayRecord, LevelsRecord, ShadowsRecord, ViewRecord, YokeRecord};

@@ -10,8 +10,8 @@ use serde_json::Value;
 
 use crate::{
     ChannelRecord, FileRecord, FrameRecord, GroundRecord, LimitRecord, ModelRecord, OmissionRecord,
-    PathRecord, SceneryRecord, SkyRecord, SunRecord, VehicleRecord, ViewRecord, frame::fault_of_files,
-    is_as_sealed, sealed,
+    PathRecord, SceneryRecord, ShardRecord, SkyRecord, SunRecord, VehicleRecord, ViewRecord,
+    frame::fault_of_files, is_as_sealed, sealed,
 };
 
 /// Schema of the record.
@@ -80,6 +80,9 @@ pub struct RunRecord {
     pub limits: Vec<LimitRecord>,
     /// First frame, and the frame behind the last.
     pub range: [u64; 2],
+    /// The part of a larger run that this run is, where a worker drew it as a shard.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shard: Option<ShardRecord>,
     /// Work of all frames.
     pub totals: FrameCounts,
     /// Error against the judge, where sweeps of the run have been checked.

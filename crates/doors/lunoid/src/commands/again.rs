@@ -10,7 +10,7 @@ pub fn command(name: &str, stage: &StageArgs, frame: u64, rest: &str) -> String 
 }
 
 /// A word as a shell reads it.
-fn quoted(word: &str) -> String {
+pub fn quoted(word: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "._-/=,:+".contains(c);
     if !word.is_empty() && word.chars().all(is_plain) {
         word.to_owned()

@@ -15,6 +15,7 @@ pub mod info;
 pub mod list;
 pub mod lockstep;
 pub mod man;
+pub mod merge;
 pub mod model;
 pub mod netlist;
 mod of_run;
@@ -49,6 +50,7 @@ pub fn run(cli: &Cli, start: Instant) -> Result<Verdict, Failure> {
     match &cli.command {
         Command::Replay(replay) => replay.run(start),
         Command::Page(page) => page.run(),
+        Command::Merge(merge) => merge.run(),
         Command::Augment(augment) => augment.run(),
         Command::Compare(compare) => compare.run(),
         Command::Check(check) => check.run(cli.color),

@@ -23,6 +23,8 @@ mod refusals;
 mod replays;
 mod scene;
 mod shadow;
+mod shard_files;
+mod shards;
 mod side_by_side;
 mod sight;
 mod stability;

@@ -67,7 +67,8 @@ impl Scene {
 /// The command, without what the environment may say.
 pub fn lunoid() -> Command {
     let mut command = Command::cargo_bin("lunoid").unwrap();
-    for name in ["LUNOID_THREADS", "NO_COLOR", "CLICOLOR_FORCE"] {
+    let shards = ["LUNOID_SHARDS", "SLURM_ARRAY_TASK_ID", "JOB_COMPLETION_INDEX"];
+    for name in ["LUNOID_THREADS", "NO_COLOR", "CLICOLOR_FORCE"].into_iter().chain(shards) {
         command.env_remove(name);
     }
     command

@@ -10,6 +10,7 @@
 //! `docs/truth-format.md`.
 
 mod item;
+mod joined;
 mod poses;
 mod record;
 
@@ -35,6 +36,7 @@ use crate::{HeldRun, ReplayError, RunFolder};
 use record::{FORMAT, Finished, truth_record};
 
 pub use item::{TruthItem, TruthItems};
+pub use joined::{JoinedTruth, held_truth};
 
 /// How far the truth of a run is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

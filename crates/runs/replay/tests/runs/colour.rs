@@ -98,6 +98,7 @@ fn drawn(
         generator,
         stage: stage(&scenario).stage(),
         frames,
+        shard: None,
         pictures,
         check: 0,
     };

@@ -140,6 +140,7 @@ pub fn job(scenario: &Scenario, frames: Range<u64>, pictures: Pictures) -> Job<'
         generator: Arc::new(HybridMachine::new(settings(scenario))),
         stage: stage(scenario).stage(),
         frames,
+        shard: None,
         pictures,
         check: 0,
     }

@@ -11,11 +11,13 @@ use super::Choice;
 use crate::cli::COMMIT;
 use crate::loading::Threads;
 use crate::output::{Place, expect_outputs, print, print_json};
+use crate::sharing::{Sharing, part};
 use crate::{Failure, Verdict};
 use text::table;
 
-const AFTER: &str = "Example:
+const AFTER: &str = "Examples:
   lunoid cartridge run 'one-coefficient*' --junit cartridges.xml
+  lunoid cartridge run --shard 2/4 --junit runs/2-of-4.xml
 
 An answer uses its tolerance up to 1. An overlay is a change of the scene under which an answer must not come out.
 The exit code is 1 if an answer is wrong or an overlay is not noticed.";
@@ -28,6 +30,8 @@ pub struct Run {
     choice: Choice,
     #[command(flatten)]
     threads: Threads,
+    #[command(flatten)]
+    sharing: Sharing,
     /// Write the result as JUnit XML as well.
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
@@ -41,7 +45,7 @@ impl Run {
     pub fn run(&self) -> Result<Verdict, Failure> {
         let folder = self.choice.folder.iter().map(|folder| Place::folder("--folder", folder, is_cartridge));
         expect_outputs(&Place::given([("--junit", &self.junit)]), &folder.collect::<Vec<_>>())?;
-        let cartridges = self.choice.read()?;
+        let cartridges = part(self.sharing.asked()?, self.choice.read()?, "cartridges")?;
         let run = || cartridges.par_iter().map(Cartridge::run).collect::<Result<Vec<Outcome>, _>>();
         let outcomes = self.threads.pool()?.install(run);
         let outcomes = outcomes.map_err(|error: CartridgeError| Failure::input(error))?;

@@ -2,6 +2,7 @@
 
 mod tell;
 
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -15,6 +16,7 @@ use scenario::{PoseTable, Scalar};
 use crate::loading::{
     ScalarWord, StageArgs, StageOptions, Threads, expect_machine, machine_stage, of_models,
 };
+use crate::sharing::{Sharing, part, seeds};
 use crate::{Failure, Verdict, values};
 use text::Span;
 
@@ -25,6 +27,7 @@ const AFTER: &str = "Examples:
   lunoid lockstep scenarios/craters.toml --frame 12 --sweep 500..508 --scalar f64
   lunoid lockstep scenarios/nominal-drive.toml --machine pra-nominal --ideal-parts --every 50
   lunoid lockstep --random 1000 --seed 7
+  lunoid lockstep --random 1000 --shard 2/4
 
 The interpreter is a second engine in double precision that shares no code with the machine: docs/lockstep.md says what is
 compared, within which bounds, and what it does not model. Without --frame the first, the middle and the last frame run;
@@ -66,6 +69,8 @@ pub struct LockstepCommand {
     /// Seed of the first of them, 0 if left out; the next have the next.
     #[arg(long, value_parser = values::at_least(0_u64))]
     seed: Option<u64>,
+    #[command(flatten)]
+    sharing: Sharing,
     /// Print the tables as JSON.
     #[arg(long)]
     json: bool,
@@ -122,9 +127,12 @@ impl LockstepCommand {
             Some(ScalarWord::F32) => Scalar::F32,
             Some(ScalarWord::F64) | None => Scalar::F64,
         };
-        let Trials { scenes, refused, report, faults } = pool.install(|| trials(seed..end, scalar));
+        let shard = self.sharing.asked()?;
+        let seeds = shard.map_or(Ok(seed..end), |shard| seeds(shard, &(seed..end)))?;
+        let Trials { scenes, refused, report, faults } = pool.install(|| trials(seeds.clone(), scalar));
+        let Range { start, end } = seeds;
         let what = format!(
-            "{scenes} random scenes of seeds {seed}..{end} in {scalar:?}; {refused} could not be drawn"
+            "{scenes} random scenes of seeds {start}..{end} in {scalar:?}; {refused} could not be drawn"
         );
         Ok(Told { what, frames: Vec::new(), report, faults })
     }
@@ -151,7 +159,7 @@ impl LockstepCommand {
                     "--sweep {span}: a frame has sweeps 0..{all}; expected a range inside"
                 ))
             })?;
-            return Ok((sweeps.start as u32..sweeps.end as u32).collect());
+            return self.part((sweeps.start as u32..sweeps.end as u32).collect());
         }
         let every = self.every.unwrap_or(all.div_ceil(SWEEPS));
         if every > all {
@@ -159,7 +167,12 @@ impl LockstepCommand {
                 "--every {every}: a frame has {all} sweeps; expected no more"
             )));
         }
-        Ok((0..all).skip(every as usize / 2).step_by(every as usize).collect())
+        self.part((0..all).skip(every as usize / 2).step_by(every as usize).collect())
+    }
+
+    /// The sweeps of the shard that is asked for.
+    fn part(&self, sweeps: Vec<u32>) -> Result<Vec<u32>, Failure> {
+        part(self.sharing.asked()?, sweeps, "sweeps of a frame to compare")
     }
 
     fn compare(&self, opened: &Opened, stage: MachineStage, frames: &[u64]) -> Result<Report, Failure> {

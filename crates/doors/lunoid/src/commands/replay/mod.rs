@@ -1,6 +1,7 @@
 //! `lunoid replay`: a scenario into a folder of frames.
 
 mod several;
+mod share;
 mod summary;
 
 use std::io::{self, BufWriter, Write};
@@ -29,7 +30,9 @@ use crate::interrupt;
 use crate::loading::{PreviewArgs, StageArgs, StageOptions, Threads, choose_frames, machine_help};
 use crate::output::{Place, expect_outputs, print, print_json, tell};
 use crate::progress::Saying;
+use crate::sharing::Sharing;
 use crate::{Failure, Verdict, values};
+use share::of_one;
 use summary::{Summary, losses};
 use text::{Span, visible};
 
@@ -40,6 +43,7 @@ const AFTER: &str = "Examples:
   lunoid replay scenarios/first-light.toml --frames 0..2 --truth range,normal,label,pose
   lunoid replay scenarios/first-light.toml --probe 60:500 --probe '12:300..303:tg.*height,dpp.y'
   lunoid replay scenarios/first-light.toml --machine ideal --machine pra-nominal --frames 0..4
+  lunoid replay scenarios/first-light.toml --shard 2/7
 
 The same command again goes on where it was interrupted. Open index.html in the folder to look at the run.
 Several machines draw into sub-folders of one folder, exact among them, and one page holds them against it.
@@ -63,8 +67,14 @@ pub struct Replay {
     /// Frames to draw, counted at the update rate: A..B without B. All if left out.
     #[arg(long, value_name = "A..B")]
     frames: Option<Span>,
+    #[command(flatten)]
+    sharing: Sharing,
+    /// Share frames out by cost: by the time that each took in the run in this folder, drawn once with a small raster. Every
+    /// worker must get the same folder. Each shard has equally many frames if left out.
+    #[arg(long, value_name = "FOLDER", requires = "shard")]
+    costs: Option<PathBuf>,
     /// Folder of the run; runs/NAME-OF-THE-SCENARIO if left out, of several machines with -side-by-side behind, of all channels with -channels, of one with its
-    /// name.
+    /// name, of a shard with -shard-K-of-N.
     #[arg(short, long, value_name = "FOLDER")]
     out: Option<PathBuf>,
     /// One file for each showing of the display, with noise and lines of its own, instead of one for each frame that the machine
@@ -93,7 +103,7 @@ pub struct Replay {
     /// Check N sweeps, drawn at random and spread over the frames, against `exact`: error and its confidence stand in
     /// run.json and on the page, the time that it took in performance.json. docs/run-page.md says how.
     #[arg(long, value_name = "N", default_value = "0", hide_default_value = true,
-          value_parser = values::at_least(0_u32))]
+          value_parser = values::at_least(0_u32), conflicts_with = "shard")]
     check: u32,
     /// Write no page: frames, records and what else is asked for.
     #[arg(long, conflicts_with = "probe")]
@@ -147,10 +157,11 @@ impl Replay {
 
     fn alone(&self, stage: &StageArgs, opened: &Opened, mut phases: Phases) -> Result<Verdict, Failure> {
         self.expect_one_on_stdout()?;
-        let of_channel = self.options.channel.as_ref().map_or_else(String::new, |name| format!("-{name}"));
-        let out = self.out(&of_channel);
+        let shard = self.sharing.asked()?;
+        let out = self.out(&of_one(self.options.channel.as_deref(), shard));
         self.expect_apart(stage, &out)?;
         let frames = choose_frames(opened, self.frames)?;
+        let part = shard.map(|shard| self.part(shard, &frames)).transpose()?;
         let generator = &*opened.generator;
         self.expect_sweeps(opened)?;
         let lines = generator.scan(&opened.settings.view()).map_or(0, |scan| scan.timebase.sweeps);
@@ -162,6 +173,10 @@ impl Replay {
         let built = pool.install(|| opened.stage())?;
         phases.mark("landscape");
         let job = self.job(opened, built, frames);
+        let job = match shard.zip(part) {
+            None => job,
+            Some((shard, frames)) => self.share(shard, job, frames, stage),
+        };
         let (outcome, truth) = self.draw(stage, opened, &job, &folder, (&pool, &mut phases))?;
         self.tell(opened, &folder, (outcome, truth), phases)
     }
@@ -188,6 +203,7 @@ impl Replay {
             generator: Arc::clone(&opened.generator),
             stage,
             frames,
+            shard: None,
             pictures,
             check: self.check,
         }
@@ -222,7 +238,9 @@ impl Replay {
     ) -> Result<(Outcome, Option<TruthOutcome>), Failure> {
         let outcome = run(job, folder, control, phases)?;
         if matches!(outcome, Outcome::Finished { .. }) && !self.no_page {
-            let (words, requests) = (words(stage), &self.probe);
+            // Of sweeps to be recorded a shard has those of its own frames.
+            let own = self.probe.iter().filter(|request| job.frames.contains(&request.frame));
+            let (words, requests) = (words(stage), &own.cloned().collect::<Vec<_>>());
             Making { job, words, opened, requests, pool: control.pool }.write(folder, phases)?;
         }
         let truth = match (&outcome, &self.truth) {

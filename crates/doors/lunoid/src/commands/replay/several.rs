@@ -152,6 +152,7 @@ impl Replay {
             (!self.probe.is_empty(), "--probe"),
             (self.check > 0, "--check"),
             (self.no_page, "--no-page"),
+            (self.sharing.shard.is_some(), "--shard"),
         ];
         match given.iter().find(|(is_given, _)| *is_given) {
             Some((_, option)) => Err(Failure::usage(format!(

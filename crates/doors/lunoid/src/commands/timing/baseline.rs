@@ -13,6 +13,7 @@ use crate::commands::changed;
 use crate::loading::{StageArgs, Threads, of_timed};
 use crate::output::{Place, expect_outputs, print, print_json, warn};
 use crate::rehearsing::{choose, record, rehearse, rehearse_timed};
+use crate::sharing::{Sharing, part};
 use crate::values::not_negative;
 use crate::{Failure, Verdict};
 use text::Span;
@@ -26,7 +27,7 @@ const TOLD: usize = 60;
 #[derive(Debug, Args)]
 #[command(
     mut_args(of_timed),
-    after_help = "Example:\n  lunoid timing record scenarios/first-light.toml --machine pra-nominal --sweeps 21 --frames 0..2 --out baseline.json"
+    after_help = "Example:\n  lunoid timing record scenarios/first-light.toml --machine pra-nominal --sweeps 21 --frames 0..2 --out baseline.json\n  lunoid timing record scenarios/first-light.toml --frames 0..8 --shard 2/4 --out runs/2-of-4.json"
 )]
 pub struct Record {
     #[command(flatten)]
@@ -36,6 +37,8 @@ pub struct Record {
     /// Frames to record, counted at the update rate: A..B without B. The first two if left out.
     #[arg(long, value_name = "A..B")]
     frames: Option<Span>,
+    #[command(flatten)]
+    sharing: Sharing,
     /// File of the timing record to write.
     #[arg(short, long, value_name = "FILE")]
     out: PathBuf,
@@ -51,7 +54,9 @@ impl Record {
     /// Records the timing of the frames and writes the record.
     pub fn run(&self) -> Result<Verdict, Failure> {
         expect_outputs(&[Place::file("--out", &self.out)], &self.stage.sources())?;
-        let usual = |opened: &Opened| choose(opened, self.frames, first(USUAL_FRAMES));
+        let shard = self.sharing.asked()?;
+        let usual =
+            |opened: &Opened| part(shard, choose(opened, self.frames, first(USUAL_FRAMES))?, "frames");
         let (rehearsal, frames) = rehearse_timed(&self.stage, &self.threads, usual)?;
         let record = record(!self.no_progress, |hear| rehearsal.record(&frames, hear))?;
         timing::write(&self.out, &record)?;

@@ -1,0 +1,52 @@
+use std::fs;
+use std::path::Path;
+
+use tempfile::tempdir;
+
+use crate::drive::{Drive, expect_equal, joined};
+
+/// Shards 1, 2, 7 and 13 of thirteen frames, backwards and the first twice, against the run of one machine.
+fn expect_joins(drive: &Drive, what: &str) {
+    let at = tempdir().unwrap();
+    let whole = at.path().join("whole");
+    drive.whole(&whole);
+    let frames = (drive.frames.end - drive.frames.start) as u32;
+    for of in [1, 2, 7, 13].map(|of: u32| of.min(frames)) {
+        let at = tempdir().unwrap();
+        let mut folders = drive.shards(of, at.path());
+        let twice = at.path().join(format!("twice-{of}"));
+        drive.shard(1, of, &twice);
+        folders.reverse();
+        folders.push(twice);
+        let out = at.path().join(format!("joined-{of}"));
+        joined(&folders, &out);
+        expect_equal(&whole, &out, &format!("{what}, {of} shards"));
+    }
+}
+
+#[test]
+fn every_model_draws_shards_of_its_run() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../hardware-models");
+    let names = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let models = names.filter(|path| path.extension().is_some_and(|end| end == "toml"));
+    let mut models: Vec<String> =
+        models.map(|path| path.file_stem().unwrap().to_string_lossy().into_owned()).collect();
+    models.extend(registry::names().into_iter().map(str::to_owned));
+    models.sort();
+    assert!(models.len() >= 11, "{models:?}");
+    for model in &models {
+        // LUNSIM asks for a scenario of its own, which has four frames.
+        let scenario = if model == "lunsim" { "lunsim-roving" } else { "profile" };
+        let drive = Drive::new(scenario, Some(model), 0..0);
+        let frames = drive.opened.frames().min(13);
+        expect_joins(&Drive { frames: 0..frames, ..drive }, model);
+    }
+}
+
+#[test]
+fn scenarios_with_memory_sun_roll_bodies_colour_and_light_points() {
+    for scenario in ["rough-ride", "moving-sun", "full-drive", "colours", "night-landing", "overloaded-night"]
+    {
+        expect_joins(&Drive::new(scenario, None, 7..20), scenario);
+    }
+}
