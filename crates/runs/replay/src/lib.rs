@@ -52,4 +52,4 @@ pub use performance::{Performance, peak_memory};
 pub use phases::{Phase, Phases};
 pub use picture_png::picture_png;
 pub use run::{Outcome, run};
-pub use truth::{TruthItems, TruthOutcome, write_truth};
+pub use truth::{TRUTH_ERROR, TruthItem, TruthItems, TruthOutcome, write_truth};

@@ -35,6 +35,7 @@ use crate::{HeldRun, ReplayError, RunFolder};
 use record::{FORMAT, Finished, truth_record};
 
 pub use item::{TruthItem, TruthItems};
+pub use record::TRUTH_ERROR;
 
 /// How far the truth of a run is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
