@@ -59,6 +59,9 @@ start_m = 2
 end_m = 300
 "#;
 
+/// LUNSIM draws what its program could not.
+pub const FREE: [(&str, &str); 1] = [("lunsim.restrictions", "false")];
+
 /// A folder that is removed at the end, with a scenario in it.
 pub struct Scene {
     pub folder: tempfile::TempDir,
