@@ -65,7 +65,11 @@ impl Loop {
         let drive = &self.drive;
         let pose = pose.checked(drive.file())?;
         if !metres.is_finite() {
-            return Err(DriveError::asked(drive.file(), format!("{metres} metres ahead"), "a finite number of metres"));
+            return Err(DriveError::asked(
+                drive.file(),
+                format!("{metres} metres ahead"),
+                "a finite number of metres",
+            ));
         }
         let heading = pose.attitude().heading;
         let (sin, cos) = sin_cos(heading);
@@ -83,7 +87,11 @@ impl Loop {
     /// If nothing was driven, the folder is there already, or a file cannot be read or written.
     pub fn save(&self, folder: &Path) -> Result<(), DriveError> {
         if self.told.is_empty() {
-            return Err(DriveError::asked(self.drive.file(), "a loop that has driven nothing", "at least one look"));
+            return Err(DriveError::asked(
+                self.drive.file(),
+                "a loop that has driven nothing",
+                "at least one look",
+            ));
         }
         saved::save(&self.drive.opened, self.drive.stage.view.update, &self.told, folder)
     }
@@ -129,10 +137,10 @@ impl Loop {
 
 /// The generator on the stage of `drive` with `course` behind it, up to `pose`.
 fn ready(drive: &Drive, course: &[Pose], pose: Pose) -> Result<Box<dyn Session>, DriveError> {
-        let first = course.first().copied().unwrap_or(pose);
-        let scenery = (*drive.stage.scenery).clone().with_course(course.to_vec());
-        let scenery = scenery.with_start(Some(Pose { yoke: 0.0, ..first }));
-        let stage = Stage { scenery: Arc::new(scenery), ..drive.stage.clone() };
-        let session = drive.pool.install(|| drive.opened.generator.prepare(stage));
-        session.map_err(|error| DriveError::of(drive.file(), &error))
-    }
+    let first = course.first().copied().unwrap_or(pose);
+    let scenery = (*drive.stage.scenery).clone().with_course(course.to_vec());
+    let scenery = scenery.with_start(Some(Pose { yoke: 0.0, ..first }));
+    let stage = Stage { scenery: Arc::new(scenery), ..drive.stage.clone() };
+    let session = drive.pool.install(|| drive.opened.generator.prepare(stage));
+    session.map_err(|error| DriveError::of(drive.file(), &error))
+}

@@ -1,10 +1,13 @@
 //! A pixel of a frame: how it came about.
 
-use explain::{Explanation, Inquiry, InquiryError, Late, facts};
 use exact::Columns;
+use explain::{Inquiry, InquiryError, Late, corner_place, facts};
 use generator::Fact;
 use machine::ControlPlane;
+use quantities::SweepTime;
+use scenario::Pose;
 use serde_json::Value;
+use sweep_program::Colour;
 
 use crate::{Drive, DriveError};
 
@@ -41,7 +44,9 @@ impl Drive {
         let told = self.pool.install(|| inquiry.explain(frame, &pose, pixel));
         let told = told.map_err(|error| self.no_pixel(&error))?;
         let document = serde_json::to_value(&told).map_err(|error| DriveError::of(self.file(), &error))?;
-        let cause = self.late_word(&told).or(told.because.first().cloned()).unwrap_or_default();
+        let late = told.late.iter().rev().find(|late| late.in_force);
+        let late = late.map(|late| self.late_word((frame, &pose), told.place.sweep, late)).transpose()?;
+        let cause = late.or(told.because.first().cloned()).unwrap_or_default();
         Ok(Explained { cause, text: told.text(), because: told.because, document })
     }
 
@@ -50,8 +55,10 @@ impl Drive {
         let generator = &*self.opened.generator;
         let told = || facts(generator, &*self.session, &self.stage.view, (frame, &pose), pixel);
         let told = self.pool.install(told).map_err(|error| self.no_pixel(&error))?;
-        let because: Vec<String> = told.iter().map(|Fact { what, value }| format!("{what}: {value}")).collect();
-        let document = serde_json::json!({ "frame": frame, "time_s": pose.time, "pixel": pixel, "facts": told });
+        let because: Vec<String> =
+            told.iter().map(|Fact { what, value }| format!("{what}: {value}")).collect();
+        let document =
+            serde_json::json!({ "frame": frame, "time_s": pose.time, "pixel": pixel, "facts": told });
         let cause = because.first().cloned().unwrap_or_default();
         Ok(Explained { cause, text: because.join("\n") + "\n", because, document })
     }
@@ -60,14 +67,21 @@ impl Drive {
         DriveError::of(self.file(), error)
     }
 
-    /// The last late word of the nearest sweep that is still in force at the sample, in words.
-    fn late_word(&self, told: &Explanation) -> Option<String> {
-        let late: &Late = told.late.iter().rev().find(|late| late.in_force)?;
-        let colours = told.ground.iter().flat_map(|ground| &ground.colours);
-        let mut wanted = colours.filter(|state| state.colour == late.colour).map(|state| state.wanted);
-        let corner = wanted.next().map_or_else(String::new, |[x, y]| format!(", corner {x}, {y}"));
+    /// A late word of sweep `sweep`, with the corner that its register asks for when it is due.
+    fn late_word(&self, (frame, pose): (u64, &Pose), sweep: u32, late: &Late) -> Result<String, DriveError> {
+        let control = self.control.get_or_init(|| ControlPlane::new(self.machine.clone()));
+        let sweeps = control.sweeps(frame, pose).map_err(|error| DriveError::of(self.file(), &error))?;
+        let states = sweeps.registers(sweep, SweepTime(late.due));
+        let levels = states.iter().zip(self.stage.landscape.bank().levels());
+        // The fine level comes first.
+        let state = if late.level == "fine" { levels.take(1).last() } else { levels.last() };
+        let colour = Colour::ALL.iter().position(|colour| colour.name() == late.colour);
+        let corner = state.zip(colour).map_or_else(String::new, |((state, level), colour)| {
+            let [x, y] = corner_place(level, state.colours[colour][0].wanted);
+            format!(", corner {x}, {y}")
+        });
         let period_ns = 1e9 / self.machine.settings.timebase.sample_rate().hertz();
-        let by = late.came.map_or_else(|| "never came".into(), |came| format!("{:.0} ns", (came - late.due) * period_ns));
-        Some(format!("late word: tg.{}{corner}, {by}", late.colour))
+        let by = late.came.map(|came| format!("{:.0} ns", (came - late.due) * period_ns));
+        Ok(format!("late word: tg.{}{corner}, {}", late.colour, by.unwrap_or_else(|| "never came".into())))
     }
 }

@@ -136,7 +136,8 @@ impl Drive {
     /// has what was driven.
     pub fn look(&self, frame: u64, pose: &EyePose) -> Result<Seen, DriveError> {
         if self.remembers_frames() {
-            let title = format!("a single look by {}, whose pictures show frames before their own", self.drawn_by());
+            let title =
+                format!("a single look by {}, whose pictures show frames before their own", self.drawn_by());
             let problem = Problem::of_file(self.file(), title).found("a pose without the poses before it");
             let problem = problem.expected("the poses of all frames up to this one");
             return Err(problem.help("look in a loop, which keeps what was driven").into());

@@ -30,7 +30,11 @@ impl Drive {
     ///
     /// # Errors
     /// If the hybrid machine does not draw, there is no such ladder, or a frame cannot be drawn.
-    pub fn study(&self, only: &[String], goes_on: &mut (dyn FnMut() -> bool + Send)) -> Result<Study, DriveError> {
+    pub fn study(
+        &self,
+        only: &[String],
+        goes_on: &mut (dyn FnMut() -> bool + Send),
+    ) -> Result<Study, DriveError> {
         let file = self.file();
         if !self.opened.is_machine() {
             let title = format!("a study of {}: it holds a machine against the closed form", self.drawn_by());

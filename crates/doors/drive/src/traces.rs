@@ -44,16 +44,12 @@ impl Drive {
     ///
     /// # Errors
     /// If the generator has no signals, a pattern names none, or there is no such sweep or frame.
-    pub fn probe(
-        &self,
-        patterns: &[String],
-        frame: u64,
-        sweeps: Range<u32>,
-    ) -> Result<Traces, DriveError> {
+    pub fn probe(&self, patterns: &[String], frame: u64, sweeps: Range<u32>) -> Result<Traces, DriveError> {
         let (file, generator) = (self.file(), &self.opened.generator);
         let table = generator.signals();
         expect_known(table, patterns, generator.name()).map_err(|error| DriveError::of(file, &error))?;
-        let no_scan = || DriveError::asked(file, format!("{} has no signals", generator.name()), "a hardware model");
+        let no_scan =
+            || DriveError::asked(file, format!("{} has no signals", generator.name()), "a hardware model");
         let scan = generator.scan(&self.stage.view).ok_or_else(no_scan)?;
         self.expect_sweeps(&sweeps, scan.timebase.sweeps)?;
         let choice = Choice::of(table, &self.session.wires(), patterns);
@@ -96,7 +92,9 @@ fn of_signal<'a>(name: &'a str, waveforms: &'a [Waveform]) -> impl Iterator<Item
 
 /// One signal of all sweeps; what was not recorded has no wire, and is 0 at every sample.
 fn trace(signal: Signal, sweeps: &Range<u32>, waveforms: &[Waveform]) -> Trace {
-    let length = |axis: Axis| waveforms.iter().find(|wave| wave.signal.axis == axis).map_or(0, |wave| wave.values.len());
+    let length = |axis: Axis| {
+        waveforms.iter().find(|wave| wave.signal.axis == axis).map_or(0, |wave| wave.values.len())
+    };
     let mut trace = Trace { signal, values: Vec::new(), counts: Vec::new(), times: Vec::new() };
     for sweep in sweeps.clone() {
         match of_signal(signal.name, waveforms).find(|wave| wave.sweep == sweep) {

@@ -43,7 +43,8 @@ impl Drive {
         shadow_cache: Option<PathBuf>,
         threads: usize,
     ) -> PyResult<Self> {
-        let scalar = scalar.map(|word| one_of(word, &[("f32", Scalar::F32), ("f64", Scalar::F64)])).transpose()?;
+        let scalar =
+            scalar.map(|word| one_of(word, &[("f32", Scalar::F32), ("f64", Scalar::F64)])).transpose()?;
         let economy = one_of(
             economy,
             &[
@@ -53,7 +54,8 @@ impl Drive {
                 ("preview", Economy::Preview),
             ],
         )?;
-        let wishes = Wishes { machine, overlays, set, channel, bank, sweeps, samples, scalar, economy, shadow_cache };
+        let wishes =
+            Wishes { machine, overlays, set, channel, bank, sweeps, samples, scalar, economy, shadow_cache };
         let opened = released(py, || drive::Drive::open(&scenario, &wishes, threads))?;
         Ok(Self(Arc::new(opened)))
     }
@@ -74,7 +76,8 @@ impl Drive {
         facts.set_item("remembers_frames", drive.remembers_frames())?;
         facts.set_item("remarks", drive.remarks())?;
         let omissions = drive.omissions().into_iter();
-        let omissions = omissions.map(|omission| (omission.block, omission.what, omission.why, weight(omission.weight)));
+        let omissions =
+            omissions.map(|omission| (omission.block, omission.what, omission.why, weight(omission.weight)));
         facts.set_item("omissions", omissions.collect::<Vec<_>>())?;
         Ok(facts)
     }
@@ -153,7 +156,9 @@ fn weight(weight: Weight) -> String {
 fn array(py: Python<'_>, plane: TruthPlane) -> PyResult<Plane<'_>> {
     let TruthPlane { name, unit, shape, values, codes, bound } = plane;
     let values = match (values, &shape[..]) {
-        (Codes::Codes(codes), &[lines, columns]) => PyArray1::from_vec(py, codes).reshape([lines, columns])?.into_any(),
+        (Codes::Codes(codes), &[lines, columns]) => {
+            PyArray1::from_vec(py, codes).reshape([lines, columns])?.into_any()
+        }
         (Codes::Codes(codes), _) => PyArray1::from_vec(py, codes).into_any(),
         (Codes::Numbers(numbers), &[lines, columns]) => {
             PyArray1::from_vec(py, numbers).reshape([lines, columns])?.into_any()

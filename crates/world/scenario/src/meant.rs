@@ -169,7 +169,12 @@ impl Scenario {
             StarSource::Seeded(_) => None,
         });
         let database = self.database.as_deref();
-        let ground = bank.into_iter().chain(database).chain(self.path_file.as_deref()).chain(self.driven_file.as_deref()).chain(list);
+        let ground = bank
+            .into_iter()
+            .chain(database)
+            .chain(self.path_file.as_deref())
+            .chain(self.driven_file.as_deref())
+            .chain(list);
         ground.chain(shapes).chain(vehicle).chain(map).chain(stars).collect()
     }
 }

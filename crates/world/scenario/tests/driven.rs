@@ -28,7 +28,13 @@ fn slope() -> Landscape {
 }
 
 fn yoke() -> Yoke {
-    Yoke { step: radians(0.05), rate: radians(15.0), travel: radians(40.0), natural: Some(60.0), damping: 0.15 }
+    Yoke {
+        step: radians(0.05),
+        rate: radians(15.0),
+        travel: radians(40.0),
+        natural: Some(60.0),
+        damping: 0.15,
+    }
 }
 
 fn scenario() -> Scenario {
@@ -90,7 +96,9 @@ fn what_is_refused_is_not_driven() {
     let (eye, attitude) = told(0);
     let first = driven.clone().push(&landscape, eye, attitude).unwrap();
     let under = driven.push(&landscape, [eye[0], eye[1], 1.0], attitude).unwrap_err();
-    assert!(matches!(&under, DrivenError::Problems(problems) if problems.to_string().contains("eye under ground")));
+    assert!(
+        matches!(&under, DrivenError::Problems(problems) if problems.to_string().contains("eye under ground"))
+    );
     let none = driven.push(&landscape, [f64::NAN, eye[1], eye[2]], attitude).unwrap_err();
     assert!(matches!(none, DrivenError::Waypoint(_)));
     assert_eq!((driven.frames(), driven.push(&landscape, eye, attitude).unwrap()), (0, first));
@@ -104,6 +112,9 @@ fn a_vehicle_stands_on_the_ground_or_flies() {
     assert!((stood.eye[2] - 20.0 - height).abs() < 1e-9);
     assert!((degrees(stood.attitude.pitch) - degrees(libm::atan(0.1))).abs() < 1e-6);
     let flown = driven.stand(&landscape, [200.0, 250.0], 1.0, Some(90.0)).unwrap();
-    assert_eq!((flown.eye, flown.attitude), ([200.0, 250.0, 90.0], Attitude { heading: 1.0, pitch: 0.0, roll: 0.0 }));
+    assert_eq!(
+        (flown.eye, flown.attitude),
+        ([200.0, 250.0, 90.0], Attitude { heading: 1.0, pitch: 0.0, roll: 0.0 })
+    );
     assert!(driven.stand(&landscape, [-50.0, 250.0], 0.0, None).is_err());
 }

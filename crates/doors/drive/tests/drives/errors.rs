@@ -42,7 +42,8 @@ fn what_is_asked_wrongly_is_refused() {
         refused(drive.explain(0, [40, 0])),
         refused(drive.study(&["nothing".into()], &mut || true)),
     ];
-    let words = ["such.toml", "frame 4", "frame", "deep", "pose", "zz.*", "3..3", "39..41", "40,0", "nothing"];
+    let words =
+        ["such.toml", "frame 4", "frame", "deep", "pose", "zz.*", "3..3", "39..41", "40,0", "nothing"];
     for (error, word) in cases.iter().zip(words) {
         assert!(error.to_string().contains(word), "{error}");
     }

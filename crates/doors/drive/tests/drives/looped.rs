@@ -14,7 +14,11 @@ const WINDOW: &str = "[[channel]]\nname = \"port\"\nheading_deg = -30\npitch_deg
 fn wild(step: u64, from: &EyePose) -> EyePose {
     let random = |key: u64| unit_interval(7, &[step, key]) - 0.5;
     EyePose {
-        eye_m: [from.eye_m[0] + 1.5 * random(1), from.eye_m[1] + 1.5 * random(2), from.eye_m[2] + 0.1 * random(3)],
+        eye_m: [
+            from.eye_m[0] + 1.5 * random(1),
+            from.eye_m[1] + 1.5 * random(2),
+            from.eye_m[2] + 0.1 * random(3),
+        ],
         heading_deg: from.heading_deg + 260.0 * random(4),
         pitch_deg: 8.0 * random(5),
         roll_deg: 20.0 * random(6),

@@ -23,7 +23,11 @@ fn frames_have_the_pixels_of_a_run() {
         assert_eq!(drive.frames() as usize, hashes.len());
         // Any order.
         for frame in [2, 0, 3, 1] {
-            assert_eq!(drive.frame(frame).unwrap().hash(), hashes[frame as usize], "{machine}, frame {frame}");
+            assert_eq!(
+                drive.frame(frame).unwrap().hash(),
+                hashes[frame as usize],
+                "{machine}, frame {frame}"
+            );
         }
     }
 }
