@@ -11,7 +11,7 @@ use sweep_program::Colour;
 
 use crate::{Drive, DriveError};
 
-/// An explanation.
+/// An explanation of one pixel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Explained {
     /// The most telling reason: the late word that the pixel still shows, or the first of the reasons.

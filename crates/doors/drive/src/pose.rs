@@ -19,9 +19,9 @@ pub struct EyePose {
     pub eye_m: [f64; 3],
     /// Clockwise from north (degrees).
     pub heading_deg: f64,
-    /// Nose up (degrees).
+    /// Pitch, nose up (degrees).
     pub pitch_deg: f64,
-    /// Starboard down (degrees).
+    /// Roll, starboard down (degrees).
     pub roll_deg: f64,
     /// Angle by which the deflection yoke turns the picture (degrees), starboard down; 0 without a yoke. A loop works it out itself.
     pub yoke_deg: f64,

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use diagnostics::Problem;
-use files::{make_folder, read_all, write_atomic};
+use files::{make_folder, read_all, rename, write_atomic};
 use front_door::Opened;
 use limits::Limit;
 use quantities::Rate;
@@ -28,7 +28,7 @@ pub(crate) fn save(opened: &Opened, update: Rate, told: &[EyePose], folder: &Pat
     let scenario = scenario(opened, told.len())?;
     let half = half_written(folder);
     let written = write(opened, &half, [(SCENARIO, scenario), (DRIVEN, rows(update, told))]);
-    let written = written.and_then(|()| fs::rename(&half, folder).map_err(|error| failed(folder, &error)));
+    let written = written.and_then(|()| rename(&half, folder).map_err(|error| failed(folder, &error)));
     if written.is_err() && half.exists() {
         fs::remove_dir_all(&half).map_err(|error| failed(&half, &error))?;
     }
@@ -53,7 +53,8 @@ fn write(opened: &Opened, half: &Path, own: [(&str, String); 2]) -> Result<(), D
         let Ok(name) = file.strip_prefix(from) else { continue };
         let to = half.join(name);
         make_folder(to.parent().unwrap_or(half)).map_err(|error| failed(&to, &error))?;
-        fs::copy(file, &to).map_err(|error| failed(file, &error))?;
+        let bytes = read_all(file, Limit::BankBytes).map_err(|error| failed(file, &error))?;
+        write_atomic(&to, |out| out.write_all(&bytes)).map_err(|error| failed(&to, &error))?;
     }
     for (name, text) in own {
         let path = half.join(name);

@@ -7,7 +7,7 @@ use signal::Probe;
 
 use crate::{DriveError, EyePose};
 
-/// A drawn frame.
+/// A drawn frame with its pose.
 #[derive(Debug, Clone)]
 pub struct Seen {
     /// Number of the frame, counted at the update rate.

@@ -8,7 +8,7 @@ use pyo3::types::PyBytes;
 use crate::patience::released;
 use crate::poses::{Numbers, numbers};
 
-/// A drawn frame.
+/// A drawn frame with its pose.
 #[pyclass(frozen, module = "lunoid._native")]
 pub struct Picture {
     seen: Seen,
