@@ -42,7 +42,7 @@ fn inputs_hash(scenario: &Scenario, stage: &MachineStage) -> String {
     let MachineStage { landscape, scenery, settings } = stage;
     let mut hasher = Hasher::new_derive_key("lunoid timing, inputs, format 1");
     hasher.update(&bank_file::content_hash(landscape.bank()));
-    add(&mut hasher, "path", &(scenario.path.waypoints(), &scenario.vehicle));
+    add(&mut hasher, "path", &(scenario.way().waypoints(), &scenario.vehicle));
     scenario.channel.iter().for_each(|channel| add(&mut hasher, "channel", channel));
     for standing in scenery.standing() {
         add(&mut hasher, "body", &(standing.from, standing.until, standing.body.vertices().len()));

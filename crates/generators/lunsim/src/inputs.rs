@@ -21,7 +21,7 @@ pub(crate) fn inputs_hash(
     hasher.update(&bank_file::content_hash(landscape.bank()));
     landscape.features().craters().iter().for_each(|crater| add(&mut hasher, "crater", &crater));
     add(&mut hasher, "light", &(scenery.suns(), landscape.albedo(), landscape.photometry()));
-    add(&mut hasher, "path", &(scenario.path.waypoints(), &scenario.vehicle));
+    add(&mut hasher, "path", &(scenario.way().waypoints(), &scenario.vehicle));
     scenario.channel.iter().for_each(|channel| add(&mut hasher, "channel", channel));
     add(&mut hasher, "view", &(view.field, view.ranges[1], view.update));
     add(&mut hasher, "laws", &(view.laws.curvature, view.shadows.is_some(), view.display.white));

@@ -23,7 +23,7 @@ pub(crate) fn inputs_hash(scenario: &Scenario, session: &Session) -> String {
     }
     scenery.all_guests().iter().for_each(|guest| add(&mut hasher, "guest", guest));
     scenery.all_effects().iter().for_each(|effect| add(&mut hasher, "effect", effect));
-    add(&mut hasher, "path", &(scenario.path.waypoints(), &scenario.vehicle));
+    add(&mut hasher, "path", &(scenario.way().waypoints(), &scenario.vehicle));
     scenario.channel.iter().for_each(|channel| add(&mut hasher, "channel", channel));
     let raster = (view.columns, view.lines, view.field, view.update);
     add(&mut hasher, "view", &(raster, view.ranges, view.yoke, view.levels, view.laws.curvature));

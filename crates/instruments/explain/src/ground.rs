@@ -106,8 +106,8 @@ impl GroundPoint {
             let [hold, ..] = &state.colours[colour as usize];
             ColourState {
                 colour: colour.name(),
-                wanted: place_of(level, hold.wanted),
-                held: hold.corner().map(|corner| place_of(level, corner)),
+                wanted: corner_place(level, hold.wanted),
+                held: hold.corner().map(|corner| corner_place(level, corner)),
                 stale: !hold.stale().is_empty(),
                 stale_words: (0..9)
                     .filter(|&word| hold.stale().has(word))
@@ -154,7 +154,8 @@ fn last_of(column: &SweepColumn, sample: usize) -> usize {
     sample.min(column.all("sweep.range").len().saturating_sub(1))
 }
 
-fn place_of(level: &Level, corner: u32) -> [i64; 2] {
+/// North and east index of a corner of `level`, from its index in the storage buffer.
+pub fn corner_place(level: &Level, corner: u32) -> [i64; 2] {
     let (corner, columns) = (corner as usize, level.corners()[1]);
     [(corner / columns) as i64, (corner % columns) as i64]
 }

@@ -20,7 +20,7 @@ pub fn scenario(path: &Path) -> Result<Held, InfoError> {
         Length::Seconds(seconds) => format!("{seconds} s"),
     };
     let (sun, angles) = sun(&scenario.sun);
-    let waypoints = scenario.path.waypoints().len();
+    let waypoints = scenario.way().waypoints().len();
     let document = json!({
         "schema": "lunoid.info.scenario/1",
         "file": path.display().to_string(),

@@ -73,7 +73,7 @@ impl Identity {
             mission: of(json!({
                 "sun": SunRecord::from(&stage.scenery.sun(0.0)),
                 "vehicle": VehicleRecord::from(&scenario.vehicle),
-                "waypoints": PathRecord::from(&scenario.path).waypoints_blake3,
+                "waypoints": PathRecord::from(scenario.way()).waypoints_blake3,
                 "channel": scenario.channel.as_ref().map(ChannelRecord::from),
             })),
         };

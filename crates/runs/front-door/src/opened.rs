@@ -111,6 +111,16 @@ impl Opened {
         self.row.map_or(&self.inputs.model, |row| row.name)
     }
 
+    /// Path of the scenario's file.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Folder of the scenario's file, at which its references start.
+    pub fn folder(&self) -> &Path {
+        self.path.parent().unwrap_or(Path::new(""))
+    }
+
     /// Name of the scenario's file.
     pub fn scenario_file(&self) -> &str {
         self.inputs.scenario.as_ref().map_or("scenario", |record| &record.file)

@@ -33,7 +33,7 @@ impl Fingerprint {
             "scenery": value(&world.scenery),
             "sun": SunRecord::from(&job.stage.scenery.sun(0.0)),
             "vehicle": VehicleRecord::from(&job.scenario.vehicle),
-            "waypoints_blake3": PathRecord::from(&job.scenario.path).waypoints_blake3,
+            "waypoints_blake3": PathRecord::from(job.scenario.way()).waypoints_blake3,
             "depth": job.pictures.depth.bits(),
             "refresh": job.pictures.refresh,
         });

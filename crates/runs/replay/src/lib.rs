@@ -62,4 +62,4 @@ pub use performance::{Performance, peak_memory};
 pub use phases::{Phase, Phases};
 pub use picture_png::picture_png;
 pub use run::{Outcome, run};
-pub use truth::{JoinedTruth, TruthItems, TruthOutcome, held_truth, write_truth};
+pub use truth::{JoinedTruth, TRUTH_ERROR, TruthItem, TruthItems, TruthOutcome, held_truth, write_truth};

@@ -42,7 +42,7 @@ pub(crate) fn run_record(job: &Job, finished: Finished<'_>) -> RunRecord {
         sun: SunRecord::from(&job.stage.scenery.sun(0.0)),
         sky: job.stage.scenery.sky().map(SkyRecord::from),
         vehicle: VehicleRecord::from(&job.scenario.vehicle),
-        path: PathRecord::from(&job.scenario.path),
+        path: PathRecord::from(job.scenario.way()),
         channel: job.scenario.channel.as_ref().map(ChannelRecord::from),
         view,
         settings,

@@ -6,6 +6,7 @@
 //! - [`Scenario::read`], [`Scenario::parse`]: the file, described in `docs/scenario-format.md`.
 //! - [`Path`]: waypoints joined by smooth curves in time. [`Vehicle`]: how it stands on the ground.
 //! - [`PoseTable`]: eye and attitude of each frame, with [`LimitReport`]s of what the vehicle cannot do.
+//! - [`Driven`]: a drive that grows pose by pose, as a closed loop drives it.
 //! - [`Scenery`]: light, bodies and tracks over time: [`Object`]s and their [`Event`]s, [`Rocks`], [`Tracks`], a sun
 //!   that may [`Drift`] or have a date ([`Sunlight`]).
 //! - [`EffectWishes`]: lamps, stars, sheets, overlays and discs of the sky as a scenario asks for them; [`Effects`]: the same
@@ -17,6 +18,7 @@ mod channel;
 mod craters;
 mod curve;
 mod drift;
+mod driven;
 mod effect_placing;
 mod effect_wishes;
 mod effects;
@@ -57,6 +59,7 @@ mod yoke;
 pub use channel::Channel;
 pub use craters::{CraterList, CraterPopulation, CraterWishes};
 pub use drift::Drift;
+pub use driven::{Driven, DrivenError};
 pub use effect_wishes::{
     EarthSeen, EarthWish, EffectWishes, LightPlace, LightWish, OverlayWish, Presence, SheetPlace, SheetWish,
     Spot,

@@ -71,6 +71,10 @@ pub struct Scenario {
     pub path: Path,
     /// File of the path, where it has one of its own.
     pub path_file: Option<PathBuf>,
+    /// Poses that a closed loop has driven, where it has; rocks and tracks are those of the path all the same.
+    pub driven: Option<Path>,
+    /// File of those poses.
+    pub driven_file: Option<PathBuf>,
     /// Raster that the scenario asks for.
     pub raster: RasterWishes,
     /// What the driver sees.
@@ -130,11 +134,16 @@ impl Scenario {
         }
     }
 
+    /// What the vehicle follows: what a closed loop has driven, or the path.
+    pub fn way(&self) -> &Path {
+        self.driven.as_ref().unwrap_or(&self.path)
+    }
+
     /// Says so if the vehicle stands for the whole mission because its path ends before, or begins after it.
     pub fn path_beside_mission(&self, update: Rate) -> Option<String> {
-        let [first, .., last] = self.path.waypoints() else { return None };
+        let [first, .., last] = self.way().waypoints() else { return None };
         let end = (self.frames(update) - 1) as f64 / update.hertz();
-        let name = self.path.name();
+        let name = self.way().name();
         if last.time <= 0.0 {
             return Some(format!(
                 "{name}: the path ends at t = {} s, before the mission begins: the vehicle stands",
@@ -164,7 +173,12 @@ impl Scenario {
             StarSource::Seeded(_) => None,
         });
         let database = self.database.as_deref();
-        let ground = bank.into_iter().chain(database).chain(self.path_file.as_deref()).chain(list);
+        let ground = bank
+            .into_iter()
+            .chain(database)
+            .chain(self.path_file.as_deref())
+            .chain(self.driven_file.as_deref())
+            .chain(list);
         let effects = self.faces.effects.iter().map(|wish| wish.file.as_path());
         let photographs = self.photographs.iter().flat_map(|wish| [wish.file.as_path(), &wish.camera]);
         ground

@@ -193,6 +193,12 @@ impl Path {
         }
     }
 
+    /// Heading, pitch and roll (rad) of a path that states them at `time` (s), with the whole turns that they have made.
+    pub(crate) fn turned(&self, time: f64) -> [f64; 3] {
+        let stated = |curve: &Option<Curve>| curve.as_ref().map_or(0.0, |curve| curve.at(time));
+        [self.heading.at(time), stated(&self.pitch), stated(&self.roll)]
+    }
+
     fn heading_at(&self, time: f64) -> f64 {
         let along_travel = |index: usize| {
             self.waypoints[index].heading.is_none() && self.waypoints[index + 1].heading.is_none()

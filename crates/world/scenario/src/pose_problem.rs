@@ -73,6 +73,11 @@ impl PathProblems {
         if list.is_empty() { Ok(()) } else { Err(Self { path: path.name().into(), list }) }
     }
 
+    /// One problem of `path`.
+    pub(crate) fn one(path: &Path, problem: PathProblem) -> Self {
+        Self { path: path.name().into(), list: vec![problem] }
+    }
+
     /// What the path is called: the file that says it.
     pub fn path(&self) -> &str {
         &self.path

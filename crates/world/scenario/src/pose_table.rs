@@ -61,13 +61,13 @@ impl PoseTable {
         yoke: Option<Yoke>,
         frames: Range<u64>,
     ) -> Result<Self, PathProblems> {
-        let (path, vehicle, channel) = (&scenario.path, &scenario.vehicle, scenario.channel.as_ref());
+        let (path, vehicle, channel) = (scenario.way(), &scenario.vehicle, scenario.channel.as_ref());
         let driver = Driver { path, vehicle, channel, landscape, update };
         let mut picture = Follower { yoke, driver: &driver, swing: Swing::default() };
         (0..frames.start).for_each(|frame| picture.pass(frame));
         let found: Vec<_> = frames.map(|frame| (frame, picture.turn(frame, driver.row(frame)))).collect();
         let faults = found.iter().filter_map(|(frame, row)| Some((*frame, row.as_ref().err()?.clone())));
-        PathProblems::of(&scenario.path, faults)?;
+        PathProblems::of(path, faults)?;
         let rows: Vec<PoseRow> = found.into_iter().filter_map(|(_, row)| row.ok()).collect();
         let limits = limit_reports(&rows, &scenario.vehicle);
         Ok(Self { rows, limits })
@@ -84,11 +84,16 @@ impl PoseTable {
     }
 }
 
+/// Time of a frame (s).
+pub(crate) fn time_of(frame: u64, update: Rate) -> f64 {
+    frame as f64 / update.hertz()
+}
+
 /// The yoke, driven from frame to frame.
-struct Follower<'a> {
-    yoke: Option<Yoke>,
-    driver: &'a Driver<'a>,
-    swing: Swing,
+pub(crate) struct Follower<'a> {
+    pub yoke: Option<Yoke>,
+    pub driver: &'a Driver<'a>,
+    pub swing: Swing,
 }
 
 impl Follower<'_> {
@@ -102,7 +107,7 @@ impl Follower<'_> {
     }
 
     /// The row with the angle of the yoke.
-    fn turn(&mut self, frame: u64, row: Result<PoseRow, PathProblem>) -> Result<PoseRow, PathProblem> {
+    pub fn turn(&mut self, frame: u64, row: Result<PoseRow, PathProblem>) -> Result<PoseRow, PathProblem> {
         let mut row = row?;
         self.follow(frame, row.pose.attitude.roll);
         row.pose.yoke = self.swing.angle();
@@ -119,20 +124,20 @@ impl Follower<'_> {
 }
 
 /// What a pose is made of.
-struct Driver<'a> {
-    path: &'a Path,
-    vehicle: &'a Vehicle,
-    channel: Option<&'a Channel>,
-    landscape: &'a Landscape,
-    update: Rate,
+pub(crate) struct Driver<'a> {
+    pub path: &'a Path,
+    pub vehicle: &'a Vehicle,
+    pub channel: Option<&'a Channel>,
+    pub landscape: &'a Landscape,
+    pub update: Rate,
 }
 
 impl Driver<'_> {
     fn time(&self, frame: u64) -> f64 {
-        frame as f64 / self.update.hertz()
+        time_of(frame, self.update)
     }
 
-    fn row(&self, frame: u64) -> Result<PoseRow, PathProblem> {
+    pub fn row(&self, frame: u64) -> Result<PoseRow, PathProblem> {
         let time = self.time(frame);
         let station = self.path.at(time);
         let problem = |fault| PathProblem { fault, frames: frame..frame + 1, time, at: station.at };

@@ -229,7 +229,8 @@ fn scenario(root: &Reader, surroundings: &Surroundings, problems: &Problems) -> 
     check_tracks(root);
     check_own_shadow(root, &vehicle_table);
     root.finish();
-    let ((ground, albedo), (path, path_file)) = (ground?, path??);
+    let ((ground, albedo), course::Course { path, path_file, driven }) = (ground?, path??);
+    let (driven, driven_file) = driven.unzip();
     let (ground, coarse) = ground?;
     let (albedo, albedo_map) = albedo?;
     let (vehicle, (vehicle_files, parts)) = (vehicle?, vehicle_shape?.unzip());
@@ -265,6 +266,8 @@ fn scenario(root: &Reader, surroundings: &Surroundings, problems: &Problems) -> 
         vehicle_files: vehicle_files.unwrap_or_default(),
         path,
         path_file,
+        driven,
+        driven_file,
         raster: wishes,
         field: field?,
         channels: channels?,

@@ -74,6 +74,8 @@ fn parse(text: &str) -> Scenario {
         Scenario::read_beside(&name, &[GENERATOR]).unwrap_or_else(|list| panic!("{list}\n{text}"));
     // Folders differ from one parse to the next.
     scenario.path = scenario.path.named("drive");
+    scenario.driven = scenario.driven.map(|driven| driven.named("driven"));
+    scenario.driven_file = scenario.driven_file.map(|path| path.file_name().unwrap().into());
     scenario.notes.clear();
     scenario.path_file = scenario.path_file.map(|path| path.file_name().unwrap().into());
     if let GroundSource::Bank(path) = &mut scenario.ground {
@@ -184,6 +186,7 @@ const CHANGES: &[(&str, usize, &str, &str)] = &[
     ("path.keyframes.heading_deg", 0, "heading_deg = 40", "heading_deg = 41"),
     ("path.file", 1, "drive.csv", "drive.tum"),
     ("path.coordinates", 1, "file = \"drive.csv\"", "file = \"drive.csv\"\ncoordinates = \"file\""),
+    ("path.driven", 1, "file = \"drive.csv\"", "file = \"drive.csv\"\ndriven = \"drive.csv\""),
     ("path.keyframes.lat_deg", 7, "8.1207", "8.1208"),
     ("path.keyframes.lon_deg", 7, "-38.0093", "-38.0094"),
     ("path.track", 8, "track = 1", "track = 2"),

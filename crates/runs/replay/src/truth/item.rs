@@ -7,6 +7,9 @@ use files::{Npy, NpyData, NpyError};
 use generator::{Label, PlaneKind, Planes, Shade};
 use serde_json::{Value, json};
 
+/// Share by which a number may be off that is stored as f32, with the error of the root along the ray (docs/truth-format.md).
+const F32_SHARE: f64 = 6e-8;
+
 /// One kind of ground truth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum TruthItem {
@@ -56,7 +59,7 @@ impl TruthItem {
     }
 
     /// Planes that it is made of, in the order of its last dimension; none for the pose.
-    pub(super) fn kinds(self) -> &'static [PlaneKind] {
+    pub fn kinds(self) -> &'static [PlaneKind] {
         match self {
             Self::Range => &[PlaneKind::Range],
             Self::Height => &[PlaneKind::Height],
@@ -73,8 +76,25 @@ impl TruthItem {
         matches!(self, Self::Shadow | Self::Label)
     }
 
+    /// Largest error of a value as a share of it: that of a number that is stored as f32; 0 for codes.
+    pub fn bound(self) -> f64 {
+        if self.is_code() || self.kinds().is_empty() { 0.0 } else { F32_SHARE }
+    }
+
+    /// Words of its codes, in their order; none for numbers.
+    pub fn words(self) -> Vec<&'static str> {
+        match self {
+            Self::Shadow => Shade::ALL.iter().map(|shade| shade.name()).collect(),
+            Self::Label => Label::ALL.iter().map(|label| label.name()).collect(),
+            _ => Vec::new(),
+        }
+    }
+
     /// Its array of a frame: (lines, columns), or (lines, columns, 3) for a vector.
-    pub(super) fn array(self, planes: &Planes) -> Result<Npy, NpyError> {
+    ///
+    /// # Errors
+    /// If the planes are not those of its [`kinds`](Self::kinds).
+    pub fn array(self, planes: &Planes) -> Result<Npy, NpyError> {
         let found: Vec<&[f32]> = self.kinds().iter().filter_map(|kind| planes.get(*kind)).collect();
         let mut shape = vec![planes.lines(), planes.columns()];
         let data: NpyData = match (found.as_slice(), self.is_code()) {

@@ -37,6 +37,7 @@ use record::{FORMAT, Finished, truth_record};
 
 pub use item::{TruthItem, TruthItems};
 pub use joined::{JoinedTruth, held_truth};
+pub use record::TRUTH_ERROR;
 
 /// How far the truth of a run is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -54,7 +54,7 @@ pub(super) fn truth_record(finished: &Finished) -> TruthRecord {
         }),
         camera: camera(&job.stage),
         point: point(job),
-        error: ERROR.map(str::to_owned).into(),
+        error: TRUTH_ERROR.map(str::to_owned).into(),
         not_in_it: NOT_IN_IT.map(str::to_owned).into(),
         omissions: omissions.iter().map(OmissionRecord::from).collect(),
         frames: frames.to_vec(),
@@ -90,8 +90,8 @@ fn point(job: &Job) -> Value {
 const UPRIGHT_RAY: &str = "X' = X cos(yoke) - Y sin(yoke), Y' = X sin(yoke) + Y cos(yoke), \
     a = heading + atan(X'), d = [cos(a), sin(a)]";
 
-/// How wrong the numbers may be; `docs/truth-format.md` says the same at length.
-const ERROR: [&str; 6] = [
+/// How wrong the numbers of the truth may be, in words; `docs/truth-format.md` says the same at length.
+pub const TRUTH_ERROR: [&str; 6] = [
     "range: first root along the ray of the closed form of the ground, in f64; good to 1e-12 of the range, but where \
      the ray only grazes the ground, where a crest that it touches may count or not",
     "height, normal, reflectivity: closed forms at that place",

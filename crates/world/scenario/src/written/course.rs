@@ -53,8 +53,41 @@ impl FileKind {
     }
 }
 
-/// The path of a `[path]` table and the file it came from; `ground` is what it lies on.
+/// What a `[path]` table says.
+pub(super) struct Course {
+    /// The path.
+    pub path: Path,
+    /// File that it came from, where it did.
+    pub path_file: Option<PathBuf>,
+    /// Poses that a closed loop has driven, with their file.
+    pub driven: Option<(Path, PathBuf)>,
+}
+
+/// The `[path]` table; `ground` is what the path lies on.
 pub(super) fn course(
+    table: &Reader,
+    folder: &FilePath,
+    ground: Option<Ground>,
+    problems: &Problems,
+) -> Option<Course> {
+    let path = path(table, folder, ground, problems);
+    let driven = match reference(table, "driven", folder) {
+        Some(file) => driven(&file, problems).map(|path| Some((path, file))),
+        None => (!table.has("driven")).then_some(None),
+    };
+    let ((path, path_file), driven) = (path?, driven?);
+    Some(Course { path, path_file, driven })
+}
+
+/// Poses of a closed loop, in the axes of the bank.
+fn driven(file: &FilePath, problems: &Problems) -> Option<Path> {
+    let points = path_table::csv(file, Some(Coordinates::Bank), problems)?;
+    let start = points.waypoints.first()?.place.clone();
+    join(points, &start, FileKind::Csv.help_with_times(), problems)
+}
+
+/// The path and the file it came from.
+fn path(
     table: &Reader,
     folder: &FilePath,
     ground: Option<Ground>,

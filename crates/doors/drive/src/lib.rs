@@ -1,0 +1,46 @@
+//! A scenario opened in a program: what the command draws, tells and records, as values.
+//!
+//! ```text
+//! scenario, wishes ─▶ Drive ─┬─ frame n ──▶ Seen     picture and pose
+//!                            ├─ frame n ──▶ Truth    exact planes, each with its bound
+//!                            ├─ globs ────▶ Traces   signals of sweeps
+//!                            ├─ pixel ────▶ Explained
+//!                            └─ Loop ◀─ pose ─ Seen ─▶ your controller
+//!                                └─▶ saved: a scenario and a path, which `lunoid replay` draws again
+//! ```
+//!
+//! # Law
+//! - A [`Drive`] has the defaults and the bits of the command. It holds no law of its own: every value comes from the crate that the
+//!   command calls for it.
+//! - A [`Loop`] drives one frame a pose. Frame n is n over the update rate after the start. Generators with memory between frames have the
+//!   poses that were driven before. Where a generator lacks that memory the call is an error.
+//! - What a loop has driven is saved as a scenario whose `path.driven` is one row a frame. Its replay has the same pixels.
+//! - An error tells all faults at once ([`DriveError`]).
+//!
+//! # See also
+//! `docs/python.md`: the same from Python. `front-door`: scenario, model and wishes. `replay`: runs in folders.
+
+mod closed_loop;
+mod error;
+mod explained;
+mod open;
+mod pose;
+mod saved;
+mod seen;
+mod studied;
+mod traces;
+mod truth;
+
+pub use closed_loop::Loop;
+pub use error::{DriveError, Fault};
+pub use explained::Explained;
+pub use front_door::Wishes;
+pub use generator::{Fact, Omission, PlaneKind, Weight};
+pub use hardware_model::Economy;
+pub use open::{Drive, Raster};
+pub use pose::EyePose;
+pub use scenario::Scalar;
+pub use seen::Seen;
+pub use studied::Study;
+pub use traces::{Trace, Traces};
+pub use truth::{Codes, Truth, TruthPlane};

@@ -1,0 +1,182 @@
+//! An opened scenario, and what is asked of its frames.
+
+use std::path::Path;
+use std::sync::OnceLock;
+
+use diagnostics::Problem;
+use exact::Columns;
+use front_door::{Opened, Wishes, open};
+use generator::{Omission, Session, Stage};
+use machine::{ControlPlane, MachineStage};
+use rayon::{ThreadPool, ThreadPoolBuilder};
+use scenario::{PixelRule, Pose};
+
+use crate::seen::Drawing;
+use crate::{DriveError, EyePose, Seen};
+
+/// Size of a picture and its clock.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Raster {
+    /// Columns of the picture.
+    pub columns: u32,
+    /// Lines of the picture.
+    pub lines: u32,
+    /// Sweeps of a frame, or rows of the generator's own lines; 0 if it has no signals.
+    pub sweeps: u32,
+    /// Samples of a sweep; 0 if it has no signals.
+    pub samples: u32,
+    /// Pictures computed a second.
+    pub update_hz: f64,
+}
+
+/// A scenario on its ground, with the generator that draws it.
+pub struct Drive {
+    pub(crate) opened: Opened,
+    pub(crate) machine: MachineStage,
+    pub(crate) stage: Stage,
+    pub(crate) session: Box<dyn Session>,
+    pub(crate) drawing: Drawing,
+    pub(crate) pool: ThreadPool,
+    pub(crate) judge: OnceLock<Box<dyn Session>>,
+    pub(crate) control: OnceLock<ControlPlane>,
+    pub(crate) exact: OnceLock<Columns>,
+}
+
+impl Drive {
+    /// Opens the scenario in the file `scenario` with `wishes` over it, and makes its ground. `threads` draw, as many as there are processors if
+    /// 0; the results do not depend on them.
+    ///
+    /// # Errors
+    /// Every fault of the files and the wishes at once, or of the ground.
+    pub fn open(scenario: &Path, wishes: &Wishes, threads: usize) -> Result<Self, DriveError> {
+        let file = scenario.display().to_string();
+        let opened = open(scenario, wishes).map_err(|error| DriveError::opening(&file, error))?;
+        let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+        let pool = pool.map_err(|error| DriveError::asked(&file, error.to_string(), "fewer threads"))?;
+        let machine = pool.install(|| opened.machine_stage());
+        let machine = machine.map_err(|error| DriveError::opening(&file, error))?;
+        let stage = machine.stage();
+        let session = pool.install(|| opened.generator.prepare(stage.clone()));
+        let session = session.map_err(|error| DriveError::of(&file, &error))?;
+        let drawing = Drawing::new(&stage, opened.generator.draws_colour(&stage));
+        let drawing = drawing.map_err(|error| DriveError::of(&file, &error))?;
+        let (judge, control, exact) = Default::default();
+        Ok(Self { opened, machine, stage, session, drawing, pool, judge, control, exact })
+    }
+
+    /// Name of the scenario's file.
+    pub fn file(&self) -> &str {
+        self.opened.scenario_file()
+    }
+
+    /// Title of the scenario.
+    pub fn title(&self) -> &str {
+        &self.opened.scenario.title
+    }
+
+    /// Name of the hardware model or generator that draws.
+    pub fn drawn_by(&self) -> &str {
+        self.opened.drawn_by()
+    }
+
+    /// Number of frames of the scenario.
+    pub fn frames(&self) -> u64 {
+        self.opened.frames()
+    }
+
+    /// Size of a picture and its clock.
+    pub fn raster(&self) -> Raster {
+        let view = &self.stage.view;
+        let scan = self.opened.generator.scan(view).map(|scan| scan.timebase);
+        Raster {
+            columns: view.columns,
+            lines: view.lines,
+            sweeps: scan.map_or(0, |clock| clock.sweeps),
+            samples: scan.map_or(0, |clock| clock.active_samples),
+            update_hz: view.update.hertz(),
+        }
+    }
+
+    /// What was left out when the generator was made ready, and why.
+    pub fn omissions(&self) -> Vec<Omission> {
+        self.session.omissions()
+    }
+
+    /// What is odd about the files, in words.
+    pub fn remarks(&self) -> &[String] {
+        &self.opened.remarks
+    }
+
+    /// Whether a picture shows something of frames before its own.
+    pub fn remembers_frames(&self) -> bool {
+        !self.stage.scenery.course().is_empty()
+    }
+
+    /// Where the vehicle is in frame `frame` of the path.
+    ///
+    /// # Errors
+    /// If the scenario has no such frame, or the path cannot be driven there.
+    pub fn pose(&self, frame: u64) -> Result<EyePose, DriveError> {
+        Ok(EyePose::of(&self.seen_from(frame)?, self.opened.scenario.channel.as_ref()))
+    }
+
+    /// Draws frame `frame` of the path.
+    ///
+    /// # Errors
+    /// If the scenario has no such frame, or it cannot be drawn.
+    pub fn frame(&self, frame: u64) -> Result<Seen, DriveError> {
+        let pose = self.seen_from(frame)?;
+        self.drawn(&*self.session, frame, &pose)
+    }
+
+    /// Draws what is seen from `pose`, as frame `frame`.
+    ///
+    /// # Errors
+    /// If a number of the pose is none, the pose cannot be drawn, or the generator shows something of frames before: then a [`Loop`](crate::Loop)
+    /// has what was driven.
+    pub fn look(&self, frame: u64, pose: &EyePose) -> Result<Seen, DriveError> {
+        if self.remembers_frames() {
+            let title =
+                format!("a single look by {}, whose pictures show frames before their own", self.drawn_by());
+            let problem = Problem::of_file(self.file(), title).found("a pose without the poses before it");
+            let problem = problem.expected("the poses of all frames up to this one");
+            return Err(problem.help("look in a loop, which keeps what was driven").into());
+        }
+        let pose = pose.checked(self.file())?;
+        self.drawn(&*self.session, frame, &pose.seen(self.opened.scenario.channel.as_ref()))
+    }
+
+    /// Pose of the picture of frame `frame` of the path.
+    pub(crate) fn seen_from(&self, frame: u64) -> Result<Pose, DriveError> {
+        let frames = self.frames();
+        if frame >= frames {
+            let title = format!("no frame {frame}: the scenario has frames 0..{frames}");
+            let problem = Problem::of_file(self.file(), title).found(frame.to_string());
+            let problem = problem.expected(format!("a frame from 0 to {}", frames - 1));
+            return Err(problem.help("drive on in a loop, or set `scenario.frames`").into());
+        }
+        let table = self.opened.poses(&self.stage, frame..frame + 1);
+        let table = table.map_err(|error| DriveError::from(front_door::path_problems(&error)))?;
+        Ok(table.rows()[0].pose)
+    }
+
+    /// Frame `frame` from `pose` by `session`.
+    pub(crate) fn drawn(&self, session: &dyn Session, frame: u64, pose: &Pose) -> Result<Seen, DriveError> {
+        let draw = || self.drawing.draw(session, (frame, pose), self.file());
+        let (picture, light) = self.pool.install(draw)?;
+        let pose = EyePose::of(pose, self.opened.scenario.channel.as_ref());
+        Ok(Seen { frame, pose, picture, light })
+    }
+
+    /// The judge on the same stage: planes at the centres of pixels.
+    pub(crate) fn judge(&self) -> Result<&dyn Session, DriveError> {
+        if let Some(judge) = self.judge.get() {
+            return Ok(&**judge);
+        }
+        let mut stage = self.stage.clone();
+        stage.view.laws.pixel_rule = PixelRule::Centre;
+        let judge = self.pool.install(|| registry::judge_on(stage));
+        let judge = judge.map_err(|error| DriveError::of(self.file(), &error))?;
+        Ok(&**self.judge.get_or_init(|| judge))
+    }
+}

@@ -1,0 +1,90 @@
+//! What each pixel of a frame shows, by closed form.
+
+use files::NpyData;
+use generator::{PlaneKind, Planes};
+use replay::{TRUTH_ERROR, TruthItem, TruthItems};
+use signal::Probe;
+
+use crate::{Drive, DriveError};
+
+/// Values of a plane.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Codes {
+    /// Numbers in the unit of the plane.
+    Numbers(Vec<f32>),
+    /// Codes, whose words are in [`TruthPlane::codes`].
+    Codes(Vec<u8>),
+}
+
+/// One kind of truth.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TruthPlane {
+    /// Name, as in `truth/*.npz` of a run.
+    pub name: &'static str,
+    /// Unit of its values; 1 for plain numbers and codes.
+    pub unit: &'static str,
+    /// Lines, columns, and 3 behind them for a vector.
+    pub shape: Vec<usize>,
+    /// Values line by line from the top left.
+    pub values: Codes,
+    /// Words of the codes, in their order; none for numbers.
+    pub codes: Vec<&'static str>,
+    /// Largest error of a value, as a share of it; 0 for codes.
+    pub bound: f64,
+}
+
+/// The truth of a frame.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Truth {
+    /// Number of the frame, counted at the update rate.
+    pub frame: u64,
+    /// What was asked for, in the order of the files.
+    pub planes: Vec<TruthPlane>,
+    /// How wrong the numbers may be, in words.
+    pub error: &'static [&'static str],
+}
+
+impl Drive {
+    /// The truth of frame `frame` of the path: `names` of [`TruthPlane`]s, joined by commas, or `all`.
+    ///
+    /// # Errors
+    /// If there is no truth of a name, no such frame, or it cannot be drawn.
+    pub fn truth(&self, frame: u64, names: &str) -> Result<Truth, DriveError> {
+        let items: TruthItems = names.parse().map_err(|error| DriveError::of(self.file(), &error))?;
+        let items: Vec<TruthItem> = items.iter().filter(|item| !item.kinds().is_empty()).collect();
+        if items.is_empty() {
+            return Err(DriveError::asked(
+                self.file(),
+                format!("truth of `{names}` has no planes"),
+                "a plane such as range, or Drive::pose for the pose",
+            ));
+        }
+        let pose = self.seen_from(frame)?;
+        let kinds: Vec<PlaneKind> = items.iter().flat_map(|item| item.kinds()).copied().collect();
+        let view = &self.stage.view;
+        let mut planes = Planes::new(view.columns as usize, view.lines as usize, &kinds);
+        let judge = self.judge()?;
+        let drawn = self.pool.install(|| judge.frame(frame, &pose, &mut planes, &mut Probe::off()));
+        drawn.map_err(|error| DriveError::of(self.file(), &error))?;
+        let planes = items.into_iter().map(|item| plane(item, &planes));
+        let planes = planes.collect::<Result<_, _>>().map_err(|error| DriveError::of(self.file(), &error))?;
+        Ok(Truth { frame, planes, error: &TRUTH_ERROR })
+    }
+}
+
+fn plane(item: TruthItem, planes: &Planes) -> Result<TruthPlane, files::NpyError> {
+    let (shape, data) = item.array(planes)?.into_parts();
+    let values = match data {
+        NpyData::U8(codes) => Codes::Codes(codes),
+        NpyData::F32(numbers) => Codes::Numbers(numbers),
+        other => Codes::Numbers(other.to_f64().into_iter().map(|value| value as f32).collect()),
+    };
+    Ok(TruthPlane {
+        name: item.name(),
+        unit: item.kinds().first().map_or("1", |kind| kind.unit()),
+        shape,
+        values,
+        codes: item.words(),
+        bound: item.bound(),
+    })
+}

@@ -1,0 +1,28 @@
+"""Error against run time."""
+
+from __future__ import annotations
+
+import csv
+import io
+from dataclasses import dataclass
+from typing import Any
+
+
+@dataclass(frozen=True)
+class Study:
+    """A finished study: one row an error of a rung of a ladder."""
+
+    csv: str
+    """The table of ``error.csv``."""
+
+    @property
+    def rows(self) -> list[dict[str, str]]:
+        """The rows as dictionaries of text."""
+        return list(csv.DictReader(io.StringIO(self.csv)))
+
+    @property
+    def frame(self) -> Any:
+        """The table as ``pandas.DataFrame``. Needs pandas; ``rows`` needs nothing."""
+        import pandas
+
+        return pandas.read_csv(io.StringIO(self.csv))

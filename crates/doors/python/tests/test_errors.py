@@ -1,0 +1,61 @@
+"""Bad input: one exception, with its fields."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import lunoid
+
+
+def test_three_faults_are_one_error(scene) -> None:
+    text = scene.read_text().replace("seed = 3", "seed = -3").replace("start_m = 2", 'start_m = "two"')
+    scene.write_text(text.replace("elevation_deg = 15", "elevation_deg = 15\nstray = 1"))
+    with pytest.raises(lunoid.InputError) as error:
+        lunoid.open(scene)
+    faults = error.value.faults
+    lines = scene.read_text().splitlines()
+    assert [lines[fault.line - 1] for fault in faults] == ["seed = -3", "stray = 1", 'start_m = "two"']
+    assert error.value.file == str(scene) and error.value.line == faults[0].line and error.value.expected
+    assert all(word in str(error.value) for word in ("seed", "stray", "start_m"))
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda drive: drive.frame(4),
+        lambda drive: drive.frame(-1),
+        lambda drive: drive.truth(0, "depth"),
+        lambda drive: drive.probe("zz"),
+        lambda drive: drive.probe("tg.*", sweep=40),
+        lambda drive: drive.probe("tg.*", sweep=range(0, 10, 2)),
+        lambda drive: drive.explain(0, 40, 0),
+        lambda drive: drive.study("speed"),
+        lambda drive: drive.study(only=["nothing"]),
+        lambda drive: drive.look(lunoid.Pose((100, 200, -500))),
+        lambda drive: drive.look(lunoid.Pose((100, 200, 5), heading_deg=math.nan)),
+        lambda drive: lunoid.Pose(np.zeros((3, 3))),
+        lambda drive: lunoid.Pose((1, 2)),
+        lambda drive: lunoid.Pose(("a", 2, 3)),
+        lambda drive: drive.loop().look(lunoid.Pose((1e30, 0, 0))),
+        lambda drive: lunoid.open("no/such.toml"),
+        lambda drive: lunoid.open(drive.file, machine="no-such-machine"),
+        lambda drive: lunoid.open(drive.file, set={"loader.nothing": 1}),
+        lambda drive: lunoid.open(drive.file, set={"loader.access_ns": object()}),
+    ],
+)
+def test_what_cannot_be_is_an_input_error(drive: lunoid.Drive, call) -> None:
+    with pytest.raises(lunoid.InputError) as error:
+        call(drive)
+    assert error.value.faults and str(error.value)
+
+
+def test_settings_are_values(scene) -> None:
+    plain = lunoid.open(scene, machine="pra-nominal")
+    late = lunoid.open(scene, machine="pra-nominal", set={"sweep.dac_bits": 4, "scenario.frames": 9})
+    assert late.frames == 9 and late.frame(1).hash != plain.frame(1).hash
+    assert late.explain(2, 20, 20).document["frame"] == 2
+    turned = lunoid.open(scene, set={"scenario.sun.azimuth_deg": np.float64(90.0), "sampled.overload": "late"})
+    assert turned.frame(0).hash != lunoid.open(scene).frame(0).hash

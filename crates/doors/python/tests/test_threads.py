@@ -1,0 +1,112 @@
+"""The interpreter is released, Ctrl-C is obeyed, nothing grows."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+from conftest import ROOT
+
+import lunoid
+
+
+def test_the_interpreter_runs_while_a_frame_is_drawn() -> None:
+    drive = lunoid.open("scenarios/first-light.toml", machine="exact", threads=1)
+    gaps, done = [], threading.Event()
+
+    def beat() -> None:
+        last = time.perf_counter()
+        while not done.is_set():
+            time.sleep(0.002)
+            now = time.perf_counter()
+            gaps.append(now - last)
+            last = now
+
+    thread = threading.Thread(target=beat)
+    thread.start()
+    begin = time.perf_counter()
+    drive.truth(0)
+    took = time.perf_counter() - begin
+    done.set()
+    thread.join()
+    assert max(gaps) < 0.5 * took, f"a gap of {max(gaps):.3f} s in a call of {took:.3f} s"
+
+
+def test_several_drives_in_several_threads(scene: Path) -> None:
+    machines = ["ideal", "pra-nominal", "exact", "pra-overloaded"]
+
+    def drawn(machine: str) -> list[str]:
+        drive = lunoid.open(scene, machine=machine, threads=1)
+        return [drive.frame(frame).hash for frame in range(4)]
+
+    alone = [drawn(machine) for machine in machines]
+    with ThreadPoolExecutor(4) as pool:
+        assert list(pool.map(drawn, machines)) == alone
+        shared = lunoid.open(scene)
+        assert list(pool.map(lambda frame: shared.frame(frame).hash, range(4))) == alone[0]
+
+
+STUDY = """
+import lunoid
+drive = lunoid.open("scenarios/first-light.toml", sweeps=60, samples=100)
+print("begins", flush=True)
+try:
+    drive.study("error")
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+"""
+
+
+def test_ctrl_c_ends_a_study() -> None:
+    process = subprocess.Popen([sys.executable, "-c", STUDY], cwd=ROOT, stdout=subprocess.PIPE, text=True)
+    assert process.stdout is not None and process.stdout.readline() == "begins\n"
+    time.sleep(0.5)
+    process.send_signal(signal.SIGINT)
+    try:
+        assert process.communicate(timeout=120)[0] == "interrupted\n"
+    finally:
+        process.kill()
+
+
+def resident() -> int:
+    """Bytes of this process in memory."""
+    pages = int(Path("/proc/self/statm").read_text().split()[1])
+    return pages * os.sysconf("SC_PAGE_SIZE")
+
+
+CALLS = 10_000
+
+
+def test_ten_thousand_calls_leak_nothing(scene: Path) -> None:
+    drive = lunoid.open(scene, threads=1)
+    pose = drive.pose(0)
+
+    def calls(count: int) -> None:
+        for number in range(count):
+            match number % 5:
+                case 0:
+                    drive.frame(number % 4).light()
+                case 1:
+                    drive.truth(number % 4, "range", "label")
+                case 2:
+                    drive.probe("mu.height", "dpp.*", frame=1, sweep=number % 40)
+                case 3:
+                    drive.look(pose)._repr_png_()
+                case _:
+                    try:
+                        drive.frame(4)
+                    except lunoid.InputError:
+                        pass
+
+    calls(1000)
+    before = resident()
+    calls(CALLS)
+    grown = resident() - before
+    # A page a call would be 40 MB; a picture a call 9 MB.
+    assert grown < 2_000_000, f"{grown} bytes after {CALLS} calls"
