@@ -3,3 +3,4 @@
 mod beacon;
 mod figures;
 mod lod;
+mod panels;

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use generator::{
     Counter, Fact, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes, PrepareError,
-    Role, Row, Session as GeneratorSession, Stage,
+    Role, Row, Session as GeneratorSession, Stage, face_lists_beside, photographs_beside,
 };
 use quantities::intensity;
 use rayon::prelude::*;
@@ -122,7 +122,8 @@ impl GeneratorSession for Session {
     }
 
     fn omissions(&self) -> Vec<Omission> {
-        Vec::new()
+        let photographs = photographs_beside(&self.stage.landscape, ROW.name);
+        photographs.into_iter().chain(face_lists_beside(&self.stage.scenery, ROW.name)).collect()
     }
 
     /// All planes of the pixel: of its column alone, so that nobody waits for the picture.

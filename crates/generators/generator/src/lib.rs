@@ -37,7 +37,7 @@ pub use counts::{Counter, FrameCounts, Joined};
 pub use error::{FrameError, PrepareError, check_eye, check_free_eye};
 pub use faces::{FaceScene, Look, Looks, ScreenFace};
 pub use fact::Fact;
-pub use omission::{Omission, Weight};
+pub use omission::{Omission, Weight, face_lists_beside, photographs_beside};
 pub use planes::{Label, Loss, Plane, PlaneKind, Planes, Shade};
 pub use row::{Against, DetailWay, ErrorLadder, Gear, Role, Row};
 pub use timed::{SizedFigure, Timed};

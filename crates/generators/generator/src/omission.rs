@@ -1,5 +1,8 @@
 //! What a scene does not need, and is told so.
 
+use landscape::Landscape;
+use scenario::Scenery;
+
 /// What leaving something out does to the picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Weight {
@@ -22,6 +25,29 @@ pub struct Omission {
     pub why: String,
     /// What it does to the picture.
     pub weight: Weight,
+}
+
+/// What the photographs of a landscape are to a generator that draws the ground itself; `None` without photographs.
+pub fn photographs_beside(landscape: &Landscape, block: &'static str) -> Option<Omission> {
+    let omission = || {
+        let what = "photographs of the ground (`[[photograph]]`)";
+        Omission::lossless(
+            block,
+            what,
+            "it draws the ground itself; --machine panels lays photographs over it",
+        )
+    };
+    (!landscape.photographs().is_empty()).then(omission)
+}
+
+/// What the lists of faces of a stage are to a generator that does not draw them; `None` without lists.
+pub fn face_lists_beside(scenery: &Scenery, block: &'static str) -> Option<Omission> {
+    (!scenery.face_lists().is_empty()).then(|| Omission {
+        block,
+        what: "sea, ships, effects of faces (`[sea]`, `[[ship]]`, `[[effect]]`, `[[plume]]`)".into(),
+        why: "--machine smooth-faces draws them".into(),
+        weight: Weight::NotModelled,
+    })
 }
 
 impl Omission {

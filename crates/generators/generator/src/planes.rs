@@ -177,6 +177,12 @@ codes! {
         Sheet = "translucent sheet",
         /// An overlay that is fixed to the eye, the same.
         EyeFixed = "fixed to the eye",
+        /// Water of a sea.
+        Sea = "sea",
+        /// Foam and churned water, smoke, dust: an effect of faces.
+        Wake = "wake or effect",
+        /// A ship, or the box around it.
+        Ship = "ship",
     }
 }
 
@@ -289,7 +295,7 @@ mod tests {
         assert_eq!(labels, (0..).zip(words).collect::<Vec<_>>());
         assert_eq!([Shade::Lit, Shade::Local, Shade::Remote].map(Shade::code), [0, 1, 2]);
         assert!(Label::ALL.iter().all(|label| Label::of_code(label.code()) == Some(*label)));
-        assert_eq!((Label::of_code(10), Shade::of_code(3)), (None, None));
+        assert_eq!((Label::of_code(13), Shade::of_code(3)), (None, None));
     }
 
     #[test]

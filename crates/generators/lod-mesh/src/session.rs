@@ -2,7 +2,7 @@
 
 use generator::{
     FaceScene, Fact, FrameCounts, FrameError, Omission, Planes, PrepareError, Session as GeneratorSession,
-    Stage, Weight, check_free_eye,
+    Stage, Weight, check_free_eye, face_lists_beside, photographs_beside,
 };
 use glam::DVec3;
 use light_points::BeamBudget;
@@ -127,6 +127,8 @@ impl GeneratorSession for Session {
 
     fn omissions(&self) -> Vec<Omission> {
         let mut omissions = scene_sampler::omissions(&self.prepared.stage, NAME);
+        omissions.extend(photographs_beside(&self.prepared.stage.landscape, NAME));
+        omissions.extend(face_lists_beside(&self.prepared.stage.scenery, NAME));
         omissions.extend(self.prepared.table.short_zone.map(|(level, zone, tile)| Omission {
             block: NAME,
             what: format!("continuity of edges in time at level {level}"),

@@ -2,7 +2,7 @@
 
 use generator::{
     Counter, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes, PrepareError, Scan,
-    Session as GeneratorSession, Stage, Timed, check_eye,
+    Session as GeneratorSession, Stage, Timed, check_eye, face_lists_beside, photographs_beside,
 };
 use scenario::{Pose, View};
 use serde_json::{Value, json};
@@ -125,7 +125,10 @@ impl GeneratorSession for Session {
     }
 
     fn omissions(&self) -> Vec<Omission> {
-        restrictions::omissions(&self.stage)
+        let mut omissions = restrictions::omissions(&self.stage);
+        omissions.extend(photographs_beside(&self.stage.landscape, NAME));
+        omissions.extend(face_lists_beside(&self.stage.scenery, NAME));
+        omissions
     }
 
     fn wires(&self) -> Vec<Wire> {

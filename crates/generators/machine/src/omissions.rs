@@ -1,12 +1,14 @@
 //! What the elaborated machine leaves out, and what that does to the picture.
 
 use control_plane::{Block, Elaboration, MachineStage, guest_omissions};
-use generator::{Omission, Weight};
+use generator::{Omission, Weight, face_lists_beside, photographs_beside};
 
 /// What the machine of `list` leaves out of `stage`.
 pub(crate) fn omissions(stage: &MachineStage, list: &Elaboration) -> Vec<Omission> {
     let mut omissions = list.omissions();
     omissions.extend(guest_omissions(&stage.landscape, &stage.scenery));
+    omissions.extend(photographs_beside(&stage.landscape, "terrain-generator"));
+    omissions.extend(face_lists_beside(&stage.scenery, "polyhedron-generator"));
     if let Some(texture) = stage.landscape.texture() {
         let what = format!("texture beyond {} m", texture.reach());
         omissions.push(Omission::lossless("texture-generator", what, "it has faded to nothing there"));

@@ -12,7 +12,8 @@ use diagnostics::{Layers, Problem, ProblemList, Problems, TomlFile};
 use generator::{Generator, PrepareError, Role, Row, Session, Stage};
 
 /// All rows, in the order in which they are listed.
-pub static ROWS: &[&Row] = &[&exact::ROW, &lunsim::ROW, &sampled::ROW, &lod_mesh::ROW];
+pub static ROWS: &[&Row] =
+    &[&exact::ROW, &lunsim::ROW, &sampled::ROW, &lod_mesh::ROW, &panels::ROW, &smooth_faces::ROW];
 
 /// The row of that name.
 pub fn find(name: &str) -> Option<&'static Row> {

@@ -2,7 +2,7 @@
 
 use generator::{
     BeamEntry, FaceScene, Fact, FrameCounts, FrameError, Omission, PlaneKind, Planes, PrepareError,
-    Session as GeneratorSession, Stage, check_eye,
+    Session as GeneratorSession, Stage, check_eye, face_lists_beside, photographs_beside,
 };
 use ground_mesh::Rings;
 use raster::{Lists, Screen};
@@ -161,7 +161,10 @@ impl GeneratorSession for Session {
     }
 
     fn omissions(&self) -> Vec<Omission> {
-        scene_sampler::omissions(&self.stage, NAME)
+        let mut omissions = scene_sampler::omissions(&self.stage, NAME);
+        omissions.extend(photographs_beside(&self.stage.landscape, NAME));
+        omissions.extend(face_lists_beside(&self.stage.scenery, NAME));
+        omissions
     }
 
     fn wires(&self) -> Vec<Wire> {

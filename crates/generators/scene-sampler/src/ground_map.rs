@@ -1,21 +1,20 @@
-//! Colours of the ground over the map, looked up pixel by pixel.
+//! Colours of the ground over the map or under photographs, looked up pixel by pixel.
 
 use std::sync::Arc;
 
 use glam::DVec3;
 use landscape::{Landscape, shade};
+use photo_drape::{Drape, Footprint};
 
-/// What the ground looks like at the posts of a grid on the map, linear between them.
+/// What the ground looks like at the posts of a grid on the map, linear between them; or what photographs show of it.
 #[derive(Debug, Clone)]
-pub struct GroundMap {
-    axes: [Axis; 2],
-    texels: Texels,
-}
+pub struct GroundMap(Texels);
 
 #[derive(Debug, Clone)]
 enum Texels {
-    Colours(Arc<[[f32; 3]]>),
-    Slopes { slopes: Arc<[[f32; 2]]>, landscape: Arc<Landscape>, sun: [f64; 3] },
+    Colours { axes: [Axis; 2], colours: Arc<[[f32; 3]]> },
+    Slopes { axes: [Axis; 2], slopes: Arc<[[f32; 2]]>, landscape: Arc<Landscape>, sun: [f64; 3] },
+    Photographs { drape: Arc<Drape>, half_pixel: f64, unseen: Arc<[f32]> },
 }
 
 /// Posts along one axis of the map, evenly spaced but for the last of them.
@@ -50,7 +49,7 @@ impl GroundMap {
     /// A map of `colours` (linear red, green, blue), row by row: posts along the second axis follow one another. `None` if their number is
     /// not that of the posts.
     pub fn of_colours(axes: [Axis; 2], colours: Arc<[[f32; 3]]>) -> Option<Self> {
-        holds(&axes, colours.len()).then_some(Self { axes, texels: Texels::Colours(colours) })
+        holds(&axes, colours.len()).then_some(Self(Texels::Colours { axes, colours }))
     }
 
     /// A map of slopes (to the north, to the east; m/m), in the same order. A place is lit by `sun`, a unit vector to it (north, east, up),
@@ -61,28 +60,44 @@ impl GroundMap {
         landscape: Arc<Landscape>,
         sun: [f64; 3],
     ) -> Option<Self> {
-        holds(&axes, slopes.len()).then_some(Self { axes, texels: Texels::Slopes { slopes, landscape, sun } })
+        holds(&axes, slopes.len()).then_some(Self(Texels::Slopes { axes, slopes, landscape, sun }))
+    }
+
+    /// What photographs show in pixels of half an angle `half_pixel` (rad). `unseen` is the light of each post of their ground where none shows it.
+    /// `None` if its number is not that of the posts.
+    pub fn of_photographs(drape: Arc<Drape>, half_pixel: f64, unseen: Arc<[f32]>) -> Option<Self> {
+        let is_whole = unseen.len() == drape.ground().heights().len();
+        is_whole.then_some(Self(Texels::Photographs { drape, half_pixel, unseen }))
     }
 
     /// Colour (linear red, green, blue) at a place (north, east, up; m) for an eye; beyond the border that of the border.
     pub fn at(&self, place: DVec3, eye: DVec3) -> [f64; 3] {
-        match &self.texels {
-            Texels::Colours(colours) => self.between(colours, place),
-            Texels::Slopes { slopes, landscape, sun } => {
+        match &self.0 {
+            Texels::Colours { axes, colours } => between(axes, colours, place),
+            Texels::Slopes { axes, slopes, landscape, sun } => {
                 let to_eye = (eye - place).normalize_or_zero().to_array();
-                let light = shade(*sun, self.between(slopes, place), to_eye, *landscape.photometry());
+                let light = shade(*sun, between(axes, slopes, place), to_eye, *landscape.photometry());
                 landscape.albedo_at(place.x, place.y).map(|albedo| (albedo * light).clamp(0.0, 1.0))
+            }
+            Texels::Photographs { drape, half_pixel, unseen } => {
+                let on_map = [place.x, place.y];
+                let footprint = Footprint::seen(place, drape.ground().normal(on_map), eye, *half_pixel);
+                let light = match drape.at(place, &footprint) {
+                    Some(shown) => shown.light,
+                    None => drape.ground().between(on_map, |post| [f64::from(unseen[post])])[0],
+                };
+                [light.clamp(0.0, 1.0); 3]
             }
         }
     }
+}
 
-    /// Texels at the four posts around a place, mixed.
-    fn between<const N: usize>(&self, texels: &[[f32; N]], place: DVec3) -> [f64; N] {
-        let [(row, v), (column, u)] = [self.axes[0].cell(place.x), self.axes[1].cell(place.y)];
-        let post = |row: usize, column: usize| texels[row * self.axes[1].posts + column].map(f64::from);
-        let [a, b] = [row, row + 1].map(|row| mix(post(row, column), post(row, column + 1), u));
-        mix(a, b, v)
-    }
+/// Texels at the four posts around a place, mixed.
+fn between<const N: usize>(axes: &[Axis; 2], texels: &[[f32; N]], place: DVec3) -> [f64; N] {
+    let [(row, v), (column, u)] = [axes[0].cell(place.x), axes[1].cell(place.y)];
+    let post = |row: usize, column: usize| texels[row * axes[1].posts + column].map(f64::from);
+    let [a, b] = [row, row + 1].map(|row| mix(post(row, column), post(row, column + 1), u));
+    mix(a, b, v)
 }
 
 /// Whether a grid has as many posts.

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use diagnostics::{Problem, ProblemList, Problems};
+use faces::FaceError;
 use features::population::PopulationError;
 use features::{Crater, MOST_CRATERS};
 use files::FileError;
@@ -10,6 +11,7 @@ use generator::PrepareError;
 use landscape::bank_file::BankFileError;
 use landscape::relief::ReliefError;
 use landscape::{AlbedoMapError, BankError, LUNOID_RADIUS, TextureError};
+use photograph::PhotoError;
 use photographs::PhotographFileError;
 use scenario::{PathProblems, SceneryProblems};
 use terrain_database::DatabaseError;
@@ -112,6 +114,20 @@ pub enum StageError {
         /// Why the picture is no map of the albedo.
         error: AlbedoMapError,
     },
+    /// A photograph cannot be read.
+    #[error("[[photograph]] {}: {error}", file.display())]
+    Photograph {
+        /// File of the picture.
+        file: PathBuf,
+        /// Why it is no photograph of ground.
+        error: Box<PhotoError>,
+    },
+    /// An effect file has faults.
+    #[error("{0}")]
+    Effect(ProblemList),
+    /// A figure of `[sea]`, `[[ship]]` or `[[plume]]` makes no list of faces.
+    #[error("[sea], [[ship]], [[plume]]: {0}")]
+    Faces(#[from] FaceError),
     /// The terrain database cannot be read.
     #[error("[landscape] database: {0}")]
     Database(#[from] Box<DatabaseError>),
@@ -162,6 +178,9 @@ fn outside(file: &Path, row: usize, crater: &Crater, extent: &[f64; 4], more: us
 pub fn stage_problems(file: &str, error: &StageError) -> ProblemList {
     if let StageError::Path(error) = error {
         return path_problems(error);
+    }
+    if let StageError::Effect(problems) = error {
+        return problems.clone();
     }
     let problems = Problems::new();
     error.to_string().lines().for_each(|line| problems.push(Problem::of_file(file, line)));

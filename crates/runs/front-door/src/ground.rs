@@ -9,11 +9,12 @@ use scenario::{CraterList, CraterPopulation, Scenario};
 use crate::StageError;
 use crate::albedo::albedo_map;
 use crate::database::posts;
+use crate::photographs::photographs;
 
 /// The ground of `bank` with craters, texture and mountains of `scenario`.
 ///
 /// # Errors
-/// If the picture of the albedo or the terrain database cannot be read, a crater is not wholly inside the problem area, a population cannot be strewn over it, there are too many craters, or the scenario goes over
+/// If the picture of the albedo, a photograph or the terrain database cannot be read, a crater is not wholly inside the problem area, a population cannot be strewn over it, there are too many craters, or the scenario goes over
 /// to a coarse level that the bank does not have.
 pub fn landscape(bank: Bank, scenario: &Scenario) -> Result<Landscape, StageError> {
     if scenario.levels.is_some() && bank.levels().len() < 2 {
@@ -27,6 +28,7 @@ pub fn landscape(bank: Bank, scenario: &Scenario) -> Result<Landscape, StageErro
     let map = scenario.albedo_map.as_ref().map(|wish| albedo_map(wish, extent)).transpose()?;
     let posts = scenario.database.as_ref().map(|file| posts(file, extent)).transpose()?;
     let landscape = Landscape::new(bank, scenario.albedo).with_albedo_map(map).with_posts(posts);
+    let landscape = landscape.with_photographs(photographs(&scenario.photographs)?);
     let landscape = landscape.with_features(features).with_texture(texture);
     Ok(landscape.with_photometry(scenario.photometry).with_silhouettes(scenario.silhouettes.clone()))
 }

@@ -9,6 +9,7 @@ use landscape::{Bank, Landscape, bank_file};
 use scenario::{GroundSource, PathProblems, Pose, PoseTable, RollDisplay, Scenario, Scenery};
 
 use crate::StageError;
+use crate::face_lists::face_lists;
 use crate::ground::landscape;
 
 /// What `scenario` on `model` comes to.
@@ -51,7 +52,8 @@ pub fn build(scenario: &Scenario, settings: Settings) -> Result<MachineStage, St
 /// If something does not fit on the ground.
 pub fn over(bank: Bank, scenario: &Scenario, settings: Settings) -> Result<MachineStage, StageError> {
     let landscape = Arc::new(landscape(bank, scenario)?);
-    let scenery = Scenery::of(scenario, &landscape, settings.timebase.update)?;
+    let lists = face_lists(scenario, &landscape, settings.timebase.update)?;
+    let scenery = Scenery::of(scenario, &landscape, settings.timebase.update)?.with_face_lists(lists);
     joined(landscape, scenery, scenario, settings)
 }
 
@@ -62,7 +64,9 @@ pub fn over(bank: Bank, scenario: &Scenario, settings: Settings) -> Result<Machi
 pub fn under(stage: &Stage, scenario: &Scenario, settings: Settings) -> Result<MachineStage, StageError> {
     // What is chosen by frame 0 is chosen by the scenario's own, through its own channel.
     let first = PoseTable::resolve(scenario, &stage.landscape, settings.timebase.update, None, 0..1)?;
-    let scenery = (*stage.scenery).clone().with_start(first.rows().first().map(|row| row.pose));
+    let lists = face_lists(scenario, &stage.landscape, settings.timebase.update)?;
+    let scenery =
+        (*stage.scenery).clone().with_face_lists(lists).with_start(first.rows().first().map(|row| row.pose));
     joined(stage.landscape.clone(), scenery, scenario, settings)
 }
 

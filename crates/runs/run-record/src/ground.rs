@@ -2,6 +2,7 @@
 
 use landscape::relief::Relief;
 use landscape::{AlbedoMap, Landscape, Level, Posts, Texels, bank_file};
+use photograph::Photograph;
 use quantities::degrees;
 use scenario::GroundSource;
 use serde::{Deserialize, Serialize};
@@ -26,6 +27,9 @@ pub struct GroundRecord {
     /// BLAKE3 of the posts of a terrain database, where there is one, hexadecimal.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub posts_blake3: Option<String>,
+    /// Photographs of the ground, in the order of the scenario.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub photographs: Vec<PhotographRecord>,
     /// Levels, the finest first.
     pub levels: Vec<LevelRecord>,
     /// Parameters of a generated landscape, in the keys of a scenario file.
@@ -72,6 +76,27 @@ fn posts_hash(posts: &Posts) -> String {
     hash(&bytes)
 }
 
+/// A photograph of the ground.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PhotographRecord {
+    /// Columns of the picture.
+    pub columns: usize,
+    /// Lines of the picture.
+    pub lines: usize,
+    /// BLAKE3 of its codes, u16 each, line by line, and of everything that its camera file says, hexadecimal.
+    pub blake3: String,
+}
+
+impl From<&Photograph> for PhotographRecord {
+    fn from(photograph: &Photograph) -> Self {
+        let picture = photograph.picture();
+        let mut bytes: Vec<u8> = picture.codes().iter().flat_map(|code| code.to_le_bytes()).collect();
+        let camera = (photograph.placement(), photograph.sun(), photograph.transfer(), picture.depth());
+        bytes.extend(format!("{camera:?}").into_bytes());
+        Self { columns: picture.columns(), lines: picture.lines(), blake3: hash(&bytes) }
+    }
+}
+
 /// A level of the ground.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LevelRecord {
@@ -104,6 +129,7 @@ impl GroundRecord {
             albedo: landscape.albedo(),
             albedo_map: landscape.albedo_map().map(AlbedoMapRecord::from),
             posts_blake3: landscape.posts().map(posts_hash),
+            photographs: landscape.photographs().iter().map(PhotographRecord::from).collect(),
             levels: bank.levels().iter().map(LevelRecord::from).collect(),
             generator,
         }

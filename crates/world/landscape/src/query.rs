@@ -1,6 +1,9 @@
 //! The one query for height, slope and albedo.
 
+use std::sync::Arc;
+
 use features::{Features, Rise};
+use photograph::Photograph;
 use quantities::intensity;
 
 use crate::{AlbedoMap, Bank, Level, Photometry, Posts, Silhouette, Texture};
@@ -35,6 +38,7 @@ pub struct Landscape {
     photometry: Photometry,
     silhouettes: Vec<Silhouette>,
     posts: Option<Posts>,
+    photographs: Arc<[Photograph]>,
 }
 
 impl Landscape {
@@ -50,6 +54,7 @@ impl Landscape {
             photometry,
             silhouettes: Vec::new(),
             posts: None,
+            photographs: Arc::default(),
         }
     }
 
@@ -81,6 +86,16 @@ impl Landscape {
     /// The same with its ground as posts too.
     pub fn with_posts(self, posts: Option<Posts>) -> Self {
         Self { posts, ..self }
+    }
+
+    /// The same with what cameras saw of it.
+    pub fn with_photographs(self, photographs: Arc<[Photograph]>) -> Self {
+        Self { photographs, ..self }
+    }
+
+    /// Photographs of the ground, in the order of the scenario.
+    pub fn photographs(&self) -> &Arc<[Photograph]> {
+        &self.photographs
     }
 
     /// The ground as posts in tiles, where it has them.

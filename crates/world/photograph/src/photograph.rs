@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use glam::DVec3;
-use landscape::Sun;
 use photo_camera::Light;
 use picture::{GreyPicture, Transfer};
 
@@ -11,11 +10,12 @@ use crate::sampling::bilinear;
 use crate::{PhotoError, PhotoFile, Placement};
 
 /// A photograph of the ground.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Photograph {
     picture: GreyPicture,
     placement: Placement,
-    sun: Option<Sun>,
+    /// Azimuth, clockwise from north, and elevation of the sun (rad).
+    sun: Option<[f64; 2]>,
     transfer: Transfer,
     /// The light of each code.
     lights: Vec<f64>,
@@ -32,8 +32,7 @@ impl Photograph {
         let transfer = Transfer::new(white as f32, gamma as f32)?;
         let depth = picture.depth();
         let lights = (0..=depth.white()).map(|code| f64::from(transfer.intensity(code, depth))).collect();
-        let sun = light.sun().map(|[azimuth, elevation]| Sun { azimuth, elevation });
-        Ok(Self { picture, placement, sun, transfer, lights })
+        Ok(Self { picture, placement, sun: light.sun(), transfer, lights })
     }
 
     /// Reads a picture file (PNG, JPEG or TIFF) and its camera file.
@@ -56,8 +55,8 @@ impl Photograph {
         &self.placement
     }
 
-    /// The sun that lit the ground, where it is known.
-    pub fn sun(&self) -> Option<Sun> {
+    /// Azimuth, clockwise from north, and elevation of the sun that lit the ground (rad), where it is known.
+    pub fn sun(&self) -> Option<[f64; 2]> {
         self.sun
     }
 
@@ -86,6 +85,14 @@ impl Photograph {
     /// Light, 0 to the white of the grey curve, at a pixel I, J; none outside the picture.
     pub fn light(&self, pixel: [f64; 2]) -> Option<f64> {
         bilinear(&self.picture, pixel, |code| self.lights[usize::from(code)])
+    }
+
+    /// Light of a pixel by its column and line.
+    ///
+    /// # Panics
+    /// If the picture has no such pixel.
+    pub fn light_of(&self, column: usize, line: usize) -> f64 {
+        self.lights[usize::from(self.picture.code(column, line))]
     }
 
     /// Light at a ground point; none beside the picture or behind the camera.

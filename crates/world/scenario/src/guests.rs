@@ -79,12 +79,14 @@ impl Guest {
         ways.map(|way| distance_from(way, place)).fold(f64::INFINITY, f64::min)
     }
 
+    /// Foot point (north, east, up; m) and turn from body axes to north, east, up at `time` (s), if it is there.
+    pub fn axes(&self, time: f64) -> Option<(DVec3, DMat3)> {
+        (self.from <= time && time < self.until).then(|| Frame::at(&self.frames, self.spin, time))?
+    }
+
     /// The body at `time` (s), if it is there.
     pub fn body(&self, time: f64) -> Option<Body> {
-        if !(self.from <= time && time < self.until) {
-            return None;
-        }
-        let (foot, turn) = Frame::at(&self.frames, self.spin, time)?;
+        let (foot, turn) = self.axes(time)?;
         let mut body = Body::place(self.object, Kind::Culture, &self.solid, foot, &turn, self.scale);
         (body.priority, body.group) = (self.priority, self.group);
         Some(body)

@@ -20,6 +20,8 @@ mod drift;
 mod effect_placing;
 mod effect_wishes;
 mod effects;
+mod face_lists;
+mod face_wishes;
 mod guests;
 mod laws;
 mod lights;
@@ -60,6 +62,10 @@ pub use effect_wishes::{
     Spot,
 };
 pub use effects::{Carried, Effects};
+pub use face_lists::{Carrier, FaceKind, FaceList, FaceLists, ListAxes, OtherSide, ShipCourse};
+pub use face_wishes::{
+    EffectFileWish, FacePlace, FaceWishes, PlumeWish, SeaWish, ShipWish, SternWakeWish, WaveWish,
+};
 pub use guests::{Frame, Group, GroupSun, Guest, MoveStation, Moves};
 pub use laws::{
     BodyVisibility, Curvature, FeatureLight, LawWishes, Laws, Occlusion, PixelRule, Projection,
@@ -67,7 +73,7 @@ pub use laws::{
 };
 pub use lights::{Flash, LightPoint, LightSource, Lobe};
 pub use limits::{Limit, LimitReport};
-pub use looks::{AlbedoMapWish, MapCurve, RollDisplay, ShadowFineness, TextureWish};
+pub use looks::{AlbedoMapWish, MapCurve, PhotographWish, RollDisplay, ShadowFineness, TextureWish};
 pub use meant::{GroundSource, Length, Scenario};
 pub use objects::{Action, Event, Object, Stance};
 pub use path::{HeightOver, Path, PathError, Station, Waypoint};

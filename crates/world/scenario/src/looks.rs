@@ -66,6 +66,15 @@ pub struct AlbedoMapWish {
     pub curve: MapCurve,
 }
 
+/// A photograph of the ground.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct PhotographWish {
+    /// The picture, in the scenario's folder or below.
+    pub file: PathBuf,
+    /// Its camera file or map file, there too.
+    pub camera: PathBuf,
+}
+
 /// How the codes of a map stand for light.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum MapCurve {

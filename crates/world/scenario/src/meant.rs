@@ -7,9 +7,9 @@ use landscape::{Photometry, Silhouette};
 use quantities::Rate;
 
 use crate::{
-    AlbedoMapWish, Channel, CraterWishes, Display, EffectWishes, Event, FieldWish, Group, LawWishes,
-    LevelSwitch, Object, Path, RangeProgramme, RasterWishes, Rocks, RollDisplay, Scalar, ShadowFineness,
-    StarSource, Sunlight, TextureWish, Tracks, Vehicle, VehicleShape,
+    AlbedoMapWish, Channel, CraterWishes, Display, EffectWishes, Event, FaceWishes, FieldWish, Group,
+    LawWishes, LevelSwitch, Object, Path, PhotographWish, RangeProgramme, RasterWishes, Rocks, RollDisplay,
+    Scalar, ShadowFineness, StarSource, Sunlight, TextureWish, Tracks, Vehicle, VehicleShape,
 };
 
 /// What happens: ground, light, vehicle, path, and how it is to be seen.
@@ -35,6 +35,8 @@ pub struct Scenario {
     pub albedo: f64,
     /// Map of the same over it.
     pub albedo_map: Option<AlbedoMapWish>,
+    /// Photographs of the ground; each file stands there once.
+    pub photographs: Vec<PhotographWish>,
     /// How the ground returns it.
     pub photometry: Photometry,
     /// Small detail of the foreground.
@@ -55,6 +57,8 @@ pub struct Scenario {
     pub events: Vec<Event>,
     /// What is seen beside ground and bodies: lamps, stars, sheets, overlays, discs of the sky.
     pub effects: EffectWishes,
+    /// Sea, ships, effects of files and plumes: lists of faces.
+    pub faces: FaceWishes,
     /// What the wheels leave behind.
     pub tracks: Option<Tracks>,
     /// Size and limits of the vehicle.
@@ -161,6 +165,15 @@ impl Scenario {
         });
         let database = self.database.as_deref();
         let ground = bank.into_iter().chain(database).chain(self.path_file.as_deref()).chain(list);
-        ground.chain(shapes).chain(vehicle).chain(map).chain(stars).collect()
+        let effects = self.faces.effects.iter().map(|wish| wish.file.as_path());
+        let photographs = self.photographs.iter().flat_map(|wish| [wish.file.as_path(), &wish.camera]);
+        ground
+            .chain(shapes)
+            .chain(vehicle)
+            .chain(map)
+            .chain(stars)
+            .chain(photographs)
+            .chain(effects)
+            .collect()
     }
 }

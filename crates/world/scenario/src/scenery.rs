@@ -1,11 +1,12 @@
 //! What stands on the ground and how it is lit, at any time of a mission.
 
 use std::num::NonZeroU16;
+use std::sync::Arc;
 
 use landscape::{Attitude, Sun};
 use solids::Body;
 
-use crate::{Carried, Channel, DatedSky, Effects, Group, Guest, Pose, VehicleShape};
+use crate::{Carried, Channel, DatedSky, Effects, FaceLists, Group, Guest, Pose, VehicleShape};
 
 /// A body that stands from one time to another.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,6 +42,7 @@ pub struct Scenery {
     course: Vec<Pose>,
     vehicle: Option<VehicleShape>,
     channel: Option<Channel>,
+    face_lists: Arc<FaceLists>,
 }
 
 impl Scenery {
@@ -63,6 +65,7 @@ impl Scenery {
             course: Vec::new(),
             vehicle: None,
             channel: None,
+            face_lists: Arc::default(),
         }
     }
 
@@ -84,6 +87,16 @@ impl Scenery {
     /// The same with light points, sheets, overlays and discs of the sky.
     pub fn with_effects(self, effects: Vec<Carried>) -> Self {
         Self { effects, ..self }
+    }
+
+    /// The same with lists of faces: sea, ships, effects of files.
+    pub fn with_face_lists(self, face_lists: Arc<FaceLists>) -> Self {
+        Self { face_lists, ..self }
+    }
+
+    /// Lists of faces of the mission: sea, ships, effects of files.
+    pub fn face_lists(&self) -> &FaceLists {
+        &self.face_lists
     }
 
     /// The same with groups; bodies have their numbers from 1.

@@ -9,6 +9,7 @@ mod earth;
 mod effect_keys;
 mod effects;
 mod events;
+mod face_effects;
 mod features;
 mod gpx_names;
 mod ground;
@@ -19,12 +20,15 @@ mod object_ids;
 mod overlays;
 mod path_gpx;
 mod path_table;
+mod photographs;
 mod points;
 mod quaternion;
 mod raster;
 mod reference;
 mod scenery;
+mod sea;
 mod sheets;
+mod ships;
 mod star_list;
 mod stars;
 mod sun;
@@ -42,8 +46,8 @@ use coordinates::Ground;
 pub use doubts::other_unit;
 
 use crate::{
-    Display, GroundSource, LawWishes, Length, LevelSwitch, RollDisplay, Scalar, Scenario, Vehicle,
-    VehicleShape, words,
+    Display, FaceWishes, GroundSource, LawWishes, Length, LevelSwitch, Object, RollDisplay, Scalar, Scenario,
+    Vehicle, VehicleShape, words,
 };
 
 /// Format of scenario files that this program reads.
@@ -185,6 +189,7 @@ fn scenario(root: &Reader, surroundings: &Surroundings, problems: &Problems) -> 
     let is_generated = matches!(lies_on, Some(Ground::Generated));
     let sun_table = root.table("sun");
     let sun = sun_table.as_ref().map(|table| sun::sun(table, is_generated));
+    let photographs = photographs::photographs(&root.tables("photograph"), folder);
     let shadows = part(root, "shadows", light::shadows);
     let photometry = part(root, "photometry", light::photometry);
     let texture = part(root, "texture", light::texture);
@@ -205,6 +210,7 @@ fn scenario(root: &Reader, surroundings: &Surroundings, problems: &Problems) -> 
     let (display, white_magnitude) = (display(&display_table), white_magnitude(&display_table));
     let effects =
         effects::effects(root, sun_table.as_ref(), objects.as_deref(), folder, white_magnitude, problems);
+    let faces = face_wishes(root, objects.as_deref(), folder);
     let tracks = part(root, "tracks", scenery::tracks);
     let vehicle_table = root.table_or_empty("vehicle");
     let vehicle_shape = scenery::optional_shape(&vehicle_table, folder, problems);
@@ -239,6 +245,7 @@ fn scenario(root: &Reader, surroundings: &Surroundings, problems: &Problems) -> 
         database: database?,
         albedo,
         albedo_map,
+        photographs: photographs?,
         photometry: photometry?.unwrap_or(Photometry::Lambert),
         texture: texture?,
         silhouettes: silhouettes?,
@@ -249,6 +256,7 @@ fn scenario(root: &Reader, surroundings: &Surroundings, problems: &Problems) -> 
         groups: groups?,
         events: events?,
         effects: effects?,
+        faces: faces?,
         tracks: tracks?,
         levels: levels?,
         roll: roll?,
@@ -267,6 +275,15 @@ fn scenario(root: &Reader, surroundings: &Surroundings, problems: &Problems) -> 
         scalar: scalar?,
         notes: problems.take_notes(),
     })
+}
+
+/// Sea, ships, effects of files and plumes.
+fn face_wishes(root: &Reader, objects: Option<&[Object]>, folder: &FilePath) -> Option<FaceWishes> {
+    let sea = part(root, "sea", sea::sea);
+    let ships = ships::ships(&root.tables("ship"), sea.as_ref().map(Option::as_ref));
+    let effects = face_effects::effects(&root.tables("effect"), objects, folder);
+    let plumes = face_effects::plumes(&root.tables("plume"), objects);
+    Some(FaceWishes { sea: sea?, ships: ships?, effects: effects?, plumes: plumes? })
 }
 
 /// A scenario names a model and never a file: it must not reach out of its folder.

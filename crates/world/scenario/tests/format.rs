@@ -79,6 +79,10 @@ fn parse(text: &str) -> Scenario {
     if let GroundSource::Bank(path) = &mut scenario.ground {
         *path = path.file_name().unwrap().into();
     }
+    for photograph in &mut scenario.photographs {
+        photograph.file = photograph.file.file_name().unwrap().into();
+        photograph.camera = photograph.camera.file_name().unwrap().into();
+    }
     if let Some(map) = &mut scenario.albedo_map {
         map.file = map.file.file_name().unwrap().into();
     }
@@ -233,6 +237,8 @@ const CHANGES: &[(&str, usize, &str, &str)] = &[
     ("landscape.generated.rille.meander.swing_m", 0, "swing_m = 200", "swing_m = 201"),
     ("landscape.generated.rille.meander.length_m", 0, "length_m = 1500", "length_m = 1501"),
     ("landscape.albedo_map.file", 3, "fields.png", "meadows.png"),
+    ("photograph.file", 3, "fields-above.png", "meadows.png"),
+    ("photograph.camera", 3, "fields-above.json", "meadows.json"),
     ("landscape.albedo_map.area_m", 3, "[100, 100, 300, 300]", "[100, 100, 300, 301]"),
     ("landscape.albedo_map.black", 3, "black = 0.1", "black = 0.2"),
     ("landscape.albedo_map.white", 3, "white = 0.6", "white = 0.7"),

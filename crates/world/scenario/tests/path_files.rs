@@ -284,8 +284,8 @@ fn shipped_scenarios_are_beyond_doubt() {
         if path.extension().is_none_or(|ending| ending != "toml") {
             continue;
         }
-        let scenario =
-            Scenario::read_beside(&path, &["lod", "lunsim"]).unwrap_or_else(|list| panic!("{list}"));
+        let scenario = Scenario::read_beside(&path, &["lod", "lunsim", "panels"])
+            .unwrap_or_else(|list| panic!("{list}"));
         let update = scenario.raster.update.unwrap_or(Rate::new(30, 1).unwrap());
         assert_eq!(
             (&scenario.notes[..], scenario.path_beside_mission(update)),

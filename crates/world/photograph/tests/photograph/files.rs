@@ -36,7 +36,7 @@ fn a_map_file_makes_a_map() {
     let Placement::Map(map) = photo.placement() else { panic!("a map") };
     assert_eq!((map.unit(), map.rows()[1]), (MapUnit::Metre, [0.0, -1.0, 150_987.2]));
     let sun = photo.sun().expect("a sun");
-    assert_eq!((sun.azimuth, sun.elevation), (1.5, 0.2));
+    assert_eq!(sun, [1.5, 0.2]);
     assert_eq!((photo.picture().depth(), photo.picture().code(3, 2)), (Depth::Sixteen, 302));
     assert_eq!((photo.transfer().white(), photo.transfer().gamma()), (1.0, 1.0));
 }

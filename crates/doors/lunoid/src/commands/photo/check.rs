@@ -169,8 +169,8 @@ impl Check {
             |[azimuth, elevation]: [f64; 2]| Sun { azimuth: radians(azimuth), elevation: radians(elevation) };
         match (self.sun, photo.sun()) {
             (Some(angles), _) => (of(angles), "as given"),
-            (None, Some(sun)) => {
-                (Sun { azimuth: sun.azimuth + ground.true_north(), ..sun }, "of the photograph")
+            (None, Some([azimuth, elevation])) => {
+                (Sun { azimuth: azimuth + ground.true_north(), elevation }, "of the photograph")
             }
             (None, None) => (of(ASSUMED_SUN_DEG), "assumed: neither the camera file nor --sun has one"),
         }

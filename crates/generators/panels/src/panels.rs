@@ -1,0 +1,58 @@
+//! The generator: what it is called, what it counts, and what its pictures follow from.
+
+use generator::{Counter, Generator, Joined, PlaneKind, PrepareError, Session as GeneratorSession, Stage};
+use scene_sampler::PLANES;
+use serde_json::Value;
+
+use crate::name::NAME;
+use crate::parameters::Parameters;
+use crate::session::Session;
+
+/// The generator of panels; see the crate's data sheet.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Panels {
+    /// Run parameters that decide its pictures.
+    pub parameters: Parameters,
+}
+
+const fn counter(name: &'static str) -> Counter {
+    Counter { name, joined: Joined::Sum }
+}
+
+/// What a frame took and lost.
+const COUNTERS: [Counter; 8] = [
+    counter("panels"),
+    counter("faces"),
+    counter("triangles"),
+    counter("entries"),
+    counter("lights"),
+    counter("lost_surfaces"),
+    counter("lost_lights"),
+    counter("unseen_panels"),
+];
+
+impl Generator for Panels {
+    fn name(&self) -> &'static str {
+        NAME
+    }
+
+    fn counters(&self) -> &'static [Counter] {
+        &COUNTERS
+    }
+
+    fn planes(&self) -> &'static [PlaneKind] {
+        &PLANES
+    }
+
+    fn draws_colour(&self, stage: &Stage) -> bool {
+        stage.is_colourful()
+    }
+
+    fn record(&self) -> Value {
+        self.parameters.record()
+    }
+
+    fn prepare(&self, stage: Stage) -> Result<Box<dyn GeneratorSession>, PrepareError> {
+        Ok(Box::new(Session::new(stage, self.parameters.clone())?))
+    }
+}

@@ -1,0 +1,75 @@
+//! What a pixel shows of the ground: its panel, and what photographs show there.
+
+use generator::Fact;
+use glam::DVec3;
+use photo_drape::Footprint;
+use scene_sampler::Camera;
+
+use crate::greys::{Grey, Source, grey};
+use crate::prepared::Prepared;
+
+/// A place of the ground that a pixel shows.
+pub struct Seen {
+    /// Place: north, east, up (m), on the map.
+    place: DVec3,
+}
+
+impl Seen {
+    /// What pixel `pixel` shows of a surface that is as near as `q` (1/m).
+    pub fn new(camera: &Camera, pixel: [usize; 2], q: f64) -> Self {
+        let seen = camera.eye + camera.ray(pixel.map(|at| at as f64 + 0.5)) / q;
+        Self { place: seen + DVec3::Z * camera.drop_at(seen) }
+    }
+
+    /// Panel, posts, photograph, pixels and light at the place.
+    pub fn facts(&self, prepared: &Prepared, camera: &Camera) -> Vec<Fact> {
+        let ground = prepared.drape.ground();
+        let on_map = [self.place.x, self.place.y];
+        let (cell, shares) = ground.cell(on_map);
+        let panel = prepared.mesh.panel_at(cell, shares);
+        let corners = prepared.mesh.corners(panel);
+        let Grey { light, source } = grey(&prepared.drape, prepared.run.choice, corners, &prepared.unseen);
+        let [south_west, heights] = [format!("row {}, column {}", cell[0], cell[1]), heights(corners)];
+        let mut facts = vec![
+            Fact::new("ground", format!("{:.2} m north, {:.2} m east", on_map[0], on_map[1])),
+            Fact::new(
+                "panel",
+                format!("{panel}; south-western post of its cell: {south_west}; posts {heights} m high"),
+            ),
+            Fact::new("light of the panel", format!("{light:.4}, {}", told(source))),
+        ];
+        let normal = ground.normal(on_map);
+        let footprint = Footprint::seen(self.place, normal, camera.eye, 0.5 / camera.focal());
+        facts.push(match prepared.drape.at(self.place, &footprint) {
+            None => Fact::new("photographs", "none sees this place"),
+            Some(shown) => Fact::new(
+                "photographs",
+                format!(
+                    "{} of {} see this place; number {} rules: pixel I {:.2}, J {:.2}, {:.3} pixels a square metre, light {:.4}",
+                    shown.seen_by,
+                    prepared.drape.photographs().len(),
+                    shown.photograph + 1,
+                    shown.pixel[0],
+                    shown.pixel[1],
+                    shown.weight,
+                    shown.light
+                ),
+            ),
+        });
+        facts
+    }
+}
+
+fn heights(corners: [DVec3; 3]) -> String {
+    corners.map(|corner| format!("{:.3}", corner.z)).join(", ")
+}
+
+fn told(source: Source) -> String {
+    match source {
+        Source::Mean { photograph, pixels } => {
+            format!("mean of {pixels} pixels of photograph {}", photograph + 1)
+        }
+        Source::Look { photograph } => format!("a look at its middle, photograph {}", photograph + 1),
+        Source::Unseen => "of no photograph: inferred from around, or `panels.outside`".into(),
+    }
+}

@@ -1,0 +1,48 @@
+//! Ground lit anew by the scenario's sun.
+
+use std::sync::Arc;
+
+use generator::PrepareError;
+use landscape::Landscape;
+use photo_drape::{Drape, Ground};
+use scene_sampler::{Axis, GroundMap};
+
+use crate::prepared::refused;
+
+/// Albedo out of photographs on the landscape, and the slopes of its posts.
+#[derive(Debug)]
+pub struct Relit {
+    landscape: Arc<Landscape>,
+    slopes: Arc<[[f32; 2]]>,
+    axes: [Axis; 2],
+}
+
+impl Relit {
+    /// The landscape with the albedo that the photographs give; where they give none it keeps its own.
+    ///
+    /// # Errors
+    /// If a photograph does not say where its sun was.
+    pub fn new(drape: &Drape, landscape: &Landscape) -> Result<Self, PrepareError> {
+        let remedy = "give its camera file a sun, or switch panels.relight off";
+        let albedo = drape.albedo().map_err(|error| refused(&error, remedy))?;
+        let ground = drape.ground();
+        let map = albedo.map(ground, landscape.albedo()).map_err(|error| refused(&error, remedy))?;
+        Ok(Self {
+            landscape: Arc::new(landscape.clone().with_albedo_map(Some(map))),
+            slopes: ground.slopes().into(),
+            axes: [0, 1].map(|axis| even(ground, axis)),
+        })
+    }
+
+    /// Its light under a sun (unit vector to it: north, east, up).
+    pub fn map(&self, sun: [f64; 3]) -> Option<GroundMap> {
+        GroundMap::of_slopes(self.axes, self.slopes.clone(), self.landscape.clone(), sun)
+    }
+}
+
+/// Places of the posts along an axis of the map.
+fn even(ground: &Ground, axis: usize) -> Axis {
+    let posts = ground.size()[axis];
+    let step = ground.spacing();
+    Axis { first: ground.corner()[axis], step, whole: posts - 1, last_step: step, posts }
+}

@@ -1,0 +1,163 @@
+//! The generator made ready for a stage.
+
+use generator::{
+    FaceScene, Fact, FrameCounts, FrameError, Omission, Planes, PrepareError, Session as GeneratorSession,
+    Stage, Weight, check_free_eye, face_lists_beside,
+};
+use glam::DVec3;
+use light_points::BeamBudget;
+use quantities::degrees;
+use raster::{Lists, Screen};
+use scenario::Pose;
+use scene_sampler::{Camera, Filled, Scene, judged_faces};
+use serde_json::Value;
+use signal::Probe;
+
+use crate::frame_ground::{Own, ground};
+use crate::name::NAME;
+use crate::parameters::Parameters;
+use crate::place::Seen;
+use crate::prepared::Prepared;
+
+/// Its beam takes no time: the document has none.
+const BEAM: BeamBudget = BeamBudget { jump_ns: 0, dwell_ns: 0 };
+
+/// Angle (degrees) between two suns from which a drape is said to be lit by the wrong one. Chosen by the specification.
+const SUNS_APART_DEG: f64 = 5.0;
+
+/// The generator made ready for one stage.
+pub(crate) struct Session {
+    prepared: Prepared,
+    own: Own,
+    screen: Screen,
+}
+
+impl Session {
+    /// Makes ready for `stage`: posts, panels, photographs.
+    ///
+    /// # Errors
+    /// If its raster or its ground is too large, or its photographs cannot be laid over it.
+    pub fn new(stage: Stage, run: Parameters) -> Result<Self, PrepareError> {
+        let screen = scene_sampler::screen(&stage, NAME)?;
+        let prepared = Prepared::new(stage, run)?;
+        Ok(Self { own: Own::new(&prepared), prepared, screen })
+    }
+
+    fn scene(&self, frame: u64, pose: &Pose) -> Result<Scene, FrameError> {
+        self.check(frame, pose)?;
+        let camera = Camera::new(pose, &self.prepared.stage.view);
+        let ground = ground(&self.prepared, &self.own, &camera, pose.time);
+        let run = &self.prepared.run.sampling;
+        Scene::new(&self.prepared.stage, run, &self.screen, camera, ground, (frame, pose.time))
+    }
+
+    fn lists(&self, scene: &Scene) -> Lists {
+        let mut lists = Lists::default();
+        lists.fill(&self.screen, &scene.faces.triangles);
+        lists
+    }
+
+    /// The pixel of a frame with what it shows of the ground.
+    fn filled<T>(
+        &self,
+        frame: u64,
+        scene: &Scene,
+        pixel: [usize; 2],
+        use_it: impl FnOnce(&Filled<'_>) -> T,
+    ) -> Result<T, FrameError> {
+        let lists = self.lists(scene);
+        let filled = Filled::new(scene, &lists, &self.screen, &self.prepared.run.sampling, pixel);
+        let filled = filled.map_err(|error| FrameError::Refused { frame, reason: error.to_string() })?;
+        Ok(use_it(&filled))
+    }
+
+    /// The largest angle (degrees) between the scenario's sun as the mission begins and that of a photograph.
+    fn suns_apart(&self) -> f64 {
+        let sun = DVec3::from_array(self.prepared.stage.scenery.sun(0.0).direction());
+        let drape = &self.prepared.drape;
+        let apart = |number: usize| {
+            let other = drape.sun_of(number).ok()?;
+            Some(degrees(libm::acos(sun.dot(other).clamp(-1.0, 1.0))))
+        };
+        (0..drape.photographs().len()).filter_map(apart).fold(0.0, f64::max)
+    }
+}
+
+impl GeneratorSession for Session {
+    fn frame(
+        &self,
+        frame: u64,
+        pose: &Pose,
+        planes: &mut Planes,
+        _: &mut Probe,
+    ) -> Result<FrameCounts, FrameError> {
+        let scene = self.scene(frame, pose)?;
+        let run = &self.prepared.run.sampling;
+        let lists = self.lists(&scene);
+        let view = &self.prepared.stage.view;
+        let mut picture = scene_sampler::draw(&scene, &lists, &self.screen, run, BEAM, view, frame, false)?;
+        picture.beam.draw(&scene.lights.points, run, &self.screen, &mut picture.colours);
+        scene_sampler::fill(&picture, &scene, planes);
+        Ok(FrameCounts::of([
+            ("panels", self.prepared.mesh.panels.len() as u64),
+            ("faces", scene.faces.work.faces),
+            ("triangles", scene.faces.work.triangles),
+            ("entries", picture.entries),
+            ("lights", scene.lights.points.len() as u64),
+            ("lost_surfaces", picture.losses.translucent),
+            ("lost_lights", picture.losses.lights),
+            ("unseen_panels", self.prepared.unseen_panels()),
+        ]))
+    }
+
+    fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
+        check_free_eye(&self.prepared.stage.landscape, frame, pose)
+    }
+
+    fn omissions(&self) -> Vec<Omission> {
+        let stage = &self.prepared.stage;
+        let omission =
+            |what: String, why: String| Omission { block: NAME, what, why, weight: Weight::NotModelled };
+        let mut omissions = scene_sampler::omissions(stage, NAME);
+        omissions.extend(face_lists_beside(&stage.scenery, NAME));
+        if stage.landscape.bank().levels().len() > 1 {
+            let why = "its posts are those of the finest level".to_owned();
+            omissions.push(omission("a second level of ground".to_owned(), why));
+        }
+        let apart = self.suns_apart();
+        if apart > SUNS_APART_DEG && self.prepared.relit.is_none() {
+            let why = format!(
+                "the photographs have their own, {apart:.1} degrees from it; panels.relight = true lays the scenario's on"
+            );
+            omissions.push(omission("the scenario's sun on the ground".to_owned(), why));
+        }
+        omissions
+    }
+
+    /// Panel, posts, photograph, pixels and light of the ground in a pixel; then the stack of every sampling point.
+    fn explain(&self, frame: u64, pose: &Pose, pixel: [usize; 2]) -> Result<Vec<Fact>, FrameError> {
+        let scene = self.scene(frame, pose)?;
+        self.filled(frame, &scene, pixel, |filled| {
+            let ground = filled.nearness().map(|q| Seen::new(&scene.camera, pixel, q));
+            let mut facts = ground.map_or(Vec::new(), |seen| seen.facts(&self.prepared, &scene.camera));
+            facts.push(Fact::new("sub-area", format!("{}: {} entries", filled.number(), filled.entries())));
+            facts.extend(filled.facts());
+            facts
+        })
+    }
+
+    fn sampling_point(
+        &self,
+        frame: u64,
+        pose: &Pose,
+        pixel: [usize; 2],
+        number: usize,
+    ) -> Result<Option<Value>, FrameError> {
+        let scene = self.scene(frame, pose)?;
+        self.filled(frame, &scene, pixel, |filled| filled.document(number, &[]))
+    }
+
+    fn faces(&self, frame: u64, pose: &Pose) -> Result<Option<FaceScene>, FrameError> {
+        Ok(Some(judged_faces(self.scene(frame, pose)?, &self.prepared.run.sampling)))
+    }
+}

@@ -1,0 +1,8 @@
+//! Photographs over panels of ground: what pictures, panels and explanations show.
+
+mod identity;
+mod light;
+mod panels_of_cells;
+mod refused;
+mod shots;
+mod views;

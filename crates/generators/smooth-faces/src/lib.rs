@@ -1,0 +1,75 @@
+//! Smooth-shaded faces on vertical scan lines: the digital image generator of Link's study of sea state, wakes and ships for NASA Ames
+//! (about 1980).
+//!
+//! ```text
+//!  sea, wakes, ships, effects (faces) --+
+//!  bodies of the stage (faces) ---------+--> lists by priority --> shown faces --> cut, clipped, projected: pieces
+//!  ground (ground-mesh) ----------------+          |                                  |
+//!  suns of the lists, frame by frame ---> brightness at corners ----------------------+--> crossings of each scan line
+//!                                                                                               |
+//!             planes <-- levels of detail added <-- by priority or by depth <-- ramps <----------+
+//! ```
+//!
+//! # Law
+//!
+//! - **Lists.** The sea, its levels, ships, wakes and effects have the priorities of the scenario. Behind them come bodies, the nearest
+//!   first, each a list of its own; the ground is last. Under `order = "lists"` the lower number wins a sample, inside a list the face
+//!   stored first. Under `depth` the nearest face wins. Samples where the two disagree are counted.
+//! - **Brightness** of a corner is that of `faces`: normals averaged or given, times the list's own sun. Ground has the light of the scene's law
+//!   at its vertices.
+//! - **Pieces.** Faces of more than three corners are cut in triangles. Each piece is clipped at the near plane before it is projected; one that
+//!   lies between samples is left out.
+//! - **Ramps.** On a scan line brightness runs linearly between the two edges of a piece, and along these between their corners: on the screen, or in
+//!   space. A sample is in the piece where its middle lies between both edges, the first one with it. Neighbours share each sample once.
+//! - **Levels of detail.** A list that adds is laid upon what its samples show, where that is not before it: `min(1, a + b)`, or
+//!   `1 - (1 - a)(1 - b)`, or in its place.
+//! - **Renumbered normals.** Under `animate = "normals"` a sea shows a new frame when all of its normals are written: every k-th frame,
+//!   `k = ceil(vertices normal_us / spare_us)`.
+//! - **Slots.** A scan line holds `edges_line` pieces. Those beyond are left out of this line: the last list loses first, in it the face stored
+//!   last.
+//! - Perspective is the true one under every law of projection; roll is the yoke's. One sample a pixel.
+//!
+//! # Run parameters
+//!
+//! | key | range | default | what it is |
+//! |---|---|---|---|
+//! | `faces.order` | `depth`, `lists` | `depth` | which face wins a sample; `depth` wherever a ship asks for it |
+//! | `faces.interpolation` | `screen`, `perspective` | `screen` | where brightness runs linearly |
+//! | `faces.shading` | `smooth`, `as-written`, `flat` | `smooth` | how bodies and ground are shaded; `flat` makes all lists flat |
+//! | `faces.cut` | true, false | true | faces of more than three corners are cut in triangles |
+//! | `faces.scan` | `vertical`, `horizontal` | `vertical` | direction of scan lines |
+//! | `faces.animate` | `sun`, `normals` | `sun` | what moves a sea |
+//! | `faces.spare_us` | 1 to 1000000 | 5000 | time of a frame that the real-time computer has for normals |
+//! | `faces.normal_us` | 0.001 to 1000000 | 15 | its time for one normal |
+//! | `faces.edges_line` | 0 to 1000000 | 0 | pieces that a scan line holds; 0 is without limit |
+//! | `faces.ambient` | 0 to 1 | 0 | share of light from everywhere |
+//! | `faces.ground` | true, false | true | whether the ground is drawn |
+//! | `faces.ground_cells` | 4 to 512, a multiple of 4 | 64 | cells along half the side of each ring of the ground |
+//! | `faces.ground_half_side_m` | 0.1 to 100000 | 32 | half the side of the innermost ring |
+//! | `faces.limit` | 1 to 10000000 | 200000 | most faces of a list |
+//!
+//! # Threads
+//!
+//! Scan lines are functions of their own: the bits do not depend on the number of threads.
+//!
+//! # Not modelled
+//!
+//! Lamps, sheets, overlays, discs of the sky, remote shadow, texture, far silhouettes and vehicle tracks are listed as omissions.
+
+mod bodies;
+mod frame_lists;
+mod ground;
+mod name;
+mod parameters;
+mod piece;
+mod planes;
+mod row;
+mod scan_line;
+mod scene;
+mod session;
+mod signals;
+mod smooth_faces;
+
+pub use parameters::{Animation, Parameters};
+pub use row::ROW;
+pub use smooth_faces::SmoothFaces;

@@ -1,0 +1,177 @@
+//! One scan line: which piece wins each of its samples, and what levels of detail add.
+
+use faces::{Cover, Detail, Interpolation, Order};
+
+use crate::parameters::Parameters;
+use crate::piece::Ramp;
+use crate::scene::Scene;
+
+/// By how much less near (a share) a level may be than what it is laid upon. Chosen: rounding of two planes that coincide.
+const COINCIDE: f64 = 1e-6;
+
+/// A sample of a scan line.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Sample {
+    /// Linear red, green, blue.
+    pub colour: [f64; 3],
+    /// How near what it shows is (1/m); 0 where there is sky.
+    pub q: f64,
+    /// Number of the winning piece and of its list; `None` where there is sky.
+    pub winner: Option<[u32; 2]>,
+    /// Brightness of the winning piece.
+    pub brightness: f64,
+    /// Change of its brightness from pixel to pixel.
+    pub slope: f64,
+    /// Brightness of the level laid upon it; 0 where there is none.
+    pub level: f64,
+}
+
+/// A scan line and what it took.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ScanLine {
+    /// Its samples.
+    pub samples: Vec<Sample>,
+    /// Pieces that cross it.
+    pub crossings: u64,
+    /// Of them those without a slot.
+    pub missed: u64,
+    /// Samples whose sum of levels was clamped.
+    pub clamped: u64,
+    /// Samples at which priority and depth disagree.
+    pub disagreements: u64,
+}
+
+/// What wins a sample so far under both orders: number of the piece and how near it is (1/m).
+#[derive(Debug, Clone, Copy, Default)]
+struct Standing {
+    by_list: Option<(u32, f64)>,
+    by_depth: Option<(u32, f64)>,
+}
+
+impl ScanLine {
+    /// The scan line number `line` of `count` samples; `crossing` numbers the pieces that may cross it, in the order of the scene.
+    pub fn new(scene: &Scene, run: &Parameters, crossing: &[u32], line: usize, count: usize) -> Self {
+        let across = across(run);
+        let at = line as f64 + 0.5;
+        let ramp = |piece: &u32| {
+            let ramp = scene.pieces[*piece as usize].ramp(across, at, run.interpolation)?;
+            Some((*piece, ramp))
+        };
+        let mut ramps: Vec<(u32, Ramp)> = crossing.iter().filter_map(ramp).collect();
+        let crossings = ramps.len() as u64;
+        ramps.truncate(run.edges_line.map_or(usize::MAX, |slots| slots as usize));
+        let missed = crossings - ramps.len() as u64;
+        let mut drawn =
+            Self { samples: vec![Sample::default(); count], crossings, missed, ..Self::default() };
+        drawn.resolve(scene, run, &ramps);
+        drawn.lay_levels(scene, run, &ramps);
+        drawn
+    }
+
+    /// Gives each sample to the piece that wins it; pieces of levels stand aside.
+    fn resolve(&mut self, scene: &Scene, run: &Parameters, ramps: &[(u32, Ramp)]) {
+        let mut standings = vec![Standing::default(); self.samples.len()];
+        let is_base = |(piece, _): &&(u32, Ramp)| {
+            scene.lists[scene.pieces[*piece as usize].list as usize].level.is_none()
+        };
+        for (piece, ramp) in ramps.iter().filter(is_base) {
+            for sample in ramp.samples(self.samples.len()) {
+                let [q, brightness] = ramp.at(sample as f64 + 0.5, run.interpolation);
+                let standing = &mut standings[sample];
+                // Pieces come in the order of their priorities, so the first one stays.
+                let is_first = standing.by_list.is_none();
+                let is_nearest = standing.by_depth.is_none_or(|(_, nearest)| q > nearest);
+                if is_first {
+                    standing.by_list = Some((*piece, q));
+                }
+                if is_nearest {
+                    standing.by_depth = Some((*piece, q));
+                }
+                if (run.order == Order::Lists && is_first) || (run.order == Order::Depth && is_nearest) {
+                    self.samples[sample] = shown(scene, run, *piece, (ramp, [q, brightness]));
+                }
+            }
+        }
+        let differs = |standing: &&Standing| {
+            standing.by_list.map(|(piece, _)| piece) != standing.by_depth.map(|(piece, _)| piece)
+        };
+        self.disagreements = standings.iter().filter(differs).count() as u64;
+    }
+
+    /// Lays levels of detail upon what the samples show, the last list first.
+    fn lay_levels(&mut self, scene: &Scene, run: &Parameters, ramps: &[(u32, Ramp)]) {
+        for (number, ramp) in ramps.iter().rev() {
+            let piece = &scene.pieces[*number as usize];
+            let Some(detail) = scene.lists[piece.list as usize].level else { continue };
+            for at in ramp.samples(self.samples.len()) {
+                let [q, brightness] = ramp.at(at as f64 + 0.5, run.interpolation);
+                let above = shown(scene, run, *number, (ramp, [q, brightness]));
+                let sample = &mut self.samples[at];
+                if is_before(run.order, piece.list, q, sample) {
+                    self.clamped += u64::from(lay(sample, &above, detail));
+                }
+            }
+        }
+    }
+}
+
+/// Axis of the screen that scan lines lie across.
+pub fn across(run: &Parameters) -> usize {
+    match run.scan {
+        faces::Scan::Vertical => 0,
+        faces::Scan::Horizontal => 1,
+    }
+}
+
+/// What a sample shows of a piece.
+fn shown(scene: &Scene, run: &Parameters, piece: u32, (ramp, [q, brightness]): (&Ramp, [f64; 2])) -> Sample {
+    let of = &scene.pieces[piece as usize];
+    let colour = faces::lit(of.colour, run.ambient, brightness).map(|channel| channel.clamp(0.0, 1.0));
+    Sample { colour, q, winner: Some([piece, of.list]), brightness, slope: ramp.slope(), level: 0.0 }
+}
+
+/// Whether a level of a list, as near as `q`, may be laid upon a sample.
+fn is_before(order: Order, list: u32, q: f64, sample: &Sample) -> bool {
+    match (sample.winner, order) {
+        (None, _) => true,
+        (Some([_, below]), Order::Lists) => list < below,
+        (Some(_), Order::Depth) => q >= sample.q * (1.0 - COINCIDE),
+    }
+}
+
+/// Lays a level upon a sample; whether a sum was clamped.
+fn lay(sample: &mut Sample, above: &Sample, detail: Detail) -> bool {
+    let levels = [0, 1, 2].map(|channel| detail.combine(sample.colour[channel], above.colour[channel]));
+    if sample.winner.is_none() {
+        *sample = *above;
+    }
+    sample.colour = levels.map(|level| level.intensity);
+    sample.level = above.brightness;
+    sample.winner = above.winner.filter(|_| detail == Detail::Replace).or(sample.winner);
+    levels.iter().any(|level| level.is_clamped)
+}
+
+/// All pieces at the middle of a sample, in the order of their lists, with how near each is (1/m) and its brightness; and which of them
+/// each order shows.
+pub fn covers(scene: &Scene, run: &Parameters, [line, sample]: [usize; 2]) -> Vec<(u32, [f64; 2])> {
+    let (across, at) = (across(run), line as f64 + 0.5);
+    let of_piece = |(number, piece): (usize, &crate::piece::Piece)| {
+        let ramp = piece.ramp(across, at, run.interpolation)?;
+        let is_in = ramp.samples(usize::MAX >> 12).contains(&sample);
+        is_in.then(|| (number as u32, ramp.at(sample as f64 + 0.5, run.interpolation)))
+    };
+    scene.pieces.iter().enumerate().filter_map(of_piece).collect()
+}
+
+/// The cover that `faces` judges by.
+pub fn cover(scene: &Scene, (piece, [q, _]): (u32, [f64; 2])) -> Cover {
+    Cover { priority: scene.pieces[piece as usize].list as i32, depth: 1.0 / q }
+}
+
+/// Where brightness runs linearly, in one word.
+pub fn interpolation_word(interpolation: Interpolation) -> &'static str {
+    match interpolation {
+        Interpolation::Screen => "on the screen",
+        Interpolation::Perspective => "in space",
+    }
+}

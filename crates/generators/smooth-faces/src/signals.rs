@@ -1,0 +1,98 @@
+//! Waveforms of a scan line: brightness, level, priority, crossings, ramp.
+
+use faces::Scan as Direction;
+use generator::Scan;
+use quantities::Timebase;
+use scenario::View;
+use signal::{Probe, Signal, Unit, Waveform, Wire};
+
+use crate::scan_line::{Sample, ScanLine};
+use crate::scene::Scene;
+
+const SOURCE: &str = "none: ours, of Link's study";
+
+/// Place of a sample on its scan line.
+const LINE: &str = "faces.line";
+
+/// What can be looked at; a scan line stands for a sweep, its pixels for samples.
+pub static SIGNALS: [Signal; 7] = [
+    Signal::ground(LINE, Unit::Line, "place of the sample on its scan line", SOURCE),
+    Signal::ground("faces.intensity", Unit::Reflectivity, "luminance of the sample", SOURCE),
+    Signal::ground("faces.level", Unit::Reflectivity, "brightness of the level laid upon it", SOURCE),
+    Signal::ground("faces.present", Unit::Gate, "high where a face is seen", SOURCE),
+    Signal::ground(
+        "faces.priority",
+        Unit::Number,
+        "place of the winning list in the order; -1 in the sky",
+        SOURCE,
+    ),
+    Signal::ground("faces.edges", Unit::Number, "winning faces that the line has entered so far", SOURCE),
+    Signal::ground("faces.ramp", Unit::Number, "change of the winning face's brightness a pixel", SOURCE),
+];
+
+/// How the signals run: scan line by scan line.
+pub fn scan(view: &View, direction: Direction) -> Option<Scan> {
+    let (lines, samples) = match direction {
+        Direction::Vertical => (view.columns, view.lines),
+        Direction::Horizontal => (view.lines, view.columns),
+    };
+    let timebase = Timebase::new(view.update, view.update, lines, samples, 0).ok()?;
+    Some(Scan { line: "scan line", timebase, place: LINE, ahead: None })
+}
+
+/// The wires of a view. Numbers of a program have no voltage.
+pub fn wires(view: &View) -> Vec<Wire> {
+    let wire = |signal: &Signal| {
+        let full_scale = match signal.unit {
+            Unit::Line => f64::from(view.lines.max(view.columns)),
+            Unit::Number if signal.name != "faces.ramp" => 1000.0,
+            _ => 1.0,
+        };
+        Wire { signal: *signal, full_scale, volts: 0.0, datum: 0.0 }
+    };
+    SIGNALS.iter().map(wire).collect()
+}
+
+/// Records the scan lines that `probe` wants.
+pub fn record(frame: u64, scene: &Scene, lines: &[ScanLine], probe: &mut Probe) {
+    for (number, line) in lines.iter().enumerate() {
+        if !probe.wants_sweep(number as u32) {
+            continue;
+        }
+        for signal in SIGNALS {
+            if probe.wants(&signal) {
+                let values = values(signal.name, scene, line);
+                let sweep = number as u32;
+                probe.waveforms.push(Waveform { signal, frame, sweep, times: Vec::new(), values });
+            }
+        }
+    }
+}
+
+fn values(name: &str, scene: &Scene, line: &ScanLine) -> Vec<f64> {
+    let of = |value: &dyn Fn(usize, &Sample) -> f64| {
+        line.samples.iter().enumerate().map(|(at, sample)| value(at, sample)).collect()
+    };
+    match name {
+        LINE => of(&|at, _| at as f64),
+        "faces.intensity" => of(&|_, sample| quantities::luminance(sample.colour)),
+        "faces.level" => of(&|_, sample| sample.level),
+        "faces.present" => of(&|_, sample| f64::from(u8::from(sample.winner.is_some()))),
+        "faces.priority" => of(&|_, sample| sample.winner.map_or(-1.0, |[_, list]| f64::from(list))),
+        "faces.ramp" => of(&|_, sample| sample.slope),
+        _ => entered(scene, line),
+    }
+}
+
+/// How many winning faces a line has entered up to each sample.
+fn entered(scene: &Scene, line: &ScanLine) -> Vec<f64> {
+    let face = |sample: &Sample| sample.winner.map(|[piece, list]| (list, scene.pieces[piece as usize].face));
+    let (mut before, mut count) = (None, 0_u32);
+    let mut of_sample = |sample: &Sample| {
+        let now = face(sample);
+        count += u32::from(now.is_some() && now != before);
+        before = now;
+        f64::from(count)
+    };
+    line.samples.iter().map(&mut of_sample).collect()
+}

@@ -1,0 +1,73 @@
+//! The generator: what it is called, what it counts, and what its pictures follow from.
+
+use generator::{
+    Counter, Generator, Joined, PlaneKind, PrepareError, Scan, Session as GeneratorSession, Stage,
+};
+use scenario::View;
+use serde_json::Value;
+use signal::Signal;
+
+use crate::name::NAME;
+use crate::parameters::Parameters;
+use crate::planes::PLANES;
+use crate::session::Session;
+use crate::signals::{self, SIGNALS};
+
+/// The generator of smooth-shaded faces; see the crate's data sheet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SmoothFaces {
+    /// Run parameters that decide its pictures.
+    pub parameters: Parameters,
+}
+
+const fn sum(name: &'static str) -> Counter {
+    Counter { name, joined: Joined::Sum }
+}
+
+/// What a frame took and lost.
+const COUNTERS: [Counter; 10] = [
+    sum("lists"),
+    sum("faces"),
+    sum("pieces"),
+    sum("crossings"),
+    Counter { name: "most_crossings", joined: Joined::Largest },
+    sum("missed"),
+    sum("suns"),
+    sum("words"),
+    sum("clamped"),
+    sum("disagreements"),
+];
+
+impl Generator for SmoothFaces {
+    fn name(&self) -> &'static str {
+        NAME
+    }
+
+    fn counters(&self) -> &'static [Counter] {
+        &COUNTERS
+    }
+
+    fn planes(&self) -> &'static [PlaneKind] {
+        &PLANES
+    }
+
+    fn draws_colour(&self, stage: &Stage) -> bool {
+        stage.is_colourful() || !stage.scenery.face_lists().is_empty()
+    }
+
+    fn signals(&self) -> &'static [Signal] {
+        &SIGNALS
+    }
+
+    fn scan(&self, view: &View) -> Option<Scan> {
+        signals::scan(view, self.parameters.scan)
+    }
+
+    fn record(&self) -> Value {
+        self.parameters.record()
+    }
+
+    fn prepare(&self, stage: Stage) -> Result<Box<dyn GeneratorSession>, PrepareError> {
+        Ok(Box::new(Session::new(stage, self.parameters)?))
+    }
+}

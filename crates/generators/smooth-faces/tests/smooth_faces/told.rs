@@ -1,0 +1,55 @@
+//! What explanations and waveforms tell, and what is refused.
+
+use faces::{Pattern, SeaState};
+use generator::{Generator, PlaneKind, Planes};
+use glam::DVec3;
+use signal::Probe;
+use smooth_faces::{Parameters, SmoothFaces};
+
+use crate::shots::{PIXELS, from_above, light, run, sea, sea_list, session, square, stage};
+
+#[test]
+fn a_pixel_tells_what_is_shown_and_what_is_behind_it() {
+    let sea = sea(SeaState::Moderate, Pattern::Random { seed: 1 });
+    let over = square("raft", DVec3::new(150.0, 100.0, 5.0), 20.0, 1, [1.0; 3]);
+    let session = session(stage(vec![over, sea_list(&sea)]), run());
+    let facts = session.explain(0, &from_above(), [30, 30]).unwrap();
+    let [shown, behind] =
+        ["shown", "behind it"].map(|what| &facts.iter().find(|fact| fact.what == what).expect(what).value);
+    assert!(shown.contains("of raft (list 1 of 2)") && shown.contains("depth 115.000 m"), "{shown}");
+    assert!(behind.contains("of sea (list 2 of 2)") && behind.contains("depth 120.000 m"), "{behind}");
+    let sky = session.explain(0, &crate::shots::pose([150.0, 100.0, 5.5], 0.0, 60.0), [30, 30]).unwrap();
+    assert_eq!(sky[0].what, "sky");
+}
+
+#[test]
+fn a_scan_line_is_the_column_of_the_picture() {
+    let sea = sea(SeaState::Moderate, Pattern::Random { seed: 1 });
+    let session = session(stage(vec![sea_list(&sea)]), run());
+    let mut probe = Probe::new(vec!["faces.*".into()], 17..18);
+    let mut planes = Planes::new(PIXELS, PIXELS, &[PlaneKind::Intensity]);
+    session.frame(3, &from_above(), &mut planes, &mut probe).unwrap();
+    let of = |name: &str| &probe.waveforms.iter().find(|wave| wave.signal.name == name).unwrap().values;
+    let picture = light(&*session, 3, &from_above());
+    let column: Vec<f64> = (0..PIXELS).map(|line| f64::from(picture[line * PIXELS + 17])).collect();
+    let intensity = of("faces.intensity");
+    assert!(intensity.iter().zip(&column).all(|(wave, pixel)| (wave - pixel).abs() < 1e-7));
+    assert!(of("faces.present").iter().all(|present| *present == 1.0));
+    // Brightness climbs by the ramp from sample to sample of one face.
+    let (ramp, edges) = (of("faces.ramp"), of("faces.edges"));
+    let inside = (1..PIXELS).filter(|at| edges[*at] == edges[at - 1] && ramp[*at] == ramp[at - 1]);
+    let climbs = inside.map(|at| (intensity[at] - intensity[at - 1] - ramp[at]).abs());
+    let (most, count) = climbs.fold((0.0_f64, 0), |(most, count), climb| (most.max(climb), count + 1));
+    assert!(most < 1e-9 && count > 20, "{most} {count}");
+}
+
+#[test]
+fn too_many_faces_are_refused_with_both_numbers() {
+    let sea = sea(SeaState::Moderate, Pattern::Random { seed: 1 });
+    let parameters = Parameters { limit: 100, ..run() };
+    let Err(refused) = (SmoothFaces { parameters }).prepare(stage(vec![sea_list(&sea)])) else {
+        panic!("it was made ready")
+    };
+    let text = refused.to_string();
+    assert!(text.contains("600 faces of list sea") && text.contains("at most 100"), "{text}");
+}

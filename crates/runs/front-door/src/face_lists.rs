@@ -1,0 +1,205 @@
+//! Lists of faces of a scenario: its sea, its ships with their wakes, effects of files, plumes.
+
+use std::sync::Arc;
+
+use faces::ship::{Arrangement, Motion, Wave};
+use faces::{Board, Cone, Effect, FaceError, Mesh, Plume, Sea, Setting, Side, Turn};
+use glam::DVec3;
+use landscape::Landscape;
+use quantities::Rate;
+use scenario::{
+    Carrier, EffectFileWish, FaceKind, FaceList, FaceLists, Object, OtherSide, PlumeWish, Scenario, SeaWish,
+    ShipCourse, ShipWish, WaveWish,
+};
+
+use crate::StageError;
+
+/// Priorities of the lists, the lower number before the higher (chosen): effects and plumes from 1, ships, levels upon the sea, the sea.
+const SHIPS: i32 = 10_000;
+const SHIP_STEP: i32 = 10;
+const LEVELS: i32 = 20_000;
+const SEA: i32 = 30_000;
+/// The sea before all ships: the wrong order of the study.
+const SEA_FIRST: i32 = 9000;
+
+/// By how much a bow wake stands outside the waterline (rad). Chosen: the hull does not hide it.
+const OUTSIDE: f64 = 0.05;
+
+/// The lists of faces of a scenario at `frames` a second.
+///
+/// # Errors
+/// If an effect file has a fault, or a figure makes no list.
+pub(crate) fn face_lists(
+    scenario: &Scenario,
+    landscape: &Landscape,
+    frames: Rate,
+) -> Result<Arc<FaceLists>, StageError> {
+    let (wishes, objects) = (&scenario.faces, &scenario.objects);
+    let mut lists = Lists { lists: Vec::new(), by_depth: false, next: 1, objects, landscape, frames };
+    wishes.effects.iter().try_for_each(|wish| lists.effect(wish))?;
+    wishes.plumes.iter().enumerate().try_for_each(|(number, wish)| lists.plume(number, wish))?;
+    if let Some(wish) = &wishes.sea {
+        let sea = lists.sea(wish)?;
+        let mut is_first = false;
+        for (number, ship) in wishes.ships.iter().enumerate() {
+            let arranged = lists.ship(number as i32, ship, wish)?;
+            is_first |= arranged.sea < arranged.ship.priority;
+            lists.by_depth |= arranged.order == faces::Order::Depth;
+            lists.stern_wake(number as i32, ship, wish, &sea)?;
+        }
+        let priority = if is_first { SEA_FIRST } else { SEA };
+        let group = sea.group("sea", priority, Mesh::MOST_FACES)?;
+        let carrier = Carrier::Map(wish.height);
+        lists.lists.push(FaceList { group, kind: FaceKind::Sea, carrier, other_side: None, sea: Some(sea) });
+    }
+    Ok(Arc::new(FaceLists { lists: lists.lists, by_depth: lists.by_depth }))
+}
+
+struct Lists<'a> {
+    lists: Vec<FaceList>,
+    by_depth: bool,
+    /// Priority of the next list of an effect.
+    next: i32,
+    objects: &'a [Object],
+    landscape: &'a Landscape,
+    frames: Rate,
+}
+
+impl Lists<'_> {
+    fn effect(&mut self, wish: &EffectFileWish) -> Result<(), StageError> {
+        let setting = Setting { frames: self.frames, signals: &[faces::ship::PITCH], most: Mesh::MOST_FACES };
+        let effect = Effect::read(&wish.file, setting).map_err(StageError::Effect)?;
+        let mut groups = effect.groups;
+        groups.sort_by_key(|group| group.priority);
+        for mut group in groups {
+            group.priority = self.priority();
+            let carrier = Carrier::of(wish.place, self.objects, self.landscape);
+            self.lists.push(FaceList { group, kind: FaceKind::Effect, carrier, other_side: None, sea: None });
+        }
+        Ok(())
+    }
+
+    fn plume(&mut self, number: usize, wish: &PlumeWish) -> Result<(), StageError> {
+        let plume = Plume {
+            flight: wish.flight,
+            spread: wish.spread,
+            azimuth: wish.azimuth,
+            faces: wish.faces,
+            colour: wish.colour,
+        };
+        for copy in 0..wish.copies {
+            let name = format!("plume-{}-{}", number + 1, copy + 1);
+            let group = plume.group(&name, self.priority(), wish.frames, (copy, wish.copies))?;
+            let carrier = Carrier::of(wish.place, self.objects, self.landscape);
+            self.lists.push(FaceList { group, kind: FaceKind::Effect, carrier, other_side: None, sea: None });
+        }
+        Ok(())
+    }
+
+    fn priority(&mut self) -> i32 {
+        self.next += 1;
+        self.next - 1
+    }
+
+    fn sea(&self, wish: &SeaWish) -> Result<Sea, FaceError> {
+        let [south, west, north, east] = wish.area.unwrap_or(self.landscape.level().extent());
+        let square =
+            |low: f64, high: f64| (low / wish.square).floor() as i64..(high / wish.square).ceil() as i64;
+        let board = Board::new(wish.square, square(west, east), square(south, north))?;
+        let cone = Cone::new(wish.normals, wish.normal_elevation)?;
+        Sea::of_state(wish.state, (board, wish.pattern, cone), (wish.mean, wish.colour), self.frames)
+    }
+
+    fn ship(&mut self, number: i32, wish: &ShipWish, sea: &SeaWish) -> Result<Arrangement, StageError> {
+        let arranged = wish.kind.arranged(&wish.id, wish.hiding, SHIPS + SHIP_STEP * number + 2)?;
+        self.bow_wake(number, wish, sea)?;
+        let carrier = Carrier::Ship(self.course(wish, sea, self.motion(wish)?));
+        self.lists.push(FaceList {
+            group: arranged.ship.clone(),
+            kind: FaceKind::Ship,
+            carrier,
+            other_side: None,
+            sea: None,
+        });
+        if let Some(group) = arranged.surround.clone() {
+            let carrier = Carrier::Ship(self.course(wish, sea, Motion::default()));
+            self.lists.push(FaceList { group, kind: FaceKind::Ship, carrier, other_side: None, sea: None });
+        }
+        Ok(arranged)
+    }
+
+    /// Foam on both sides of the bow: before the ship for an eye on its own side, behind it for one on the other.
+    fn bow_wake(&mut self, number: i32, wish: &ShipWish, sea: &SeaWish) -> Result<(), StageError> {
+        let Some((wake, frames)) = wish.bow_wake else { return Ok(()) };
+        let half_angle = libm::atan(wish.kind.beam / 2.0 / (entrance(wish) * wish.kind.length)) + OUTSIDE;
+        let sides = [
+            (Side::Port, "port", half_angle, -DVec3::Y),
+            (Side::Starboard, "starboard", -half_angle, DVec3::Y),
+        ];
+        for (k, (side, word, yaw, towards)) in sides.into_iter().enumerate() {
+            let first = SHIPS + SHIP_STEP * number + k as i32;
+            let group = wake.group(&format!("{}-bow-{word}", wish.id), side, first, frames)?;
+            let origin = DVec3::X * (wish.kind.length / 2.0);
+            let carrier =
+                Carrier::Ship(ShipCourse { origin, yaw, ..self.course(wish, sea, Motion::default()) });
+            let other_side = Some(OtherSide { towards, priority: first + SHIP_STEP / 2 });
+            self.lists.push(FaceList { group, kind: FaceKind::Wake, carrier, other_side, sea: None });
+        }
+        Ok(())
+    }
+
+    fn stern_wake(
+        &mut self,
+        number: i32,
+        wish: &ShipWish,
+        water: &SeaWish,
+        sea: &Sea,
+    ) -> Result<(), StageError> {
+        let Some(wake) = wish.stern_wake else { return Ok(()) };
+        let side = sea.board.side() / 2.0;
+        let [length, width] = wake.size.map(|size| (size / side).ceil() as i64);
+        let board = Board::new(side, -(width / 2)..width - width / 2, -length..0)?;
+        let level = sea.wake(board, wake.colour, self.frames)?;
+        let group = level.group(&format!("{}-stern", wish.id), LEVELS + number, Mesh::MOST_FACES)?;
+        let origin = DVec3::X * (-wish.kind.length / 2.0);
+        let carrier = Carrier::Ship(ShipCourse { origin, ..self.course(wish, water, Motion::default()) });
+        let group = group.detailed(wake.detail);
+        self.lists.push(FaceList {
+            group,
+            kind: FaceKind::Level,
+            carrier,
+            other_side: None,
+            sea: Some(level),
+        });
+        Ok(())
+    }
+
+    fn course(&self, wish: &ShipWish, sea: &SeaWish, motion: Motion) -> ShipCourse {
+        let [north, east] = wish.at;
+        ShipCourse {
+            start: DVec3::new(north, east, sea.height),
+            heading: wish.heading,
+            speed: wish.speed,
+            frames: self.frames,
+            motion,
+            origin: DVec3::ZERO,
+            yaw: 0.0,
+        }
+    }
+
+    fn motion(&self, wish: &ShipWish) -> Result<Motion, FaceError> {
+        let wave = |wave: &WaveWish| {
+            let turn = Turn::new([1000, wave.period_ms as i64], self.frames)?;
+            Ok(Wave { amplitude: wave.amplitude, turn, phase: wave.phase })
+        };
+        let waves = |waves: &[WaveWish]| waves.iter().map(wave).collect::<Result<_, FaceError>>();
+        let [pitch, roll, heave, sway] = &wish.motion;
+        Ok(Motion { pitch: waves(pitch)?, roll: waves(roll)?, heave: waves(heave)?, sway: waves(sway)? })
+    }
+}
+
+/// Part of a ship's length over which its waterline narrows to a point at the bow.
+fn entrance(wish: &ShipWish) -> f64 {
+    let at_water = wish.kind.levels.iter().find(|level| level.up == 0.0);
+    at_water.map_or(0.4, |level| level.entrance)
+}
