@@ -70,11 +70,6 @@ impl Board {
         self.side
     }
 
-    /// Numbers of the rows of squares, then of their columns.
-    pub fn numbers(&self) -> [Range<i64>; 2] {
-        [self.rows.clone(), self.columns.clone()]
-    }
-
     fn counts(&self) -> [u64; 2] {
         [&self.rows, &self.columns].map(|numbers| numbers.end.abs_diff(numbers.start))
     }

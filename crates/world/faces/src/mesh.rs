@@ -113,19 +113,4 @@ impl Mesh {
     pub fn places(&self, face: &Face) -> Vec<DVec3> {
         face.corners.iter().map(|&corner| self.vertices[corner as usize].place).collect()
     }
-
-    /// The same faces with the corners at the places that `place` gives, and given normals turned by `turn`, a rotation.
-    ///
-    /// # Errors
-    /// As [`Mesh::load`], where `place` bends or squeezes faces.
-    pub fn moved(
-        &self,
-        list: &str,
-        place: impl Fn(DVec3) -> DVec3,
-        turn: impl Fn(DVec3) -> DVec3,
-    ) -> Result<Loaded, FaceError> {
-        let moved = |vertex: &Vertex| Vertex { place: place(vertex.place), normal: vertex.normal.map(&turn) };
-        let vertices = self.vertices.iter().map(moved).collect();
-        Self::limited(list, vertices, self.faces.clone(), usize::MAX)
-    }
 }

@@ -87,12 +87,13 @@ fn a_panel_opens_once_and_a_beacon_flashes_by_its_sun() {
 }
 
 #[test]
-fn a_signal_drives_the_flash() {
-    let flash = &effect("weapon-flash").groups[0];
-    let shown = |thrust: f64| flash.shown(0, |name| if name == "thrust" { thrust } else { f64::NAN });
-    assert_eq!(shown(0.0), [0, 1, 2]);
-    assert_eq!(shown(0.3), [3, 4, 5]);
-    assert_eq!(shown(7.0), [9, 10, 11]);
+fn a_signal_drives_a_sequence() {
+    let driven = "mode = \"driven\"\nsignal = \"thrust\"\nlow = 0\nstep = 0.5";
+    let read = parse(&GOOD.replacen("frames = 3", driven, 1)).expect("an effect");
+    let shown =
+        |thrust: f64| read.groups[0].shown(9, |name| if name == "thrust" { thrust } else { f64::NAN });
+    assert_eq!((shown(0.0), shown(0.5), shown(7.0), shown(-7.0)), (vec![0], vec![1], vec![1], vec![0]));
+    assert_eq!(changes(&effect("weapon-flash").groups[0], 6), 6);
 }
 
 #[test]

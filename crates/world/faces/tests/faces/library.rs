@@ -30,8 +30,7 @@ fn cost(group: &Group) -> [usize; 5] {
 
 /// The row of an effect in the page.
 fn row(path: &Path) -> String {
-    let setting =
-        Setting { frames: Rate::new(30, 1).expect("a frame rate"), signals: &["thrust"], most: 200_000 };
+    let setting = Setting { frames: Rate::new(30, 1).expect("a frame rate"), signals: &[], most: 200_000 };
     let effect = Effect::read(path, setting).unwrap_or_else(|error| panic!("{error}"));
     let costs = effect.groups.iter().map(cost);
     let sum = costs.fold([0; 5], |sum, cost| [0, 1, 2, 3, 4].map(|k| sum[k] + cost[k]));

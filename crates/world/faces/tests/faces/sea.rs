@@ -146,6 +146,10 @@ fn a_wake_is_smaller_and_faster() {
     let wake = sea.wake(Board::new(5.0, 0..4, 0..4).expect("a board"), WHITE, rate()).expect("a wake");
     assert_eq!(wake.sun.turn(), Turn::new([2, 1], rate()).expect("a turn"));
     assert_eq!((wake.gain, wake.numbers().len()), (0.5, 25));
+    assert_eq!((sea.warnings(), wake.warnings()), (vec![], vec![]));
+    let slow = Rate::new(30, 1).expect("a rate");
+    let stepping = sea.wake(wake.board.clone(), WHITE, slow).expect("a wake").warnings();
+    assert!(matches!(stepping[..], [faces::Warning::Stepping { .. }]), "{stepping:?}");
     assert!(sea.wake(Board::new(10.0, 0..4, 0..4).expect("a board"), WHITE, rate()).is_err());
     assert!(sea.wake(wake.board.clone(), WHITE, Rate::new(3, 1).expect("a rate")).is_err());
 }
