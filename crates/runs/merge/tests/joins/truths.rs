@@ -51,7 +51,7 @@ fn truths_of_other_kinds_and_changed_arrays_are_refused() {
     let other = at.path().join("other");
     labels.shard(2, 2, &other);
     let said = refused(&[folders[0].clone(), other], &out);
-    assert!(said.contains("1-of-2/truth/truth.json and") && said.contains("fingerprint"), "{said}");
+    assert!(said.contains("1-of-2/truth/truth.json and") && said.contains("differ in planes"), "{said}");
     let array = folders[1].join("truth/frame-000006.npz");
     let mut bytes = fs::read(&array).unwrap();
     let place = bytes.len() / 2;
