@@ -1,7 +1,7 @@
 //! Smooth-shaded faces on their scenarios.
 
 use generator::{Label, PlaneKind, Session};
-use lunoid_tests::Shipped;
+use lunoid_tests::{Shipped, Shown};
 use scenario::Scenario;
 use signal::Probe;
 
@@ -12,58 +12,80 @@ fn session(shipped: &Shipped, sets: &[(&str, &str)]) -> Box<dyn Session> {
 }
 
 /// A frame of a scenario under run parameters, after a change of the scenario.
-fn drawn(
-    name: &str,
-    frame: u64,
-    sets: &[(&str, &str)],
-    change: impl FnOnce(&mut Scenario),
-) -> lunoid_tests::Shown {
+fn drawn(name: &str, frame: u64, sets: &[(&str, &str)], change: impl FnOnce(&mut Scenario)) -> Shown {
     let shipped = Shipped::changed(name, None, change);
     shipped.draw(&*session(&shipped, sets), frame, &mut Probe::off())
 }
 
 /// Pixels that show something.
-fn pixels(shown: &lunoid_tests::Shown, label: Label) -> usize {
+fn pixels(shown: &Shown, label: Label) -> usize {
     let code = f32::from(label.code());
     shown.planes.get(PlaneKind::Label).unwrap().iter().filter(|found| **found == code).count()
 }
 
 /// RMSE over displayed grey, 0 to 1.
-fn rmse(a: &lunoid_tests::Shown, b: &lunoid_tests::Shown) -> f64 {
+fn rmse(a: &Shown, b: &Shown) -> f64 {
     compare::compare(&a.picture, &b.picture, None, &[]).unwrap().rmse
 }
 
+/// The run parameters of the scenarios at sea, which the table of a scenario gives to the command alone.
+const AT_SEA: [(&str, &str); 2] = [("faces.order", "lists"), ("faces.ground", "false")];
+
+fn at_sea(name: &str, frame: u64, change: impl FnOnce(&mut Scenario)) -> Shown {
+    drawn(name, frame, &AT_SEA, change)
+}
+
 #[test]
-fn figures() {
-    let none: &[(&str, &str)] = &[];
-    let lists = [("faces.order", "lists"), ("faces.ground", "false")];
-    let sun = drawn("sea-state", 30, &lists, |_| {});
-    let normals = drawn("sea-state", 30, &[lists[0], lists[1], ("faces.animate", "normals")], |_| {});
-    println!("words {} {}", sun.counts["words"], normals.counts["words"]);
-    let wakes = drawn("sea-wakes", 90, &lists, |_| {});
-    let replaced = drawn("sea-wakes", 90, &lists, |scenario| {
-        let wake = scenario.faces.ships[0].stern_wake.as_mut().unwrap();
-        wake.detail = faces::Detail::Replace;
+fn a_sea_takes_three_words_by_its_sun_and_three_a_normal_by_its_normals() {
+    let [order, ground] = AT_SEA;
+    let words = |animate| {
+        drawn("sea-state", 30, &[order, ground, ("faces.animate", animate)], |_| {}).counts["words"]
+    };
+    assert_eq!((words("sun"), words("normals")), (3, 121_203));
+}
+
+#[test]
+fn the_sea_is_seen_through_a_wake_that_is_added() {
+    let added = at_sea("sea-wakes", 90, |_| {});
+    let replaced = at_sea("sea-wakes", 90, |scenario| {
+        scenario.faces.ships[0].stern_wake.as_mut().unwrap().detail = faces::Detail::Replace;
     });
-    println!("clamped {} {}", wakes.counts["clamped"], replaced.counts["clamped"]);
-    let motion = drawn("ship-motion", 30, &lists, |_| {});
-    let still =
-        drawn("ship-motion", 30, &lists, |scenario| scenario.faces.ships[0].motion = Default::default());
-    println!("motion {}", rmse(&motion, &still));
-    let first = drawn("ship-motion", 30, &lists, |scenario| {
+    assert_eq!(format!("{:.3}", rmse(&added, &replaced)), "0.029");
+}
+
+#[test]
+fn a_ship_moves_and_is_hidden_by_a_sea_that_comes_first() {
+    let moving = at_sea("ship-motion", 30, |_| {});
+    let still = at_sea("ship-motion", 30, |scenario| scenario.faces.ships[0].motion = Default::default());
+    assert_eq!(format!("{:.3}", rmse(&moving, &still)), "0.043");
+    let first = at_sea("ship-motion", 30, |scenario| {
         scenario.faces.ships[0].hiding = faces::ship::Hiding::SeaFirst;
     });
-    println!("ship {} sea first {}", pixels(&motion, Label::Ship), pixels(&first, Label::Ship));
-    let [far, near] =
-        [0, 540].map(|frame| pixels(&drawn("ship-landing", frame, &lists, |_| {}), Label::Ship));
-    println!("landing {far} {near}");
-    let tails = drawn("rooster-tails", 120, none, |_| {});
-    let bare = drawn("rooster-tails", 120, none, |scenario| scenario.faces.plumes.clear());
-    println!("tails {} {}", pixels(&tails, Label::Wake), pixels(&bare, Label::Wake));
-    let dust = drawn("landing-dust", 120, none, |_| {});
-    let clear = drawn("landing-dust", 120, none, |scenario| scenario.faces.effects.clear());
-    println!("dust {}", rmse(&dust, &clear));
-    let smooth = drawn("smooth-site", 90, none, |_| {});
+    assert_eq!([pixels(&moving, Label::Ship), pixels(&first, Label::Ship)], [41_307, 1735]);
+}
+
+#[test]
+fn a_ship_grows_on_the_way_to_its_deck() {
+    let [far, near] = [0, 540].map(|frame| pixels(&at_sea("ship-landing", frame, |_| {}), Label::Ship));
+    assert_eq!([far, near], [2911, 73_947]);
+}
+
+#[test]
+fn wheels_throw_dust() {
+    let tails = |change: fn(&mut Scenario)| pixels(&drawn("rooster-tails", 120, &[], change), Label::Wake);
+    assert_eq!([tails(|_| {}), tails(|scenario| scenario.faces.plumes.clear())], [15_693, 0]);
+}
+
+#[test]
+fn an_engine_blows_dust() {
+    let dust = drawn("landing-dust", 120, &[], |_| {});
+    let clear = drawn("landing-dust", 120, &[], |scenario| scenario.faces.effects.clear());
+    assert_eq!(format!("{:.3}", rmse(&dust, &clear)), "0.159");
+}
+
+#[test]
+fn smooth_faces_differ_from_flat_ones() {
+    let smooth = drawn("smooth-site", 90, &[], |_| {});
     let flat = drawn("smooth-site", 90, &[("faces.shading", "flat")], |_| {});
-    println!("site {}", rmse(&smooth, &flat));
+    assert_eq!(format!("{:.3}", rmse(&smooth, &flat)), "0.093");
 }

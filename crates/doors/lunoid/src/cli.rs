@@ -9,11 +9,6 @@ use crate::commands::{
 };
 use crate::output::Colour;
 
-/// Results of one family are equal to the bit: no fused multiply-add anywhere.
-pub const RESULT_FAMILY: &str = "unfused";
-/// Commit of the build, or "unknown".
-pub const COMMIT: &str = env!("LUNOID_COMMIT");
-
 const VERSION: &str =
     concat!(env!("CARGO_PKG_VERSION"), " (commit ", env!("LUNOID_COMMIT"), ", result family unfused)");
 

@@ -10,6 +10,7 @@ mod frame;
 mod interrupt;
 mod loading;
 mod output;
+mod program;
 mod progress;
 mod rehearsing;
 mod sharing;

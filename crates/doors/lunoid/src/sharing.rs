@@ -22,7 +22,7 @@ pub struct Sharing {
 pub enum Asked {
     /// The one that the environment names.
     Auto,
-    /// This one.
+    /// The part of this worker.
     Named(Shard),
 }
 

@@ -29,7 +29,7 @@ pub struct Sample {
 /// A scan line and what it took.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ScanLine {
-    /// Its samples.
+    /// Its samples in their order.
     pub samples: Vec<Sample>,
     /// Pieces that cross it.
     pub crossings: u64,

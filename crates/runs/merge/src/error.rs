@@ -31,9 +31,9 @@ pub enum MergeError {
         "{first} and {second} are not of one run: they differ in {differences}; join what one program drew from the same files"
     )]
     OtherRun {
-        /// One record.
+        /// One of the two records.
         first: PathBuf,
-        /// The other record.
+        /// The other of the two records.
         second: PathBuf,
         /// Every key that differs, the first in front.
         differences: String,
@@ -45,9 +45,9 @@ pub enum MergeError {
     Overlap {
         /// Number of the frame, counted at the update rate.
         frame: u64,
-        /// One record.
+        /// One of the two records.
         first: PathBuf,
-        /// The other record.
+        /// The other of the two records.
         second: PathBuf,
         /// Every key that differs, the first in front.
         differences: String,

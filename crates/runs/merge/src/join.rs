@@ -27,7 +27,7 @@ pub struct Merge<'a> {
     pub frames: Option<&'a Range<u64>>,
 }
 
-/// How joining ended.
+/// How the joining of shards ended.
 #[derive(Debug)]
 pub enum Outcome {
     /// The joined run is whole.
@@ -48,7 +48,7 @@ pub enum Outcome {
     },
 }
 
-/// What was joined.
+/// What was joined, in figures.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Joined {
     /// Frames of the run.

@@ -28,9 +28,9 @@ pub struct JoinedRun<'a> {
     pub record: RunRecord,
     /// For each frame of the record, the run folder that has its files.
     pub sources: Vec<&'a Path>,
-    /// Bytes of `poses.csv`.
+    /// Bytes of the file `poses.csv`.
     pub poses: Vec<u8>,
-    /// Bytes of `camera.json`.
+    /// Bytes of the file `camera.json`.
     pub camera: Vec<u8>,
     /// An animated PNG as well.
     pub film: bool,

@@ -11,7 +11,7 @@ use crate::{FacePlace, Guest, Object, Pose, Scenery};
 /// What a list of faces shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FaceKind {
-    /// A flat sea.
+    /// Water of a flat sea.
     Sea,
     /// A second level of detail upon the sea: churned water.
     Level,
@@ -28,9 +28,9 @@ pub enum FaceKind {
 pub struct FaceList {
     /// Its faces, their sun and their turns.
     pub group: Group,
-    /// What it shows.
+    /// What its faces show.
     pub kind: FaceKind,
-    /// What carries it.
+    /// What carries the list.
     pub carrier: Carrier,
     /// The priority that it has for an eye on the other side of a plane, where it has one.
     pub other_side: Option<OtherSide>,

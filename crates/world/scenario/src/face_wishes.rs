@@ -12,13 +12,13 @@ pub struct FaceWishes {
     pub sea: Option<SeaWish>,
     /// Ships on the sea.
     pub ships: Vec<ShipWish>,
-    /// Effects of files.
+    /// Effects that files describe.
     pub effects: Vec<EffectFileWish>,
-    /// Plumes of dust.
+    /// Plumes of dust, in order.
     pub plumes: Vec<PlumeWish>,
 }
 
-/// A flat sea.
+/// A flat sea that a scenario asks for.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SeaWish {
     /// Side of its squares (m).
@@ -69,7 +69,7 @@ pub struct ShipWish {
 pub struct WaveWish {
     /// Amplitude (rad or m).
     pub amplitude: f64,
-    /// Period (ms).
+    /// Period of the sine (ms).
     pub period_ms: u64,
     /// Phase in frame 0 (rad).
     pub phase: f64,
@@ -102,14 +102,14 @@ pub enum FacePlace {
 pub struct EffectFileWish {
     /// The effect file, in the scenario's folder or below.
     pub file: PathBuf,
-    /// Where it stands.
+    /// Where the effect stands.
     pub place: FacePlace,
 }
 
 /// A plume of dust: faces of one flight after another.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlumeWish {
-    /// Where it begins.
+    /// Where the plume begins.
     pub place: FacePlace,
     /// Flight of its middle.
     pub flight: Flight,

@@ -204,7 +204,7 @@ impl ProbeCommand {
         let hash = scenario.map(|scenario| ("scenario_blake3", scenario.blake3.clone()));
         let provenance = [
             ("program", format!("lunoid {}", env!("CARGO_PKG_VERSION"))),
-            ("commit", crate::cli::COMMIT.to_owned()),
+            ("commit", crate::program::COMMIT.to_owned()),
             ("scenario", self.chosen.stage.scenario.display().to_string()),
             ("machine", opened.drawn_by().to_owned()),
         ];

@@ -55,7 +55,7 @@ impl FileKind {
 
 /// What a `[path]` table says.
 pub(super) struct Course {
-    /// The path.
+    /// The path that the table says.
     pub path: Path,
     /// File that it came from, where it did.
     pub path_file: Option<PathBuf>,

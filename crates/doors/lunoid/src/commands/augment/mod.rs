@@ -17,10 +17,10 @@ use vehicle_shadow::{
     ScanConverter, Sequence, ShadowFolder, Shape, TrueGround, USUAL_TRACKS, timing_record, tracks_along,
 };
 
-use crate::cli::COMMIT;
 use crate::interrupt;
 use crate::loading::{StageArgs, Threads};
 use crate::output::{Place, expect_outputs, tell, warn};
+use crate::program::COMMIT;
 use crate::progress::Saying;
 use crate::{Failure, Verdict, values};
 

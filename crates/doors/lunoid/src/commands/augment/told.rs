@@ -6,8 +6,8 @@ use timing::Comparison;
 use vehicle_shadow::{Augmentation, FrameWork, GroundLaw, Method, SUN_POINTS, ScanConverter, Sequence};
 
 use crate::Failure;
-use crate::cli::COMMIT;
 use crate::output::{print, print_json};
+use crate::program::COMMIT;
 
 use super::Augment;
 use super::probing::Recorded;

@@ -8,9 +8,9 @@ use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde_json::json;
 
 use super::Choice;
-use crate::cli::COMMIT;
 use crate::loading::Threads;
 use crate::output::{Place, expect_outputs, print, print_json};
+use crate::program::COMMIT;
 use crate::sharing::{Sharing, part};
 use crate::{Failure, Verdict};
 use text::table;

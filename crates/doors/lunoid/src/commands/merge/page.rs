@@ -10,9 +10,9 @@ use run_page::{Making, gather};
 
 use crate::Failure;
 use crate::commands::of_run::stage_of;
-use crate::commands::replay::program;
 use crate::commands::words::words;
 use crate::loading::StageArgs;
+use crate::program::program;
 
 /// A page is made from the scenario, which may not be here.
 fn without_page(failure: Failure) -> Failure {

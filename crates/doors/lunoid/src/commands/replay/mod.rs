@@ -21,14 +21,13 @@ use replay::{
     ReplayError, RunFolder, TruthItems, TruthOutcome, is_run_file, run, write_truth, write_y4m,
 };
 use run_page::{Making, Request, check};
-use run_record::Program;
 use serde_json::json;
 
-use crate::cli::{COMMIT, RESULT_FAMILY};
 use crate::commands::words::words;
 use crate::interrupt;
 use crate::loading::{PreviewArgs, StageArgs, StageOptions, Threads, choose_frames, machine_help};
 use crate::output::{Place, expect_outputs, print, print_json, tell};
+use crate::program::program;
 use crate::progress::Saying;
 use crate::sharing::Sharing;
 use crate::{Failure, Verdict, values};
@@ -380,14 +379,4 @@ fn interrupted(what: &str, done: u64, of: u64) -> Verdict {
 
 fn is_stdout(path: &Path) -> bool {
     path == Path::new("-")
-}
-
-/// This program, for records.
-pub fn program() -> Program {
-    Program {
-        name: "lunoid".into(),
-        version: env!("CARGO_PKG_VERSION").into(),
-        commit: COMMIT.into(),
-        result_family: RESULT_FAMILY.into(),
-    }
 }

@@ -7,10 +7,10 @@ use deadlines::Rehearsal;
 use front_door::Opened;
 use state::{Bench, Mission, State};
 
-use crate::commands::replay::program;
 use crate::commands::words::words;
 use crate::loading::{StageArgs, StageOptions, Threads};
 use crate::output::Place as Output;
+use crate::program::program;
 use crate::rehearsing::rehearse;
 use crate::{Failure, values};
 

@@ -7,8 +7,8 @@ use study::report::{EconomyReport, is_of};
 
 use super::error::{failure, frames, quarter};
 use super::outputs::Outputs;
-use crate::cli::COMMIT;
 use crate::loading::{StageArgs, Threads, expect_machine, machine_stage, of_models};
+use crate::program::COMMIT;
 use crate::{Failure, Verdict, values};
 
 /// Repetitions that are timed.

@@ -17,8 +17,8 @@ use study::{
 };
 
 use super::outputs::Outputs;
-use crate::cli::COMMIT;
 use crate::loading::{StageArgs, Threads, machine_stage, of_models};
+use crate::program::COMMIT;
 use crate::{Failure, Verdict, values};
 
 /// The model whose parts make the chain that is solved.

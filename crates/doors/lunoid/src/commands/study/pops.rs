@@ -7,8 +7,8 @@ use study::pops::{PopCurve, curve, curve_of_pictures};
 use study::report::{PopReport, is_of};
 
 use super::outputs::Outputs;
-use crate::cli::COMMIT;
 use crate::loading::{StageArgs, Threads, choose_frames};
+use crate::program::COMMIT;
 use crate::{Failure, Verdict, values};
 use text::Span;
 

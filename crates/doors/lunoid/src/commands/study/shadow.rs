@@ -14,9 +14,9 @@ use vehicle_shadow::{Mast, Shape};
 
 use super::error::frames;
 use super::outputs::Outputs;
-use crate::cli::COMMIT;
 use crate::loading::{StageArgs, Threads, machine_stage};
 use crate::output::{Place, warn};
+use crate::program::COMMIT;
 use crate::{Failure, Verdict, values};
 
 /// Elevations of the sun where none are given (degrees): those of the page's table.

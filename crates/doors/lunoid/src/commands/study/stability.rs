@@ -11,8 +11,8 @@ use study::report::{StabilityReport, is_of, make_folder};
 use study::stability::{BASE, Choice, StabilityScene, matrix, rows, survey_fits};
 
 use super::outputs::Outputs;
-use crate::cli::COMMIT;
 use crate::loading::{StageArgs, Threads, machine_stage};
+use crate::program::COMMIT;
 use crate::{Failure, Verdict, values};
 
 const AFTER: &str = "Examples:
