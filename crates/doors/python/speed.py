@@ -1,4 +1,5 @@
-"""The time of a frame through Python as a share of the native one: both draw the same frames in turn, on one thread."""
+"""The time of a frame through Python as a share of the native one: both draw the same frames in turn, on one thread. The fastest of each count,
+since a busy computer only adds."""
 
 from __future__ import annotations
 
@@ -7,7 +8,6 @@ import subprocess
 import sys
 import time
 from pathlib import Path
-from statistics import median
 
 import numpy as np
 
@@ -19,7 +19,7 @@ MOST = 1.05
 
 def main(native: str, out: str) -> None:
     drive = lunoid.open("scenarios/first-light.toml", threads=1)
-    ratios, own_times = [], []
+    own_times, native_times = [], []
     with subprocess.Popen([native], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
         assert process.stdin is not None and process.stdout is not None
 
@@ -40,11 +40,11 @@ def main(native: str, out: str) -> None:
             theirs = theirs or other(frame)
             assert picture.hash == theirs[1], "other pixels"
             if turn >= 3:
-                ratios.append(own / theirs[0])
                 own_times.append(own)
+                native_times.append(theirs[0])
         process.stdin.close()
-    ratio = median(ratios)
-    print(f"{ratio:.3f} of the native frame, median of {ROUNDS} pairs; {1e3 * median(own_times):.1f} ms a frame")
+    ratio = min(own_times) / min(native_times)
+    print(f"{ratio:.3f} of the native frame, the fastest of {ROUNDS} each; {1e3 * min(own_times):.1f} ms a frame")
     Path(out).write_text(json.dumps({"ratio": round(ratio, 4), "pairs": ROUNDS, "at_most": MOST}))
     if ratio > MOST:
         sys.exit(f"expected at most {MOST}")
