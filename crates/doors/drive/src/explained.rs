@@ -72,9 +72,9 @@ impl Drive {
         let control = self.control.get_or_init(|| ControlPlane::new(self.machine.clone()));
         let sweeps = control.sweeps(frame, pose).map_err(|error| DriveError::of(self.file(), &error))?;
         let states = sweeps.registers(sweep, SweepTime(late.due));
-        let levels = states.iter().zip(self.stage.landscape.bank().levels());
+        let mut levels = states.iter().zip(self.stage.landscape.bank().levels());
         // The fine level comes first.
-        let state = if late.level == "fine" { levels.take(1).last() } else { levels.last() };
+        let state = if late.level == "fine" { levels.next() } else { levels.next_back() };
         let colour = Colour::ALL.iter().position(|colour| colour.name() == late.colour);
         let corner = state.zip(colour).map_or_else(String::new, |((state, level), colour)| {
             let [x, y] = corner_place(level, state.colours[colour][0].wanted);

@@ -68,7 +68,7 @@ impl EyePose {
             ("roll_deg", roll_deg, 360.0),
             ("yoke_deg", yoke_deg, 360.0),
         ];
-        match limits.into_iter().find(|(_, value, most)| !(value.abs() <= *most)) {
+        match limits.into_iter().find(|(_, value, most)| !(-*most..=*most).contains(value)) {
             None => Ok(Self {
                 time_s: time_s + 0.0,
                 eye_m: [x + 0.0, y + 0.0, z + 0.0],
