@@ -37,7 +37,7 @@ pub use error::{Action, FileError, folder_of};
 pub use folder::{Folder, FolderError, make_folder, rename};
 pub use kind::{Kind, leads_outside};
 pub use leftovers::{remove_leftovers, remove_leftovers_of};
-pub use lock::LOCK;
+pub use lock::{LOCK, Lock};
 pub use npy::{Npy, NpyData, NpyLayout, npy_layout, read_npy, write_npy};
 pub use npy_error::{NpyError, NpyFileError};
 pub use npz::write_npz;

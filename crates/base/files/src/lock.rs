@@ -15,13 +15,16 @@ const HOLDER_BYTES: u64 = 20;
 
 /// A lock of the system: it ends with the process, so a file that a killed run left locks nobody out.
 #[derive(Debug)]
-pub(crate) struct Lock {
+pub struct Lock {
     path: PathBuf,
     file: File,
 }
 
 impl Lock {
-    /// Takes the lock of `folder`.
+    /// Takes the lock of `folder`, which must be there.
+    ///
+    /// # Errors
+    /// If another process holds it, or the system gives no lock.
     pub fn take(folder: &Path) -> Result<Self, FolderError> {
         let path = folder.join(LOCK);
         let failed = |source| FolderError::System { path: path.clone(), doing: "lock the folder", source };

@@ -292,6 +292,7 @@ mod tests {
         let labels: Vec<_> = Label::ALL.iter().map(|label| (label.code(), label.name())).collect();
         let words = ["sky", "terrain", "feature", "rock", "culture", "vehicle track", "far silhouette"];
         let words = words.into_iter().chain(["light point", "translucent sheet", "fixed to the eye"]);
+        let words = words.chain(["sea", "wake or effect", "ship"]);
         assert_eq!(labels, (0..).zip(words).collect::<Vec<_>>());
         assert_eq!([Shade::Lit, Shade::Local, Shade::Remote].map(Shade::code), [0, 1, 2]);
         assert!(Label::ALL.iter().all(|label| Label::of_code(label.code()) == Some(*label)));

@@ -117,8 +117,14 @@ impl GeneratorSession for Session {
             Some(height) => Err(FrameError::Refused {
                 frame,
                 reason: format!(
-                    "the eye is {:.3} m under the ground between posts {spacing:.1} m apart; ask for a smaller lod.spacing_m, or lift the eye",
-                    height - up
+                    "the eye is {:.3} m under the ground between posts {spacing:.1} m apart; {}",
+                    height - up,
+                    match self.prepared.stage.landscape.posts() {
+                        // A database has its own posts, and vehicles stand on the bank.
+                        Some(_) =>
+                            "begin elsewhere, or raise vehicle.eye_height_m: these are the posts of landscape.database",
+                        None => "ask for a smaller lod.spacing_m, or lift the eye",
+                    }
                 ),
             }),
             None => Ok(()),

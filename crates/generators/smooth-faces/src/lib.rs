@@ -14,7 +14,8 @@
 //!
 //! - **Lists.** The sea, its levels, ships, wakes and effects have the priorities of the scenario. Behind them come bodies, the nearest
 //!   first, each a list of its own; the ground is last. Under `order = "lists"` the lower number wins a sample, inside a list the face
-//!   stored first. Under `depth` the nearest face wins. Samples where the two disagree are counted.
+//!   stored first. Under `depth` the nearest face wins, of two that coincide the
+//!   earlier one. Samples where the two disagree are counted.
 //! - **Brightness** of a corner is that of `faces`: normals averaged or given, times the list's own sun. Ground has the light of the scene's law
 //!   at its vertices.
 //! - **Pieces.** Faces of more than three corners are cut in triangles. Each piece is clipped at the near plane before it is projected; one that
@@ -44,7 +45,7 @@
 //! | `faces.edges_line` | 0 to 1000000 | 0 | pieces that a scan line holds; 0 is without limit |
 //! | `faces.ambient` | 0 to 1 | 0 | share of light from everywhere |
 //! | `faces.ground` | true, false | true | whether the ground is drawn |
-//! | `faces.ground_cells` | 4 to 512, a multiple of 4 | 64 | cells along half the side of each ring of the ground |
+//! | `faces.ground_cells` | 8 to 512, a multiple of 4 | 64 | cells along half the side of each ring of the ground |
 //! | `faces.ground_half_side_m` | 0.1 to 100000 | 32 | half the side of the innermost ring |
 //! | `faces.limit` | 1 to 10000000 | 200000 | most faces of a list |
 //!

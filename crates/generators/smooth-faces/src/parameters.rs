@@ -2,8 +2,11 @@
 
 use diagnostics::Reader;
 use faces::{Animate, Cut, Interpolation, ModelShading, Order, Scan};
-use ground_mesh::{FEWEST_CELLS, MOST_CELLS, Rings};
+use ground_mesh::{FEWEST_CELLS, Rings};
 use serde_json::Value;
+
+/// Most cells along half the side of a ring. Chosen: finer ground takes gigabytes, as every triangle is drawn.
+const MOST_GROUND_CELLS: u32 = 512;
 
 /// Run parameters that decide its pictures.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -137,7 +140,7 @@ fn animation(table: &Reader, usual: Animation) -> Option<Animation> {
 fn ground(table: &Reader) -> Option<Option<Rings>> {
     let is_drawn = table.bool("ground").default(true);
     let rule = "a multiple of 4";
-    let cells = table.u32("ground_cells").between(FEWEST_CELLS, MOST_CELLS);
+    let cells = table.u32("ground_cells").between(FEWEST_CELLS, MOST_GROUND_CELLS);
     let cells = cells.must(rule, |cells| cells.is_multiple_of(4)).default(64);
     let half_side = table.f64("ground_half_side_m").between(0.1, 1e5).unit("m").default(32.0);
     let rings = Rings { half_side: half_side?, cells: cells? };

@@ -6,7 +6,8 @@ use crate::parameters::Parameters;
 use crate::piece::Ramp;
 use crate::scene::Scene;
 
-/// By how much less near (a share) a level may be than what it is laid upon. Chosen: rounding of two planes that coincide.
+/// By how much (a share) the nearness of two planes that coincide may differ. Chosen: well above their rounding. Of two such faces the earlier list wins, and a level
+/// may be laid upon either.
 const COINCIDE: f64 = 1e-6;
 
 /// A sample of a scan line.
@@ -80,7 +81,7 @@ impl ScanLine {
                 let standing = &mut standings[sample];
                 // Pieces come in the order of their priorities, so the first one stays.
                 let is_first = standing.by_list.is_none();
-                let is_nearest = standing.by_depth.is_none_or(|(_, nearest)| q > nearest);
+                let is_nearest = standing.by_depth.is_none_or(|(_, nearest)| q > nearest * (1.0 + COINCIDE));
                 if is_first {
                     standing.by_list = Some((*piece, q));
                 }

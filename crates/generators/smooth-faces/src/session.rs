@@ -85,7 +85,13 @@ impl GeneratorSession for Session {
             weight: Weight::NotModelled,
         };
         let lacks = lacks.into_iter().filter(|(is_there, _)| *is_there).map(|(_, what)| omission(what));
-        lacks.chain(photographs_beside(landscape, NAME)).collect()
+        let told = scenery.face_lists().warnings.iter().map(|warning| Omission {
+            block: NAME,
+            what: warning.clone(),
+            why: "it is allowed, but may not show what was meant".into(),
+            weight: Weight::NotModelled,
+        });
+        lacks.chain(photographs_beside(landscape, NAME)).chain(told).collect()
     }
 
     fn wires(&self) -> Vec<Wire> {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use faces::ship::{Arrangement, Motion, Wave};
-use faces::{Board, Cone, Effect, FaceError, Mesh, Plume, Sea, Setting, Side, Turn};
+use faces::{Board, Cone, Effect, FaceError, Mesh, Plume, Sea, Setting, Side, Turn, Warning};
 use glam::DVec3;
 use landscape::Landscape;
 use quantities::Rate;
@@ -35,11 +35,20 @@ pub(crate) fn face_lists(
     frames: Rate,
 ) -> Result<Arc<FaceLists>, StageError> {
     let (wishes, objects) = (&scenario.faces, &scenario.objects);
-    let mut lists = Lists { lists: Vec::new(), by_depth: false, next: 1, objects, landscape, frames };
+    let mut lists = Lists {
+        lists: Vec::new(),
+        by_depth: false,
+        warnings: Vec::new(),
+        next: 1,
+        objects,
+        landscape,
+        frames,
+    };
     wishes.effects.iter().try_for_each(|wish| lists.effect(wish))?;
     wishes.plumes.iter().enumerate().try_for_each(|(number, wish)| lists.plume(number, wish))?;
     if let Some(wish) = &wishes.sea {
         let sea = lists.sea(wish)?;
+        lists.warn("[sea]", &sea.warnings());
         let mut is_first = false;
         for (number, ship) in wishes.ships.iter().enumerate() {
             let arranged = lists.ship(number as i32, ship, wish)?;
@@ -52,12 +61,14 @@ pub(crate) fn face_lists(
         let carrier = Carrier::Map(wish.height);
         lists.lists.push(FaceList { group, kind: FaceKind::Sea, carrier, other_side: None, sea: Some(sea) });
     }
-    Ok(Arc::new(FaceLists { lists: lists.lists, by_depth: lists.by_depth }))
+    let Lists { lists, by_depth, warnings, .. } = lists;
+    Ok(Arc::new(FaceLists { lists, by_depth, warnings }))
 }
 
 struct Lists<'a> {
     lists: Vec<FaceList>,
     by_depth: bool,
+    warnings: Vec<String>,
     /// Priority of the next list of an effect.
     next: i32,
     objects: &'a [Object],
@@ -69,6 +80,7 @@ impl Lists<'_> {
     fn effect(&mut self, wish: &EffectFileWish) -> Result<(), StageError> {
         let setting = Setting { frames: self.frames, signals: &[faces::ship::PITCH], most: Mesh::MOST_FACES };
         let effect = Effect::read(&wish.file, setting).map_err(StageError::Effect)?;
+        self.warn(&wish.file.display().to_string(), &effect.warnings);
         let mut groups = effect.groups;
         groups.sort_by_key(|group| group.priority);
         for mut group in groups {
@@ -96,6 +108,10 @@ impl Lists<'_> {
         Ok(())
     }
 
+    fn warn(&mut self, of: &str, warnings: &[Warning]) {
+        self.warnings.extend(warnings.iter().map(|warning| format!("{of}: {warning}")));
+    }
+
     fn priority(&mut self) -> i32 {
         self.next += 1;
         self.next - 1
@@ -113,7 +129,9 @@ impl Lists<'_> {
     fn ship(&mut self, number: i32, wish: &ShipWish, sea: &SeaWish) -> Result<Arrangement, StageError> {
         let arranged = wish.kind.arranged(&wish.id, wish.hiding, SHIPS + SHIP_STEP * number + 2)?;
         self.bow_wake(number, wish, sea)?;
-        let carrier = Carrier::Ship(self.course(wish, sea, self.motion(wish)?));
+        let motion = self.motion(wish)?;
+        self.warn(&format!("[[ship]] {}", wish.id), &motion.warnings());
+        let carrier = Carrier::Ship(self.course(wish, sea, motion));
         self.lists.push(FaceList {
             group: arranged.ship.clone(),
             kind: FaceKind::Ship,

@@ -92,7 +92,7 @@ pub fn curve_of_pictures(
 ) -> Result<PopCurve, StudyError> {
     if !generator.planes().contains(&PlaneKind::Distance) {
         return Err(StudyError::Ladder(format!(
-            "{} draws no distances along the view axis",
+            "generator {} draws no distances along the view axis: choose one that does, as exact, sampled or lod-mesh",
             generator.name()
         )));
     }
@@ -118,6 +118,11 @@ fn middle(view: &View) -> View {
 }
 
 impl PopCurve {
+    /// Whether the view axis meets ground in a frame at least.
+    pub fn meets_ground(&self) -> bool {
+        self.distances.iter().any(|distance| distance.is_finite())
+    }
+
     /// Curve - truth (m), frame by frame; NaN where an axis meets no ground.
     pub fn off(&self, truth: &Self) -> Vec<f64> {
         let pairs = self.distances.iter().zip(&truth.distances);

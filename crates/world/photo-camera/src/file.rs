@@ -27,7 +27,7 @@ use crate::{Affine, Axes, Camera, CameraError, Ellipsoid, Light, Orientation};
 const FORMAT: u64 = 1;
 
 /// What to do about a text that is no camera file.
-const HELP: &str = "correct the file at this place; the doc of the crate `photo-camera` shows a whole one";
+const HELP: &str = "correct the file at this place; docs/photo.md shows a whole one";
 
 /// Word of the file for the axes of a landscape.
 const LANDSCAPE: &str = "landscape";

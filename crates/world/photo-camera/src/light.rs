@@ -1,6 +1,6 @@
 //! The light of a photograph: its sun, and the curve of its greys.
 
-use std::f64::consts::FRAC_PI_2;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 use crate::CameraError;
 
@@ -20,7 +20,8 @@ impl Light {
     pub fn new(sun: Option<[f64; 2]>, grey: Option<[f64; 2]>) -> Result<Self, (&'static str, CameraError)> {
         if let Some([azimuth, elevation]) = sun {
             let key = |error| ("sun_azimuth_elevation_rad", error);
-            CameraError::figure("azimuth of the sun (rad)", azimuth, "a finite number", |_| true)
+            let turn = "radians, from -2 pi to 2 pi";
+            CameraError::figure("azimuth of the sun (rad)", azimuth, turn, |a| a.abs() <= TAU)
                 .map_err(key)?;
             let range = "a number from -pi/2 to pi/2";
             CameraError::figure("elevation of the sun (rad)", elevation, range, |e| e.abs() <= FRAC_PI_2)

@@ -8,7 +8,9 @@ use sight::SightError;
 #[derive(Debug, thiserror::Error)]
 pub enum DrapeError {
     /// There is nothing to lay over the ground.
-    #[error("no photograph; expected one or more: `[[photograph]]` with `file` and `camera`")]
+    #[error(
+        "a scenario without photographs; expected one `[[photograph]]` or more, with `file` and `camera`"
+    )]
     None,
     /// The axes of a photograph do not lie in those of the ground.
     #[error(

@@ -103,6 +103,8 @@ pub struct FaceLists {
     pub lists: Vec<FaceList>,
     /// Whether a ship asks for the order by depth.
     pub by_depth: bool,
+    /// What the user should know of them, in words.
+    pub warnings: Vec<String>,
 }
 
 /// Axes of a list in a frame: `turn` leads from its axes to north, east, up; then comes `place` (m).

@@ -1,14 +1,20 @@
 //! Edits of a landscape file on the disk, with its journal beside it.
 
 use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::Duration;
 
 use diagnostics::ProblemList;
-use files::{FileError, read_all, write_atomic};
+use files::{FileError, FolderError, Lock, read_all, write_atomic};
 use limits::Limit;
 
 use crate::description::Description;
 use crate::edit::{EditError, add, import, remove};
 use crate::journal::{Journal, JournalError};
+
+/// How often, and how long apart, an edit asks for the folder of its file while another process edits there. Chosen: ten seconds.
+const LOCK_TRIES: u32 = 200;
+const LOCK_PAUSE: Duration = Duration::from_millis(50);
 
 /// A landscape file and its journal, `NAME.toml.journal`.
 #[derive(Debug, Clone)]
@@ -52,6 +58,9 @@ pub enum LandscapeFileError {
         /// What is wrong with the journal.
         error: JournalError,
     },
+    /// Another process edits a landscape of the same folder, or the folder takes no lock.
+    #[error(transparent)]
+    Folder(#[from] FolderError),
     /// An edit after which the file would be no landscape.
     #[error("{0}")]
     Problems(ProblemList),
@@ -120,6 +129,7 @@ impl LandscapeFile {
     /// # Errors
     /// If a file cannot be read or written, there is nothing to undo, or the file was changed by hand since.
     pub fn undo(&self) -> Result<String, LandscapeFileError> {
+        let _lock = self.lock()?;
         let (text, mut journal) = (text_of(&self.path)?, self.journal()?);
         let (text, what) = journal.undo(&text).map_err(|error| self.of_journal(error))?;
         self.write(&text, &journal)?;
@@ -147,12 +157,28 @@ impl LandscapeFile {
         what: &str,
         edited: impl FnOnce(&str) -> Result<String, EditError>,
     ) -> Result<(), LandscapeFileError> {
+        let _lock = self.lock()?;
         let (text, mut journal) = (text_of(&self.path)?, self.journal()?);
         let to =
             edited(&text).map_err(|error| LandscapeFileError::Edit { path: self.path.clone(), error })?;
         self.check(&to)?;
         journal.push(what, &text, &to);
         self.write(&to, &journal)
+    }
+
+    /// Keeps other processes from editing until it is dropped; waits for one that edits.
+    fn lock(&self) -> Result<Lock, LandscapeFileError> {
+        let folder = match self.path.parent() {
+            Some(folder) if folder != Path::new("") => folder,
+            _ => Path::new("."),
+        };
+        for _ in 0..LOCK_TRIES {
+            match Lock::take(folder) {
+                Err(FolderError::Locked { .. }) => thread::sleep(LOCK_PAUSE),
+                taken => return Ok(taken?),
+            }
+        }
+        Ok(Lock::take(folder)?)
     }
 
     /// Whether a text is a landscape.

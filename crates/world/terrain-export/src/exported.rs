@@ -65,7 +65,7 @@ impl Exported {
         progress("boulders");
         let [corner, _] = ground.description().grid.extent();
         let objects = objects(ground, corner)?;
-        let scenario = scenario::text(ground, !craters.craters.is_empty(), &objects);
+        let scenario = scenario::text(ground, &survey.bank, &craters, &objects);
         let quantised = quantised(&heights, &database);
         let told = told::document(ground, &database, quantised, &craters, &survey);
         Ok(Self { database, survey, craters, light, scenario, told, objects })

@@ -34,6 +34,7 @@ mod folder;
 mod light;
 mod scenario;
 mod shaded;
+mod start;
 mod told;
 
 pub use database::database;

@@ -2,10 +2,12 @@
 
 use std::fmt::Write;
 
+use landscape::Bank;
 use quantities::degrees;
-use terrain_builder::{Ground, elevation_and_azimuth, sun_direction};
+use terrain_builder::{Export, Ground, elevation_and_azimuth, sun_direction};
 
 use crate::bodies::Object;
+use crate::start::start;
 
 /// Azimuth and elevation of the sun (degrees) where the landscape has none, or one that is down.
 const USUAL_SUN_DEG: [f64; 2] = [90.0, 20.0];
@@ -15,15 +17,15 @@ const DRIVE_SHARE: f64 = 0.02;
 /// Seconds of the drive, at one metre a second or slower.
 const DRIVE_S: f64 = 10.0;
 
-/// Text of a scenario that drives north over the middle of the landscape.
-pub(crate) fn text(ground: &Ground, has_craters: bool, objects: &[Object]) -> String {
+/// Text of a scenario that drives north over the landscape, as near to its middle as it can.
+pub(crate) fn text(ground: &Ground, bank: &Bank, export: &Export, objects: &[Object]) -> String {
     let description = ground.description();
     let grid = description.grid;
     let [[south, west], [north, east]] = grid.extent();
     let size = [north - south, east - west];
-    let [x, y] = size.map(|length| 0.5 * length);
     let drive = DRIVE_M.min(DRIVE_SHARE * size[0]);
-    let (features, objects) = (features(has_craters), objects_of(objects));
+    let [x, y] = start(ground, bank, export, drive);
+    let (features, objects) = (features(!export.craters.is_empty()), objects_of(objects));
     let [azimuth, elevation] = sun(ground);
     let (title, resolution) = (quoted(&description.title), grid.north.resolution);
     let (start, end) = (0.25 * resolution, size[0].max(size[1]));

@@ -17,7 +17,7 @@ fn error(parameters: Parameters, photographs: usize) -> String {
 #[test]
 fn each_fault_is_one_message() {
     let none = error(run(), 0);
-    assert!(none.contains("no photograph") && none.contains("[[photograph]]"), "{none}");
+    assert!(none.contains("without photographs") && none.contains("[[photograph]]"), "{none}");
     let posts = error(Parameters { spacing: Some(0.01), ..run() }, 1);
     assert!(posts.contains("posts 0.01 m apart") && posts.contains("panels.spacing_m"), "{posts}");
 }

@@ -29,7 +29,7 @@ pub fn stage(lists: Vec<FaceList>) -> Stage {
     let relief = Relief::flat(3, [2000.0; 2], 100.0);
     let landscape = Landscape::new(Bank::new("test", vec![relief.build().unwrap()], None).unwrap(), 0.5);
     let sun = Sun { azimuth: 1.2, elevation: 0.7 };
-    let lists = FaceLists { lists, by_depth: false };
+    let lists = FaceLists { lists, ..FaceLists::default() };
     Stage {
         landscape: Arc::new(landscape),
         scenery: Arc::new(Scenery::still(sun).with_face_lists(Arc::new(lists))),

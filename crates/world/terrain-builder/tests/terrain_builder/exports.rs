@@ -81,6 +81,27 @@ fn a_file_is_edited_and_undone_on_the_disk() {
 }
 
 #[test]
+fn edits_at_one_time_follow_one_another() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("ground.toml");
+    std::fs::write(&path, file_of(&[0])).unwrap();
+    let boulder = |number: usize| {
+        let place = "longitude_deg = 3.05\nlatitude_deg = 26.03\nradius_m = 8.0\n";
+        format!("[[feature]]\nid = \"b{number}\"\nkind = \"boulder\"\n{place}")
+    };
+    std::thread::scope(|scope| {
+        for number in 0..6 {
+            let (path, block) = (&path, boulder(number));
+            scope.spawn(move || LandscapeFile::new(path).add(&block).unwrap());
+        }
+    });
+    let text = std::fs::read_to_string(&path).unwrap();
+    assert!((0..6).all(|number| text.contains(&format!("id = \"b{number}\""))), "{text}");
+    assert_eq!(LandscapeFile::new(&path).journal().unwrap().edits().len(), 6);
+    assert!(!folder.path().join(files::LOCK).exists());
+}
+
+#[test]
 fn an_edit_that_makes_no_landscape_leaves_the_file_as_it_was() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("ground.toml");

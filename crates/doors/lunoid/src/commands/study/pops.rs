@@ -65,6 +65,10 @@ impl PopStudy {
                 curves: self.curves(&opened, frames.start, &poses)?,
             })
         })?;
+        if !report.curves.iter().all(PopCurve::meets_ground) {
+            let title = format!("frames {}..{}: the view axis meets no ground", frames.start, frames.end);
+            return Err(Failure::input(format!("{title}; look down, or choose other --frames")));
+        }
         if let Some(folder) = &self.outputs.out {
             report.leave(folder)?;
         }
