@@ -10,7 +10,8 @@ use lunoid_tests::shipped::folder;
 const THOROUGH: [&str; 2] = ["craters", "full-drive"];
 
 /// Generators of the registry that are drawn, in the order of the record.
-static GUESTS: [&Row; 4] = [&lunsim::ROW, &exact::ROW, &sampled::ROW, &lod_mesh::ROW];
+static GUESTS: [&Row; 6] =
+    [&lunsim::ROW, &exact::ROW, &sampled::ROW, &lod_mesh::ROW, &panels::ROW, &smooth_faces::ROW];
 
 /// Who draws, and how.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
