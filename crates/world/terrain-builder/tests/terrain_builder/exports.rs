@@ -86,7 +86,7 @@ fn edits_at_one_time_follow_one_another() {
     let path = folder.path().join("ground.toml");
     std::fs::write(&path, file_of(&[0])).unwrap();
     let boulder = |number: usize| {
-        let place = "longitude_deg = 3.05\nlatitude_deg = 26.03\nradius_m = 8.0\n";
+        let place = "longitude_deg = 3.05\nlatitude_deg = 26.03\nradius_m = 8.0\nshape = \"cube\"\n";
         format!("[[feature]]\nid = \"b{number}\"\nkind = \"boulder\"\n{place}")
     };
     std::thread::scope(|scope| {
