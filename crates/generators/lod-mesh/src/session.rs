@@ -5,9 +5,8 @@ use generator::{
     Stage, Weight, check_free_eye, face_lists_beside, photographs_beside,
 };
 use glam::DVec3;
-use light_points::BeamBudget;
 use lod_tiles::State;
-use raster::{Lists, Screen};
+use raster::Screen;
 use scenario::Pose;
 use scene_sampler::{Camera, Filled, Scene, judged_faces};
 use serde_json::Value;
@@ -19,9 +18,6 @@ use crate::parameters::Parameters;
 use crate::place::Seen;
 use crate::prepared::Prepared;
 use crate::sounding::sounding;
-
-/// Its beam takes no time: the document has none.
-const BEAM: BeamBudget = BeamBudget { jump_ns: 0, dwell_ns: 0 };
 
 /// The generator made ready for one stage.
 pub(crate) struct Session {
@@ -58,12 +54,6 @@ impl Session {
         Ok(Gathered { scene, state, mesh })
     }
 
-    fn lists(&self, scene: &Scene) -> Lists {
-        let mut lists = Lists::default();
-        lists.fill(&self.screen, &scene.faces.triangles);
-        lists
-    }
-
     /// The pixel of a frame with what it shows of the ground.
     fn filled<T>(
         &self,
@@ -72,10 +62,8 @@ impl Session {
         pixel: [usize; 2],
         use_it: impl FnOnce(&Filled<'_>) -> T,
     ) -> Result<T, FrameError> {
-        let lists = self.lists(&gathered.scene);
-        let filled = Filled::new(&gathered.scene, &lists, &self.screen, &self.prepared.run.sampling, pixel);
-        let filled = filled.map_err(|error| FrameError::Refused { frame, reason: error.to_string() })?;
-        Ok(use_it(&filled))
+        let run = &self.prepared.run.sampling;
+        scene_sampler::with_pixel(&gathered.scene, &self.screen, run, (frame, pixel), use_it)
     }
 }
 
@@ -89,11 +77,8 @@ impl GeneratorSession for Session {
     ) -> Result<FrameCounts, FrameError> {
         let gathered = self.gather(frame, pose)?;
         let (scene, run) = (&gathered.scene, &self.prepared.run.sampling);
-        let lists = self.lists(scene);
         let view = &self.prepared.stage.view;
-        let mut picture = scene_sampler::draw(scene, &lists, &self.screen, run, BEAM, view, frame, false)?;
-        picture.beam.draw(&scene.lights.points, run, &self.screen, &mut picture.colours);
-        scene_sampler::fill(&picture, scene, planes);
+        let picture = scene_sampler::draw_untimed(scene, &self.screen, run, (view, frame), planes)?;
         Ok(FrameCounts::of([
             ("tiles", gathered.mesh.tile_count()),
             ("visits", gathered.state.visits()),

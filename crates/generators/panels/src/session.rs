@@ -5,9 +5,8 @@ use generator::{
     Stage, Weight, check_free_eye, face_lists_beside,
 };
 use glam::DVec3;
-use light_points::BeamBudget;
 use quantities::degrees;
-use raster::{Lists, Screen};
+use raster::Screen;
 use scenario::Pose;
 use scene_sampler::{Camera, Filled, Scene, judged_faces};
 use serde_json::Value;
@@ -18,9 +17,6 @@ use crate::name::NAME;
 use crate::parameters::Parameters;
 use crate::place::Seen;
 use crate::prepared::Prepared;
-
-/// Its beam takes no time: the document has none.
-const BEAM: BeamBudget = BeamBudget { jump_ns: 0, dwell_ns: 0 };
 
 /// Angle (degrees) between two suns from which a drape is said to be lit by the wrong one. Chosen by the specification.
 const SUNS_APART_DEG: f64 = 5.0;
@@ -51,12 +47,6 @@ impl Session {
         Scene::new(&self.prepared.stage, run, &self.screen, camera, ground, (frame, pose.time))
     }
 
-    fn lists(&self, scene: &Scene) -> Lists {
-        let mut lists = Lists::default();
-        lists.fill(&self.screen, &scene.faces.triangles);
-        lists
-    }
-
     /// The pixel of a frame with what it shows of the ground.
     fn filled<T>(
         &self,
@@ -65,10 +55,8 @@ impl Session {
         pixel: [usize; 2],
         use_it: impl FnOnce(&Filled<'_>) -> T,
     ) -> Result<T, FrameError> {
-        let lists = self.lists(scene);
-        let filled = Filled::new(scene, &lists, &self.screen, &self.prepared.run.sampling, pixel);
-        let filled = filled.map_err(|error| FrameError::Refused { frame, reason: error.to_string() })?;
-        Ok(use_it(&filled))
+        let run = &self.prepared.run.sampling;
+        scene_sampler::with_pixel(scene, &self.screen, run, (frame, pixel), use_it)
     }
 
     /// The largest angle (degrees) between the scenario's sun as the mission begins and that of a photograph.
@@ -93,11 +81,8 @@ impl GeneratorSession for Session {
     ) -> Result<FrameCounts, FrameError> {
         let scene = self.scene(frame, pose)?;
         let run = &self.prepared.run.sampling;
-        let lists = self.lists(&scene);
         let view = &self.prepared.stage.view;
-        let mut picture = scene_sampler::draw(&scene, &lists, &self.screen, run, BEAM, view, frame, false)?;
-        picture.beam.draw(&scene.lights.points, run, &self.screen, &mut picture.colours);
-        scene_sampler::fill(&picture, &scene, planes);
+        let picture = scene_sampler::draw_untimed(&scene, &self.screen, run, (view, frame), planes)?;
         Ok(FrameCounts::of([
             ("panels", self.prepared.mesh.panels.len() as u64),
             ("faces", scene.faces.work.faces),

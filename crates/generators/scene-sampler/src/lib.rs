@@ -50,6 +50,7 @@ mod point;
 mod reading;
 mod scene;
 mod tile;
+mod untimed;
 mod wedge;
 
 pub use beam::Beam;
@@ -66,4 +67,5 @@ pub use picture::{PLANES, Picture, area_of, draw, fill};
 pub use reading::Reading;
 pub use scene::Scene;
 pub use tile::SIDE;
+pub use untimed::{draw_untimed, with_pixel};
 pub use wedge::Wedge;
