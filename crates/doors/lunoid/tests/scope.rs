@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use assert_cmd::Command;
 
 const PAGE: &str = "docs/scope.md";
-const PICTURES: [&str; 5] =
-    ["height-and-reflectivity", "shadow-gates", "projection", "lunsim-row", "sweep-x-over-y"];
+const PICTURES: [&str; 6] =
+    ["height-and-reflectivity", "shadow-gates", "projection", "lunsim-row", "sweep-x-over-y", "scan-line"];
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..")

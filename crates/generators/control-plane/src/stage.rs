@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use generator::{PrepareError, Scan, Stage};
+use generator::{Along, PrepareError, Scan, Stage};
 use hardware_model::Settings;
 use landscape::Landscape;
 use scenario::Scenery;
@@ -52,5 +52,5 @@ impl MachineStage {
 
 /// How the signals of a machine of `settings` run.
 pub fn scan(settings: &Settings) -> Scan {
-    Scan { line: "sweep", timebase: settings.timebase, place: RANGE, ahead: None }
+    Scan { line: "sweep", timebase: settings.timebase, place: RANGE, along: Along::Range }
 }

@@ -72,10 +72,34 @@ pub struct Scan {
     pub line: &'static str,
     /// Clocks: lines of a frame as sweeps, and the samples of each.
     pub timebase: Timebase,
-    /// Signal that says where a sample is (m).
+    /// Signal that says where a sample is.
     pub place: &'static str,
-    /// Signal that says how far ahead the whole line is (m), where a line lies across the view.
-    pub ahead: Option<&'static str>,
+    /// What the samples of a line follow one another along.
+    pub along: Along,
+}
+
+impl Scan {
+    /// Signal that says how far ahead a whole line is, where lines lie across the view.
+    pub fn ahead(&self) -> Option<&'static str> {
+        match self.along {
+            Along::Across { ahead } => Some(ahead),
+            Along::Range | Along::Raster => None,
+        }
+    }
+}
+
+/// What the samples of a line follow one another along.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Along {
+    /// Ground range (m), in time.
+    Range,
+    /// The way across the line of sight (m).
+    Across {
+        /// Signal that says how far ahead the whole line is (m).
+        ahead: &'static str,
+    },
+    /// A line of the raster; places are counted.
+    Raster,
 }
 
 /// An image generator with its own settings: the hybrid machine, `exact`, and others of the field's history.

@@ -1,8 +1,8 @@
 //! LUNSIM as a generator: from a stage and a pose to the planes of a frame, block by block.
 
 use generator::{
-    Counter, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes, PrepareError, Scan,
-    Session as GeneratorSession, Stage, Timed, check_eye, face_lists_beside, photographs_beside,
+    Along, Counter, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes, PrepareError,
+    Scan, Session as GeneratorSession, Stage, Timed, check_eye, face_lists_beside, photographs_beside,
 };
 use scenario::{Pose, View};
 use serde_json::{Value, json};
@@ -49,7 +49,7 @@ impl Generator for Lunsim {
 
     fn scan(&self, view: &View) -> Option<Scan> {
         let timebase = rows::timebase(view, self.parameters.grid)?;
-        Some(Scan { line: "row", timebase, place: rows::ACROSS, ahead: Some(rows::ALONG) })
+        Some(Scan { line: "row", timebase, place: rows::ACROSS, along: Along::Across { ahead: rows::ALONG } })
     }
 
     fn record(&self) -> Value {

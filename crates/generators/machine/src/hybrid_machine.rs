@@ -1,7 +1,7 @@
 //! The hybrid machine as a generator.
 
 use control_plane::{ControlPlane, MachineStage, scan};
-use generator::{Counter, Generator, PrepareError, Scan, Session, Stage, Timed};
+use generator::{Along, Counter, Generator, PrepareError, Scan, Session, Stage, Timed};
 use hardware_model::{MachineRecord, Settings};
 use scenario::View;
 use serde_json::{Value, json};
@@ -50,7 +50,7 @@ impl Generator for HybridMachine {
     fn line_scan(&self) -> Option<Scan> {
         let lines = PictureTube::of(&self.settings).lines_scanned();
         let timebase = ScanRaster::clocks(&self.settings, lines).ok()?;
-        Some(Scan { line: "line", timebase, place: TUBE_VIDEO, ahead: None })
+        Some(Scan { line: "line", timebase, place: TUBE_VIDEO, along: Along::Raster })
     }
 
     fn record(&self) -> Value {

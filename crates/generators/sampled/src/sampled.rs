@@ -1,7 +1,8 @@
 //! The generator: what it is called, what it counts, and what its pictures follow from.
 
 use generator::{
-    Counter, Generator, Joined, PlaneKind, PrepareError, Scan, Session as GeneratorSession, Stage, Timed,
+    Along, Counter, Generator, Joined, PlaneKind, PrepareError, Scan, Session as GeneratorSession, Stage,
+    Timed,
 };
 use scenario::View;
 use serde_json::{Value, json};
@@ -70,7 +71,7 @@ impl Generator for Sampled {
 
     fn scan(&self, view: &View) -> Option<Scan> {
         let timebase = rows::timebase(view)?;
-        Some(Scan { line: "row", timebase, place: rows::ACROSS, ahead: Some(rows::AHEAD) })
+        Some(Scan { line: "row", timebase, place: rows::ACROSS, along: Along::Across { ahead: rows::AHEAD } })
     }
 
     fn draws_colour(&self, stage: &Stage) -> bool {

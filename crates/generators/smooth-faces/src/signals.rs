@@ -1,7 +1,7 @@
 //! Waveforms of a scan line: brightness, level, priority, crossings, ramp.
 
 use faces::Scan as Direction;
-use generator::Scan;
+use generator::{Along, Scan};
 use quantities::Timebase;
 use scenario::View;
 use signal::{Probe, Signal, Unit, Waveform, Wire};
@@ -37,7 +37,7 @@ pub fn scan(view: &View, direction: Direction) -> Option<Scan> {
         Direction::Horizontal => (view.lines, view.columns),
     };
     let timebase = Timebase::new(view.update, view.update, lines, samples, 0).ok()?;
-    Some(Scan { line: "scan line", timebase, place: LINE, ahead: None })
+    Some(Scan { line: "scan line", timebase, place: LINE, along: Along::Raster })
 }
 
 /// The wires of a view. Numbers of a program have no voltage.

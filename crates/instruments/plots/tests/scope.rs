@@ -66,6 +66,23 @@ fn a_row_has_places_on_both_sides() {
     assert!(message.contains("across the line of sight (m)"), "{message}");
 }
 
+/// Places of a scan line are counted: no metres, no decades, no time.
+#[test]
+fn scan_lines_have_neither_metres_nor_time() {
+    let (places, values): (Vec<f64>, Vec<f64>) =
+        (0..50).map(|at| (f64::from(at), f64::from(at) * 0.02)).unzip();
+    let clock = Clock { ranges: &places, period: 1.0, line: Line::ScanLine };
+    let line = Scope { clock, ..scope(&places, &values) };
+    let cursors = vec![Place::Range(10.0), Place::Range(30.0)];
+    let look = ScopeLook { along: Along::Range, cursors, ..look() };
+    let texts = labels(&scope_picture(&line, &look).unwrap());
+    for word in ["place on the scan line", "sample", "slope, a sample", "10.000", "20.000"] {
+        assert!(texts.iter().any(|text| text == word), "{word}: {texts:?}");
+    }
+    let metres = |text: &&String| text.contains("(m)") && !text.contains("height");
+    assert!(!texts.iter().any(|text| metres(&text) || text.contains("time")), "{texts:?}");
+}
+
 /// Everything that a page can have.
 fn full<'a>(ranges: &'a [f64], waves: &'a [Vec<f64>; 3], grey: &'a [f64]) -> Scope<'a> {
     let [height, light, line] = waves;

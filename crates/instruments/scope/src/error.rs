@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use generator::FrameError;
 use picture::PictureError;
-use plots::PlotError;
+use plots::{Line, PlotError};
 use waveform::WaveformError;
 
 use crate::size;
@@ -33,11 +33,14 @@ pub enum ScopeError {
         "--axis xy: {0}; expected two analog signals by their names, as sweep.x,sweep.y: the first runs across, the second up"
     )]
     NoPair(String),
-    /// A row is asked for what only a sweep has.
-    #[error(
-        "{0}: a row has no sweep time; expected places to the right of the line of sight in metres, as -120.5"
-    )]
-    NoTime(String),
+    /// A row or a scan line is asked for what only a sweep has.
+    #[error("{given}: {}", without_time(*line))]
+    NoTime {
+        /// The option or the place.
+        given: String,
+        /// What has no time.
+        line: Line,
+    },
     /// A place lies beyond the samples.
     #[error(
         "{option} {found}{unit}: the samples lie from {low:.3} to {high:.3}{unit}; expected a place there"
@@ -80,4 +83,14 @@ pub enum ScopeError {
     /// The file of waveforms cannot be written.
     #[error(transparent)]
     Waveform(#[from] WaveformError),
+}
+
+/// What a line without time has instead.
+fn without_time(line: Line) -> &'static str {
+    match line {
+        Line::ScanLine => "a scan line has no sweep time; expected places that are counted along it, as 120",
+        Line::Sweep | Line::Row => {
+            "a row has no sweep time; expected places to the right of the line of sight in metres, as -120.5"
+        }
+    }
 }

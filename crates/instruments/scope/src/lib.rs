@@ -41,7 +41,7 @@ const SHADED: [&str; 7] = [
 
 /// Signals that a page needs beside those that it shows; of each generator those that it has.
 pub fn needs(scan: &Scan) -> Vec<&'static str> {
-    SHADED.into_iter().chain([scan.place]).chain(scan.ahead).collect()
+    SHADED.into_iter().chain([scan.place]).chain(scan.ahead()).collect()
 }
 
 /// What was recorded of one sweep.

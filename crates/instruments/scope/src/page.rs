@@ -1,6 +1,6 @@
 //! Waveforms of a sweep as curves, lanes, crossings and a picture column.
 
-use generator::Scan;
+use generator::{Along, Scan};
 use picture::{Depth, Encoder, Transfer};
 use plots::{
     Clock, Crossing, Curve, Curves, Line, Logic, LogicLane, PictureColumn, RegisterColour, Scope, Upright,
@@ -30,11 +30,10 @@ impl<'a> Page<'a> {
             recorded.wanted.contains(&waveform.signal.name) && runs_along(&waveform.signal, scan)
         };
         let shown: Vec<&Waveform> = recorded.waveforms.iter().filter(is_shown).collect();
-        let line = if scan.ahead.is_some() { Line::Row } else { Line::Sweep };
         let (Some(range), false) = (find(recorded, scan.place), shown.is_empty()) else {
             return Err(ScopeError::NothingAlong { line: scan.line, place: scan.place });
         };
-        Ok(Self { recorded, line, range, shown, grey: grey(recorded)? })
+        Ok(Self { recorded, line: line_of(scan.along), range, shown, grey: grey(recorded)? })
     }
 
     /// What its samples follow one another along.
@@ -47,14 +46,20 @@ impl<'a> Page<'a> {
         match self.line {
             Line::Sweep => self.facts_of_sweep(),
             Line::Row => self.facts_of_row(),
+            Line::ScanLine => self.facts_of_scan_line(),
         }
+    }
+
+    fn facts_of_scan_line(&self) -> Vec<String> {
+        let (frame, line, lines) = (self.range.frame, self.range.sweep, self.recorded.scan.timebase.sweeps);
+        vec![format!("frame {frame}, scan line {line} of {lines}; {} samples", self.range.values.len())]
     }
 
     fn facts_of_row(&self) -> Vec<String> {
         let (frame, row, across) = (self.range.frame, self.range.sweep, &self.range.values);
         let (points, rows) = (across.len(), self.recorded.scan.timebase.sweeps);
         let step = across.get(1).map_or(0.0, |second| second - across[0]);
-        let ahead = self.recorded.scan.ahead.and_then(|along| find(self.recorded, along));
+        let ahead = self.recorded.scan.ahead().and_then(|along| find(self.recorded, along));
         let ahead = ahead.and_then(|along| along.values.first()).copied().unwrap_or(0.0);
         vec![format!(
             "frame {frame}, row {row} of {rows}, {ahead:.1} m along the line of sight; {points} points, one every {step:.2} m"
@@ -73,7 +78,7 @@ impl<'a> Page<'a> {
     pub fn scope(&self) -> Scope<'_> {
         let period = match self.line {
             Line::Sweep => 1e6 / self.recorded.scan.timebase.sample_rate().hertz(),
-            Line::Row => 1.0,
+            Line::Row | Line::ScanLine => 1.0,
         };
         let line = find(self.recorded, "dpp.y").map(|waveform| &waveform.values[..]);
         let column = PictureColumn { grey: &self.grey, line };
@@ -106,7 +111,7 @@ impl<'a> Page<'a> {
         let unit = waveform.signal.unit;
         let upright = match (unit, self.line) {
             (Unit::Line, Line::Sweep) => Upright::Lines(self.grey.len().max(1) as u32),
-            (Unit::Line, Line::Row) => {
+            (Unit::Line, Line::Row | Line::ScanLine) => {
                 Upright::Lines(self.wire(waveform).map_or(1, |wire| wire.full_scale as u32))
             }
             _ => Upright::Values,
@@ -169,9 +174,18 @@ impl<'a> Page<'a> {
     }
 }
 
+/// The line of a page for what its samples follow one another along.
+fn line_of(along: Along) -> Line {
+    match along {
+        Along::Range => Line::Sweep,
+        Along::Across { .. } => Line::Row,
+        Along::Raster => Line::ScanLine,
+    }
+}
+
 /// Whether a signal can be drawn along a sweep or a row, and is not its axis or the same all along.
 pub fn runs_along(signal: &Signal, scan: &Scan) -> bool {
-    signal.axis != Axis::Display && signal.name != scan.place && Some(signal.name) != scan.ahead
+    signal.axis != Axis::Display && signal.name != scan.place && Some(signal.name) != scan.ahead()
 }
 
 pub fn find<'a>(recorded: &Recorded<'a>, name: &str) -> Option<&'a Waveform> {
@@ -217,8 +231,15 @@ fn stretches(gate: &[f64]) -> Vec<[f64; 2]> {
 
 #[cfg(test)]
 mod tests {
-    use super::{colour, stretches};
-    use plots::RegisterColour;
+    use super::{colour, line_of, stretches};
+    use generator::Along;
+    use plots::{Line, RegisterColour};
+
+    #[test]
+    fn a_line_is_what_its_places_are() {
+        let found = [Along::Range, Along::Across { ahead: "y" }, Along::Raster].map(line_of);
+        assert_eq!(found, [Line::Sweep, Line::Row, Line::ScanLine]);
+    }
 
     #[test]
     fn gates_are_high_from_sample_to_sample() {

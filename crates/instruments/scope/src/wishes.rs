@@ -33,11 +33,11 @@ impl ScopeWishes {
     /// # Errors
     /// If a row is asked for what only a sweep has.
     pub(crate) fn look(&self, title: &str, facts: Vec<String>, line: Line) -> Result<ScopeLook, ScopeError> {
-        if line == Line::Row {
-            self.expect_no_time()?;
+        if !line.has_time() {
+            self.expect_no_time(line)?;
         }
         let page = ScopeLook::titled(title);
-        let along = match (self.by_time, self.linear || line == Line::Row) {
+        let along = match (self.by_time, self.linear || !line.has_time()) {
             (true, _) => Along::Time,
             (false, true) => Along::Range,
             (false, false) => Along::LogRange,
@@ -57,6 +57,7 @@ impl ScopeWishes {
         let ends = ends.into_iter().filter_map(|(option, place)| Some((option, place.as_ref()?)));
         cursors.chain(ends).try_for_each(|(option, place)| {
             let (found, unit, [low, high]) = match *place {
+                Place::Range(range) if clock.line == Line::ScanLine => (range, "", [near, far]),
                 Place::Range(range) => (range, " m", [near, far]),
                 Place::Time(time) => (time, " us", [0.0, end]),
             };
@@ -67,14 +68,14 @@ impl ScopeWishes {
         })
     }
 
-    /// A row of a grid lies across the line of sight: nothing runs along it.
-    fn expect_no_time(&self) -> Result<(), ScopeError> {
+    /// A row of a grid lies across the line of sight, and a scan line is a line of the picture: no time runs along them.
+    fn expect_no_time(&self, line: Line) -> Result<(), ScopeError> {
         let mut places = self.cursors.iter().chain(&self.from).chain(&self.to);
         let given = match places.find(|place| matches!(place, Place::Time(_))) {
             Some(Place::Time(time)) => format!("{time}us"),
             _ if self.by_time => "--axis time".into(),
             _ => return Ok(()),
         };
-        Err(ScopeError::NoTime(given))
+        Err(ScopeError::NoTime { given, line })
     }
 }

@@ -9,9 +9,9 @@ use super::{Along, Line, Place};
 /// The clock of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Clock<'a> {
-    /// Place of each sample (m), ascending: ground range, or across the line of sight.
+    /// Place of each sample, ascending: ground range, or across the line of sight (m), or counted along a scan line.
     pub ranges: &'a [f64],
-    /// From sample to sample (µs); of a row 1.
+    /// From sample to sample (µs); of a row and of a scan line 1.
     pub period: f64,
     /// What it is the clock of.
     pub line: Line,
@@ -24,7 +24,7 @@ impl Clock<'_> {
             return Err(PlotError::Empty { what: self.line.place()[0].into() });
         }
         if let Some(&bad) = self.ranges.iter().find(|range| !range.is_finite()) {
-            return Err(value(self.line.place()[0], bad, "a finite length"));
+            return Err(value(self.line.place()[0], bad, "a finite number"));
         }
         if let Some(pair) = self.ranges.windows(2).find(|pair| pair[1] <= pair[0]) {
             return Err(value(self.line.place()[0], pair[1], "more than at the sample before"));
@@ -52,7 +52,7 @@ impl Clock<'_> {
     pub(crate) fn instant_of(&self, place: Place) -> Result<f64, PlotError> {
         let (instant, found, what) = match place {
             Place::Range(range) => {
-                (self.instant_of_range(range), range, format!("{} (m)", self.line.place()[0]))
+                (self.instant_of_range(range), range, self.line.place_with_unit(self.line.place()[0]))
             }
             Place::Time(time) => {
                 (Some(time / self.period), time, self.line.instant_with_unit(self.line.instant()[0]))
@@ -111,8 +111,8 @@ impl<'a> View<'a> {
         let ends = window.map(|instant| value(&clock, along, instant));
         let ([place, _], [instant, _]) = (clock.line.place(), clock.line.instant());
         let axis = match along {
-            Along::LogRange => Axis::new(format!("{place} (m)")).logarithmic(),
-            Along::Range => Axis::new(format!("{place} (m)")),
+            Along::LogRange => Axis::new(clock.line.place_with_unit(place)).logarithmic(),
+            Along::Range => Axis::new(clock.line.place_with_unit(place)),
             Along::Time => Axis::new(clock.line.instant_with_unit(instant)),
         };
         let axis = if from.is_some() || to.is_some() { axis.over(ends) } else { axis };

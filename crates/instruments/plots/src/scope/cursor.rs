@@ -89,7 +89,7 @@ impl Readouts {
         let has_volts = scope.panels.iter().any(|curves| curves.volts.is_some());
         let (table, line) = (Table { view, at: &cursors.0, has_volts }, view.clock.line);
         let places = [
-            table.place(line.place()[0], "m", |instant| view.clock.range_at(instant)),
+            table.place(line.place()[0], line.place_unit(), |instant| view.clock.range_at(instant)),
             table.place(line.instant()[0], line.unit(), |instant| view.clock.time_at(instant)),
         ];
         let curves = scope.panels.iter().flat_map(|curves| table.curves(curves));
@@ -145,6 +145,7 @@ impl Table<'_, '_> {
         let per = match (self.view.along, self.view.clock.line) {
             (Along::Time, Line::Sweep) => "slope, a µs",
             (Along::Time, Line::Row) => "slope, a point",
+            (_, Line::ScanLine) => "slope, a sample",
             _ => "slope, a m",
         };
         let of_both = ["B − A".to_owned(), per.to_owned()];

@@ -225,8 +225,8 @@ impl<'p, 'a> Page<'p, 'a> {
         let line = self.view.clock.line;
         let ([place, near], [instant, short]) = (line.place(), line.instant());
         let (own, other) = match self.look.along {
-            Along::Time => (line.instant_with_unit(instant), format!("{near} (m)")),
-            _ => (format!("{place} (m)"), line.instant_with_unit(short)),
+            Along::Time => (line.instant_with_unit(instant), line.place_with_unit(near)),
+            _ => (line.place_with_unit(place), line.instant_with_unit(short)),
         };
         let middle = self.layout.left + self.layout.width / 2.0;
         for (x, label) in apart(self.view.ticks()) {

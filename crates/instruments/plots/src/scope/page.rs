@@ -164,6 +164,8 @@ pub enum Line {
     Sweep,
     /// A row of a ground grid: places to the right of the line of sight, and points counted from the left. Its period is 1.
     Row,
+    /// A scan line of a raster: places and samples are both counted from its start. Its period is 1.
+    ScanLine,
 }
 
 impl Line {
@@ -172,7 +174,26 @@ impl Line {
         match self {
             Self::Sweep => ["ground range", "range"],
             Self::Row => ["across the line of sight", "across"],
+            Self::ScanLine => ["place on the scan line", "place"],
         }
+    }
+
+    /// Unit of places; those on a scan line are counted.
+    pub(crate) fn place_unit(self) -> &'static str {
+        match self {
+            Self::Sweep | Self::Row => "m",
+            Self::ScanLine => "",
+        }
+    }
+
+    /// The word of a place with its unit.
+    pub(crate) fn place_with_unit(self, word: &str) -> String {
+        with_unit(word, self.place_unit())
+    }
+
+    /// Whether instants are times.
+    pub fn has_time(self) -> bool {
+        self == Self::Sweep
     }
 
     /// What an instant on it is called, in full, and in few letters.
@@ -180,6 +201,7 @@ impl Line {
         match self {
             Self::Sweep => ["sweep time", "time"],
             Self::Row => ["point of the row", "point"],
+            Self::ScanLine => ["sample of the scan line", "sample"],
         }
     }
 
@@ -187,17 +209,18 @@ impl Line {
     pub(crate) fn unit(self) -> &'static str {
         match self {
             Self::Sweep => "µs",
-            Self::Row => "",
+            Self::Row | Self::ScanLine => "",
         }
     }
 
     /// The word of an instant with its unit.
     pub(crate) fn instant_with_unit(self, word: &str) -> String {
-        match self.unit() {
-            "" => word.into(),
-            unit => format!("{word} ({unit})"),
-        }
+        with_unit(word, self.unit())
     }
+}
+
+fn with_unit(word: &str, unit: &str) -> String {
+    if unit.is_empty() { word.into() } else { format!("{word} ({unit})") }
 }
 
 /// Along what the page runs; the other one stands at the top.
@@ -215,9 +238,9 @@ pub enum Along {
 /// A place in the sweep.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Place {
-    /// At a ground range, or across the line of sight (m).
+    /// At a ground range, or across the line of sight (m); on a scan line, at a place that is counted.
     Range(f64),
-    /// At a time from the start of the sweep (µs); on a row, at a point.
+    /// At a time from the start of the sweep (µs); on a row, at a point; on a scan line, at a sample.
     Time(f64),
 }
 
