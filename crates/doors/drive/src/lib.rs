@@ -27,7 +27,9 @@ mod open;
 mod pose;
 mod saved;
 mod seen;
+#[cfg(feature = "studies")]
 mod studied;
+mod threads;
 mod traces;
 mod truth;
 
@@ -41,6 +43,7 @@ pub use open::{Drive, Raster};
 pub use pose::EyePose;
 pub use scenario::Scalar;
 pub use seen::Seen;
+#[cfg(feature = "studies")]
 pub use studied::Study;
 pub use traces::{Trace, Traces};
 pub use truth::{Codes, Truth, TruthPlane};

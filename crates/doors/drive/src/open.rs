@@ -1,17 +1,18 @@
 //! An opened scenario, and what is asked of its frames.
 
 use std::path::Path;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use diagnostics::Problem;
 use exact::Columns;
 use front_door::{Opened, Wishes, open};
 use generator::{Omission, Session, Stage};
 use machine::{ControlPlane, MachineStage};
-use rayon::{ThreadPool, ThreadPoolBuilder};
+use rayon::ThreadPool;
 use scenario::{PixelRule, Pose};
 
 use crate::seen::Drawing;
+use crate::threads;
 use crate::{DriveError, EyePose, Seen};
 
 /// Size of a picture and its clock.
@@ -36,7 +37,7 @@ pub struct Drive {
     pub(crate) stage: Stage,
     pub(crate) session: Box<dyn Session>,
     pub(crate) drawing: Drawing,
-    pub(crate) pool: ThreadPool,
+    pub(crate) pool: Arc<ThreadPool>,
     pub(crate) judge: OnceLock<Box<dyn Session>>,
     pub(crate) control: OnceLock<ControlPlane>,
     pub(crate) exact: OnceLock<Columns>,
@@ -50,9 +51,9 @@ impl Drive {
     /// Every fault of the files and the wishes at once, or of the ground.
     pub fn open(scenario: &Path, wishes: &Wishes, threads: usize) -> Result<Self, DriveError> {
         let file = scenario.display().to_string();
-        let opened = open(scenario, wishes).map_err(|error| DriveError::opening(&file, error))?;
-        let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+        let pool = threads::pool(threads);
         let pool = pool.map_err(|error| DriveError::asked(&file, error.to_string(), "fewer threads"))?;
+        let opened = open(scenario, wishes).map_err(|error| DriveError::opening(&file, error))?;
         let machine = pool.install(|| opened.machine_stage());
         let machine = machine.map_err(|error| DriveError::opening(&file, error))?;
         let stage = machine.stage();
