@@ -28,7 +28,9 @@ pub enum GivenError {
         path: String,
     },
     /// A file is a folder of another.
-    #[error("{path}: {other} is given too, and one would be a folder of the other; give one of them another name")]
+    #[error(
+        "{path}: {other} is given too, and one would be a folder of the other; give one of them another name"
+    )]
     Folder {
         /// The path as given.
         path: String,
@@ -42,7 +44,9 @@ pub enum GivenError {
         path: String,
     },
     /// The files are too large together.
-    #[error("{path}: all given files would have {bytes} bytes, expected at most {GIVEN_BYTES}; take some back")]
+    #[error(
+        "{path}: all given files would have {bytes} bytes, expected at most {GIVEN_BYTES}; take some back"
+    )]
     Bytes {
         /// The path as given.
         path: String,
@@ -180,7 +184,11 @@ impl Store {
     /// A file in the folder `key`.
     fn first_below(&self, key: &str) -> Option<&String> {
         let folder = format!("{key}/");
-        self.files.range(folder.clone()..).next().map(|(file, _)| file).filter(|file| file.starts_with(&folder))
+        self.files
+            .range(folder.clone()..)
+            .next()
+            .map(|(file, _)| file)
+            .filter(|file| file.starts_with(&folder))
     }
 
     /// A file that `key` would be in, or that would be in `key`.

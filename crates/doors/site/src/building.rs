@@ -27,7 +27,8 @@ pub fn build(out: &Path, module: Option<&Path>) -> Result<String, SiteError> {
     let shipped = shipped(&workspace)?;
     let half = beside(out, "half");
     remove(&half)?;
-    let written = write(&half, &workspace, &module, &shipped).and_then(|bytes| put(&half, out).map(|()| bytes));
+    let written =
+        write(&half, &workspace, &module, &shipped).and_then(|bytes| put(&half, out).map(|()| bytes));
     if written.is_err() {
         remove(&half)?;
     }

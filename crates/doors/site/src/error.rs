@@ -25,7 +25,9 @@ pub enum SiteError {
         source: io::Error,
     },
     /// The folder is something else.
-    #[error("{0}: found a folder that is no site, expected one of an earlier build or a new name; choose another --out")]
+    #[error(
+        "{0}: found a folder that is no site, expected one of an earlier build or a new name; choose another --out"
+    )]
     NoSite(PathBuf),
     /// The target of the module is not installed.
     #[error("the target {0} is not installed; `rustup target add {0}` installs it")]
