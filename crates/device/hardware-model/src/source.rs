@@ -64,7 +64,7 @@ impl ModelSource {
         }
         let folders = [folder.join(FOLDER), folder.join("..").join(FOLDER), FOLDER.into()];
         let files = folders.iter().map(|folder| folder.join(format!("{name_or_path}.toml")));
-        if let Some(file) = files.into_iter().find(is_file) {
+        if let Some(file) = files.into_iter().find(|file| is_file(file)) {
             return Ok(Self::File(file));
         }
         if let Some(built_in) = Self::built_in(name_or_path) {
@@ -110,7 +110,7 @@ impl ModelSource {
             Self::File(path) => Some(path.with_file_name(format!("{name}.toml"))),
             Self::BuiltIn(_) | Self::Fault(_) => None,
         };
-        let file = beside.filter(is_file).map(Self::File);
+        let file = beside.filter(|path| is_file(path)).map(Self::File);
         file.or_else(|| Self::built_in(name))
     }
 

@@ -235,7 +235,7 @@ fn inputs(
     wishes: &Wishes,
 ) -> Result<Inputs, OpenError> {
     let overlays = overlays::of_generators(wishes)?.into_iter().map(|overlay| overlay.asked);
-    let files = model.files.iter().cloned().chain(overlays.filter(is_file));
+    let files = model.files.iter().cloned().chain(overlays.filter(|asked| is_file(asked)));
     Ok(Inputs {
         scenario: Some(FileRecord::of(path)?),
         references: scenario.files().into_iter().map(FileRecord::of).collect::<Result<_, _>>()?,
