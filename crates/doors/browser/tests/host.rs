@@ -35,7 +35,7 @@ fn ask(host: &mut Host, request: Value, planes: Vec<Plane>) -> Message {
 }
 
 fn small() -> Value {
-    json!({ "raster.sweeps": 40, "raster.samples": 60 })
+    json!({ "raster.sweeps": 40, "raster.samples_per_sweep": 60 })
 }
 
 fn open(host: &mut Host) -> Message {
@@ -55,7 +55,7 @@ fn given_files_have_the_picture_of_the_disk() {
     let opened = open(&mut host);
     assert!(opened.header.contains_key("ok"), "{:?}", opened.header);
     let seen = ask(&mut host, json!({ "id": 2, "do": "frame", "frame": 3 }), Vec::new());
-    let set = ["raster.sweeps", "raster.samples"].map(str::to_owned);
+    let set = ["raster.sweeps", "raster.samples_per_sweep"].map(str::to_owned);
     let wishes = Wishes { set: set.into_iter().zip(["40".into(), "60".into()]).collect(), ..Wishes::default() };
     let native = Drive::open(&on_disk(SCENARIO), &wishes, 1).unwrap();
     assert_eq!(seen.header["ok"]["hash"], native.frame(3).unwrap().hash());
