@@ -56,7 +56,8 @@ fn given_files_have_the_picture_of_the_disk() {
     assert!(opened.header.contains_key("ok"), "{:?}", opened.header);
     let seen = ask(&mut host, json!({ "id": 2, "do": "frame", "frame": 3 }), Vec::new());
     let set = ["raster.sweeps", "raster.samples_per_sweep"].map(str::to_owned);
-    let wishes = Wishes { set: set.into_iter().zip(["40".into(), "60".into()]).collect(), ..Wishes::default() };
+    let wishes =
+        Wishes { set: set.into_iter().zip(["40".into(), "60".into()]).collect(), ..Wishes::default() };
     let native = Drive::open(&on_disk(SCENARIO), &wishes, 1).unwrap();
     assert_eq!(seen.header["ok"]["hash"], native.frame(3).unwrap().hash());
     assert_ne!(seen.header["ok"]["hash"], native.frame(4).unwrap().hash());
@@ -83,7 +84,8 @@ fn a_file_that_was_not_given_is_missing_though_it_is_on_the_disk() {
 fn machines_and_overlays_may_be_given() {
     let _turn = turn();
     let mut host = Host::default();
-    let own = Plane::of_file("models/own.toml", std::fs::read(on_disk("hardware-models/ideal.toml")).unwrap());
+    let own =
+        Plane::of_file("models/own.toml", std::fs::read(on_disk("hardware-models/ideal.toml")).unwrap());
     let late = Plane::of_file("models/late.toml", b"[loader]\naccess_ns = 90\n".to_vec());
     let mut given = planes(&[SCENARIO, "scenarios/craters.csv"]);
     given.extend([own, late]);

@@ -24,13 +24,19 @@ pub fn build(workspace: &Path) -> Result<PathBuf, SiteError> {
     expect_target()?;
     let failed = SiteError::Cargo("build the module");
     let arguments = ["build", "--package", "browser", "--lib", "--target", TARGET, "--profile", PROFILE];
-    // The paths of this machine would stand in the messages of panics.
-    let status = cargo().args(arguments).current_dir(workspace).status();
+    let status = cargo().args(arguments).args(["--config", &without_paths()]).current_dir(workspace).status();
     if !status.is_ok_and(|status| status.success()) {
         return Err(failed);
     }
     let folder = env::var_os("CARGO_TARGET_DIR").map_or_else(|| workspace.join("target"), PathBuf::from);
     Ok(folder.join(TARGET).join(PROFILE).join("browser.wasm"))
+}
+
+/// Paths of this machine would stand in the messages of panics, and the same inputs would not give the same bytes elsewhere.
+fn without_paths() -> String {
+    let own = env::home_dir().unwrap_or_default().join(".cargo");
+    let home = env::var_os("CARGO_HOME").map_or(own, PathBuf::from);
+    format!("target.{TARGET}.rustflags = ['--remap-path-prefix={}=cargo']", home.display())
 }
 
 fn cargo() -> Command {
