@@ -68,6 +68,10 @@ pub enum Limit {
     Faults,
     /// Bytes of the record or the journal of a run.
     RecordBytes,
+    /// Bytes of the header of a message of a loop.
+    HeaderBytes,
+    /// Bytes of all planes of a message of a loop.
+    PlaneBytes,
 }
 
 /// A row of the table of limits.
@@ -86,7 +90,7 @@ pub struct Row {
 }
 
 /// All limits, in the order of [`Limit`].
-pub const ROWS: [Row; 26] = [
+pub const ROWS: [Row; 28] = [
     row(Limit::Corners, "corners", "corners of a generated level", 4_000_000, 1 << 30),
     row(Limit::GroundCraters, "ground-craters", "craters in generated ground", 1_000_000, 1 << 28),
     row(Limit::Craters, "craters", "craters of a population", 4_000_000, 1 << 28),
@@ -119,6 +123,8 @@ pub const ROWS: [Row; 26] = [
     row(Limit::Signals, "signals", "signals that are recorded at once", 20_000, 1 << 28),
     row(Limit::Faults, "faults", "faults of one file that are listed", 100_000, 1 << 28),
     row(Limit::RecordBytes, "record-bytes", "bytes of the record or the journal of a run", 1 << 32, 1 << 44),
+    row(Limit::HeaderBytes, "header-bytes", "bytes of the header of a message of a loop", 16 << 20, 1 << 30),
+    row(Limit::PlaneBytes, "plane-bytes", "bytes of all planes of a message of a loop", 256 << 20, 1 << 40),
 ];
 
 const fn row(limit: Limit, name: &'static str, what: &'static str, usual: u64, most: u64) -> Row {

@@ -27,3 +27,10 @@ pub const FAULTS: [(&str, &str); 24] = [
     ("clip", include_str!("../../../../hardware-models/faults/clip.toml")),
     ("stripe", include_str!("../../../../hardware-models/faults/stripe.toml")),
 ];
+
+/// What the head of an overlay of one fault says that it proves, without the place of its source; nothing where it says nothing.
+pub fn proof(text: &str) -> &str {
+    let (_, rest) = text.split_once("Proves ").unwrap_or_default();
+    let rest = rest.lines().next().unwrap_or_default();
+    rest.trim_end_matches('.').split(" (").next().unwrap_or_default()
+}

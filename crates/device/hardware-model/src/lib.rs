@@ -41,7 +41,7 @@ pub use digital::{
     BankPlace, Channels, Cpu, CrossingServer, DataBanks, Drum, DrumQueue, IoProcessor, KindBank, KindBanks,
     LatePolicy, LoadDelay, Loader,
 };
-pub use faults::FAULTS;
+pub use faults::{FAULTS, proof};
 pub use loaded::{EffectiveValue, LoadedModel};
 pub use model::{HardwareModel, ModelRaster, SweepMemoryKind};
 pub use parts::{Economy, FeatureParts, Forced, Gate, MixingParts, Organisation, ShadowParts};

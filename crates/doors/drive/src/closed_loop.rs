@@ -4,20 +4,22 @@ use std::path::Path;
 use std::sync::Arc;
 
 use diagnostics::Problem;
-use generator::{Session, Stage};
 use limits::Limit;
-use quantities::sin_cos;
+use quantities::{radians, sin_cos};
 use scenario::{Driven, DrivenError, Pose};
 
-use crate::saved;
-use crate::{Drive, DriveError, EyePose, Seen};
+use crate::bench::Bench;
+use crate::saved::{self, SavedFile};
+use crate::{Drive, DriveError, EyePose, Seen, Viewpoint};
 
 /// A drive that grows with each pose.
 pub struct Loop {
     drive: Arc<Drive>,
     driven: Driven,
-    /// The stage with what was driven, and the generator on it; made at the first pose.
-    session: Option<Box<dyn Session>>,
+    /// The stage with what was driven, and the generator on it; made when it is needed.
+    bench: Option<Bench>,
+    /// Poses of the pictures of the first and of the last frame.
+    ends: Option<[Pose; 2]>,
     /// Poses of the pictures so far, for generators with memory.
     course: Vec<Pose>,
     /// Poses of the vehicle so far, as they were told.
@@ -27,14 +29,33 @@ pub struct Loop {
 impl Loop {
     /// A loop that has not driven yet.
     pub fn new(drive: Arc<Drive>) -> Self {
-        let view = &drive.stage.view;
+        let view = &drive.bench.stage.view;
         let driven = Driven::new(&drive.opened.scenario, view.update, view.yoke);
-        Self { drive, driven, session: None, course: Vec::new(), told: Vec::new() }
+        let (course, told) = Default::default();
+        Self { drive, driven, bench: None, ends: None, course, told }
+    }
+
+    /// A loop that has driven `poses`, one a frame, without drawing them.
+    ///
+    /// # Errors
+    /// If a pose cannot be driven, or the sun is known for fewer frames.
+    pub fn after(drive: Arc<Drive>, poses: &[EyePose]) -> Result<Self, DriveError> {
+        let mut driven = Self::new(drive);
+        for pose in poses {
+            let next = driven.next(pose)?;
+            driven.go(next);
+        }
+        Ok(driven)
     }
 
     /// Number of frames that have been driven.
     pub fn frames(&self) -> u64 {
         self.driven.frames()
+    }
+
+    /// Poses of the vehicle so far, one a frame, as they were told.
+    pub fn poses(&self) -> &[EyePose] {
+        &self.told
     }
 
     /// Drives the next frame to `pose` and draws it. Time and yoke of the pose are the loop's own: the time is that of the frame, and the yoke follows
@@ -43,17 +64,24 @@ impl Loop {
     /// # Errors
     /// If a number of the pose is none, the pose cannot be driven or drawn, or the sun is known for fewer frames. Nothing is driven then.
     pub fn look(&mut self, pose: &EyePose) -> Result<Seen, DriveError> {
-        let frame = self.frames();
-        self.expect_room(frame)?;
-        let drive = Arc::clone(&self.drive);
-        let told = pose.checked(drive.file())?;
-        let mut driven = self.driven.clone();
-        let seen = driven.push(&drive.stage.landscape, told.eye_m, told.attitude());
-        let seen = seen.map_err(|error| self.undriven(&error))?;
-        let seen = self.draw(frame, seen)?;
-        self.driven = driven;
-        self.told.push(told);
+        let next = self.next(pose)?;
+        let seen = self.draw(next.picture)?;
+        self.go(next);
         Ok(seen)
+    }
+
+    /// The frame that was driven last, with what the generator remembers of the frames before.
+    ///
+    /// # Errors
+    /// If nothing was driven, or the generator cannot be made ready.
+    pub fn viewpoint(&mut self) -> Result<Viewpoint<'_>, DriveError> {
+        let Some([first, pose]) = self.ends else { return Err(self.nothing_driven()) };
+        let bench = match self.bench.take() {
+            Some(bench) => bench,
+            None => self.ready(first)?,
+        };
+        let bench = self.bench.insert(bench);
+        Ok(Viewpoint { drive: &self.drive, bench, frame: self.driven.frames() - 1, pose })
     }
 
     /// The vehicle `metres` further along the heading of `pose`, at the time of the next frame: on the ground, or level at the height of the eye where
@@ -62,21 +90,26 @@ impl Loop {
     /// # Errors
     /// If the vehicle cannot stand there.
     pub fn ahead(&self, pose: &EyePose, metres: f64) -> Result<EyePose, DriveError> {
+        self.turned(pose, 0.0, metres)
+    }
+
+    /// The same after a turn by `turn_deg` degrees, clockwise.
+    ///
+    /// # Errors
+    /// If the vehicle cannot stand there, or a number is not finite.
+    pub fn turned(&self, pose: &EyePose, turn_deg: f64, metres: f64) -> Result<EyePose, DriveError> {
         let drive = &self.drive;
         let pose = pose.checked(drive.file())?;
-        if !metres.is_finite() {
-            return Err(DriveError::asked(
-                drive.file(),
-                format!("{metres} metres ahead"),
-                "a finite number of metres",
-            ));
+        if !(metres.is_finite() && turn_deg.is_finite()) {
+            let found = format!("{metres} metres ahead after a turn of {turn_deg} degrees");
+            return Err(DriveError::asked(drive.file(), found, "finite numbers"));
         }
-        let heading = pose.attitude().heading;
+        let heading = pose.attitude().heading + radians(turn_deg);
         let (sin, cos) = sin_cos(heading);
         let [x, y, z] = pose.eye_m;
         let flies = drive.opened.scenario.way().waypoints().iter().any(|point| point.eye_height.is_some());
         let at = [x + metres * cos, y + metres * sin];
-        let there = self.driven.stand(&drive.stage.landscape, at, heading, flies.then_some(z));
+        let there = self.driven.stand(&drive.bench.stage.landscape, at, heading, flies.then_some(z));
         Ok(EyePose::of(&there.map_err(|error| self.undriven(&error))?, None))
     }
 
@@ -86,18 +119,59 @@ impl Loop {
     /// # Errors
     /// If nothing was driven, the folder is there already, or a file cannot be read or written.
     pub fn save(&self, folder: &Path) -> Result<(), DriveError> {
+        self.save_with(folder, &[])
+    }
+
+    /// The same with `more` files beside the scenario.
+    ///
+    /// # Errors
+    /// As [`save`](Self::save).
+    pub fn save_with(&self, folder: &Path, more: &[SavedFile]) -> Result<(), DriveError> {
+        saved::save(&self.drive.opened, &self.own_files()?, more, folder)
+    }
+
+    /// The files that [`save`](Self::save) would write.
+    ///
+    /// # Errors
+    /// If nothing was driven, or a file cannot be read.
+    pub fn saved(&self) -> Result<Vec<SavedFile>, DriveError> {
+        saved::files(&self.drive.opened, &self.own_files()?)
+    }
+
+    fn own_files(&self) -> Result<[SavedFile; 2], DriveError> {
         if self.told.is_empty() {
-            return Err(DriveError::asked(
-                self.drive.file(),
-                "a loop that has driven nothing",
-                "at least one look",
-            ));
+            return Err(self.nothing_driven());
         }
-        saved::save(&self.drive.opened, self.drive.stage.view.update, &self.told, folder)
+        saved::own(&self.drive.opened, self.drive.bench.stage.view.update, &self.told)
+    }
+
+    fn nothing_driven(&self) -> DriveError {
+        DriveError::asked(self.drive.file(), "a loop that has driven nothing", "at least one look")
     }
 
     fn undriven(&self, error: &DrivenError) -> DriveError {
         DriveError::of(self.drive.file(), error)
+    }
+
+    /// The next frame at `pose`, not yet driven.
+    fn next(&self, pose: &EyePose) -> Result<Next, DriveError> {
+        self.expect_room(self.frames())?;
+        let told = pose.checked(self.drive.file())?;
+        let mut driven = self.driven.clone();
+        let landscape = &self.drive.bench.stage.landscape;
+        let picture = driven.push(landscape, told.eye_m, told.attitude());
+        let picture = picture.map_err(|error| self.undriven(&error))?;
+        Ok(Next { driven, told, picture })
+    }
+
+    fn go(&mut self, Next { driven, told, picture }: Next) {
+        let first = self.ends.map_or(picture, |[first, _]| first);
+        if self.drive.remembers_frames() {
+            self.course.truncate(self.told.len());
+            self.course.push(picture);
+        }
+        (self.ends, self.driven) = (Some([first, picture]), driven);
+        self.told.push(told);
     }
 
     /// Sees that the sun of frame `frame` is known, and that a scenario may be so long.
@@ -113,34 +187,33 @@ impl Loop {
         Err(problem.help("open the scenario with a larger `scenario.frames`").into())
     }
 
-    /// The picture from `pose`, after the poses before it. Where the generator has memory it is made ready anew with what was driven.
-    fn draw(&mut self, frame: u64, pose: Pose) -> Result<Seen, DriveError> {
-        let drive = Arc::clone(&self.drive);
-        let mut course = std::mem::take(&mut self.course);
-        course.extend(drive.remembers_frames().then_some(pose));
-        let session = match self.session.take().filter(|_| !drive.remembers_frames()) {
-            Some(session) => Ok(session),
-            None => ready(&drive, &course, pose),
+    /// The picture of the next frame from `pose`. Where the generator has memory it is made ready anew with what was driven.
+    fn draw(&mut self, pose: Pose) -> Result<Seen, DriveError> {
+        let (frame, remembers) = (self.frames(), self.drive.remembers_frames());
+        self.course.extend(remembers.then_some(pose));
+        let bench = match self.bench.take().filter(|_| !remembers) {
+            Some(bench) => Ok(bench),
+            None => self.ready(self.ends.map_or(pose, |[first, _]| first)),
         };
-        let drawn = session.and_then(|session| {
-            let drawn = drive.drawn(&*session, frame, &pose);
-            // The first pose decides what is chosen once for a mission.
-            self.session = Some(session).filter(|_| drawn.is_ok() || frame > 0);
-            drawn
-        });
         // What could not be drawn was not driven.
-        course.truncate(course.len() - usize::from(drawn.is_err() && drive.remembers_frames()));
-        self.course = course;
+        self.course.truncate(self.told.len());
+        let bench = bench?;
+        let drawn = Viewpoint { drive: &self.drive, bench: &bench, frame, pose }.draw();
+        // The first pose decides what is chosen once for a mission.
+        self.bench = Some(bench).filter(|_| drawn.is_ok() || (frame > 0 && !remembers));
         drawn
+    }
+
+    /// The generator on the stage of the drive with the course behind it, from `first` on.
+    fn ready(&self, first: Pose) -> Result<Bench, DriveError> {
+        let Drive { opened, pool, bench, .. } = &*self.drive;
+        Bench::new(opened, pool, bench.machine_after(first, self.course.clone()))
     }
 }
 
-/// The generator on the stage of `drive` with `course` behind it, up to `pose`.
-fn ready(drive: &Drive, course: &[Pose], pose: Pose) -> Result<Box<dyn Session>, DriveError> {
-    let first = course.first().copied().unwrap_or(pose);
-    let scenery = (*drive.stage.scenery).clone().with_course(course.to_vec());
-    let scenery = scenery.with_start(Some(Pose { yoke: 0.0, ..first }));
-    let stage = Stage { scenery: Arc::new(scenery), ..drive.stage.clone() };
-    let session = drive.pool.install(|| drive.opened.generator.prepare(stage));
-    session.map_err(|error| DriveError::of(drive.file(), &error))
+/// A frame that may be driven.
+struct Next {
+    driven: Driven,
+    told: EyePose,
+    picture: Pose,
 }

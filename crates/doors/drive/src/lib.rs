@@ -1,12 +1,14 @@
 //! A scenario opened in a program: what the command draws, tells and records, as values.
 //!
 //! ```text
-//! scenario, wishes ─▶ Drive ─┬─ frame n ──▶ Seen     picture and pose
-//!                            ├─ frame n ──▶ Truth    exact planes, each with its bound
-//!                            ├─ globs ────▶ Traces   signals of sweeps
-//!                            ├─ pixel ────▶ Explained
-//!                            └─ Loop ◀─ pose ─ Seen ─▶ your controller
-//!                                └─▶ saved: a scenario and a path, which `lunoid replay` draws again
+//! scenario, wishes ─▶ Drive ─┬─ frame n, pose ─▶ Viewpoint ─┬──────────▶ Seen     picture and pose
+//!                            │                      ▲       ├─ names ──▶ Truth    exact planes, each with its bound
+//!                            │                      │       ├─ globs ──▶ Traces   signals of sweeps
+//!                            │                      │       ├─ pixel ──▶ Explained
+//!                            │                      │       └─ sweeps ─▶ Events   digital events
+//!                            └─▶ Loop ─ last frame ─┘
+//!                                 ├─ pose ─▶ Seen ─▶ your controller ─▶ pose ...
+//!                                 └─▶ saved: a scenario and a path, which `lunoid replay` draws again
 //! ```
 //!
 //! # Law
@@ -20,27 +22,41 @@
 //! # See also
 //! `docs/python.md`: the same from Python. `front-door`: scenario, model and wishes. `replay`: runs in folders.
 
+mod bench;
 mod closed_loop;
+mod digital;
 mod error;
 mod explained;
 mod open;
+mod parameters;
 mod pose;
 mod saved;
 mod seen;
+#[cfg(feature = "studies")]
 mod studied;
+mod threads;
 mod traces;
 mod truth;
+mod viewpoint;
+mod wires;
 
 pub use closed_loop::Loop;
+pub use digital::{EventWishes, Events};
 pub use error::{DriveError, Fault};
+pub use event_list::Filter;
 pub use explained::Explained;
 pub use front_door::Wishes;
 pub use generator::{Fact, Omission, PlaneKind, Weight};
 pub use hardware_model::Economy;
 pub use open::{Drive, Raster};
+pub use parameters::Parameter;
 pub use pose::EyePose;
+pub use saved::SavedFile;
 pub use scenario::Scalar;
 pub use seen::Seen;
+#[cfg(feature = "studies")]
 pub use studied::Study;
 pub use traces::{Trace, Traces};
 pub use truth::{Codes, Truth, TruthPlane};
+pub use viewpoint::Viewpoint;
+pub use wires::{BlockRow, FaultRow, SignalRow};

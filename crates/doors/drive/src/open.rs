@@ -1,18 +1,19 @@
 //! An opened scenario, and what is asked of its frames.
 
 use std::path::Path;
-use std::sync::OnceLock;
+use std::sync::Arc;
 
-use diagnostics::Problem;
-use exact::Columns;
+use diagnostics::{Problem, asked};
 use front_door::{Opened, Wishes, open};
-use generator::{Omission, Session, Stage};
-use machine::{ControlPlane, MachineStage};
-use rayon::{ThreadPool, ThreadPoolBuilder};
-use scenario::{PixelRule, Pose};
+use generator::Omission;
+use rayon::ThreadPool;
+use scenario::Pose;
 
+use crate::bench::Bench;
+use crate::parameters::{Parameter, parameters};
 use crate::seen::Drawing;
-use crate::{DriveError, EyePose, Seen};
+use crate::threads;
+use crate::{DriveError, EyePose, Seen, Viewpoint};
 
 /// Size of a picture and its clock.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,14 +33,10 @@ pub struct Raster {
 /// A scenario on its ground, with the generator that draws it.
 pub struct Drive {
     pub(crate) opened: Opened,
-    pub(crate) machine: MachineStage,
-    pub(crate) stage: Stage,
-    pub(crate) session: Box<dyn Session>,
+    pub(crate) bench: Bench,
     pub(crate) drawing: Drawing,
-    pub(crate) pool: ThreadPool,
-    pub(crate) judge: OnceLock<Box<dyn Session>>,
-    pub(crate) control: OnceLock<ControlPlane>,
-    pub(crate) exact: OnceLock<Columns>,
+    pub(crate) pool: Arc<ThreadPool>,
+    parameters: Vec<Parameter>,
 }
 
 impl Drive {
@@ -50,23 +47,27 @@ impl Drive {
     /// Every fault of the files and the wishes at once, or of the ground.
     pub fn open(scenario: &Path, wishes: &Wishes, threads: usize) -> Result<Self, DriveError> {
         let file = scenario.display().to_string();
-        let opened = open(scenario, wishes).map_err(|error| DriveError::opening(&file, error))?;
-        let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+        let pool = threads::pool(threads);
         let pool = pool.map_err(|error| DriveError::asked(&file, error.to_string(), "fewer threads"))?;
+        let (opened, asked) = asked::record(|| open(scenario, wishes));
+        let opened = opened.map_err(|error| DriveError::opening(&file, error))?;
+        let parameters = parameters(&opened.inputs.model_values, &asked);
         let machine = pool.install(|| opened.machine_stage());
         let machine = machine.map_err(|error| DriveError::opening(&file, error))?;
-        let stage = machine.stage();
-        let session = pool.install(|| opened.generator.prepare(stage.clone()));
-        let session = session.map_err(|error| DriveError::of(&file, &error))?;
-        let drawing = Drawing::new(&stage, opened.generator.draws_colour(&stage));
+        let bench = Bench::new(&opened, &pool, machine)?;
+        let drawing = Drawing::new(&bench.stage, opened.generator.draws_colour(&bench.stage));
         let drawing = drawing.map_err(|error| DriveError::of(&file, &error))?;
-        let (judge, control, exact) = Default::default();
-        Ok(Self { opened, machine, stage, session, drawing, pool, judge, control, exact })
+        Ok(Self { opened, bench, drawing, pool, parameters })
     }
 
     /// Name of the scenario's file.
     pub fn file(&self) -> &str {
         self.opened.scenario_file()
+    }
+
+    /// What was asked for over the scenario.
+    pub fn wishes(&self) -> &Wishes {
+        self.opened.wishes()
     }
 
     /// Title of the scenario.
@@ -86,7 +87,7 @@ impl Drive {
 
     /// Size of a picture and its clock.
     pub fn raster(&self) -> Raster {
-        let view = &self.stage.view;
+        let view = &self.bench.stage.view;
         let scan = self.opened.generator.scan(view).map(|scan| scan.timebase);
         Raster {
             columns: view.columns,
@@ -99,7 +100,7 @@ impl Drive {
 
     /// What was left out when the generator was made ready, and why.
     pub fn omissions(&self) -> Vec<Omission> {
-        self.session.omissions()
+        self.bench.session.omissions()
     }
 
     /// What is odd about the files, in words.
@@ -107,9 +108,14 @@ impl Drive {
         &self.opened.remarks
     }
 
+    /// Every value of the hardware model, in alphabetical order of keys.
+    pub fn parameters(&self) -> &[Parameter] {
+        &self.parameters
+    }
+
     /// Whether a picture shows something of frames before its own.
     pub fn remembers_frames(&self) -> bool {
-        !self.stage.scenery.course().is_empty()
+        !self.bench.stage.scenery.course().is_empty()
     }
 
     /// Where the vehicle is in frame `frame` of the path.
@@ -117,7 +123,7 @@ impl Drive {
     /// # Errors
     /// If the scenario has no such frame, or the path cannot be driven there.
     pub fn pose(&self, frame: u64) -> Result<EyePose, DriveError> {
-        Ok(EyePose::of(&self.seen_from(frame)?, self.opened.scenario.channel.as_ref()))
+        Ok(self.at(frame)?.pose())
     }
 
     /// Draws frame `frame` of the path.
@@ -125,16 +131,31 @@ impl Drive {
     /// # Errors
     /// If the scenario has no such frame, or it cannot be drawn.
     pub fn frame(&self, frame: u64) -> Result<Seen, DriveError> {
-        let pose = self.seen_from(frame)?;
-        self.drawn(&*self.session, frame, &pose)
+        self.at(frame)?.draw()
     }
 
     /// Draws what is seen from `pose`, as frame `frame`.
     ///
     /// # Errors
-    /// If a number of the pose is none, the pose cannot be drawn, or the generator shows something of frames before: then a [`Loop`](crate::Loop)
-    /// has what was driven.
+    /// As [`from_pose`](Self::from_pose), or if the pose cannot be drawn.
     pub fn look(&self, frame: u64, pose: &EyePose) -> Result<Seen, DriveError> {
+        self.from_pose(frame, pose)?.draw()
+    }
+
+    /// Frame `frame` of the path.
+    ///
+    /// # Errors
+    /// If the scenario has no such frame, or the path cannot be driven there.
+    pub fn at(&self, frame: u64) -> Result<Viewpoint<'_>, DriveError> {
+        Ok(self.viewpoint(frame, self.seen_from(frame)?))
+    }
+
+    /// What is seen from `pose`, as frame `frame`.
+    ///
+    /// # Errors
+    /// If a number of the pose is none, or the generator shows something of frames before: then a [`Loop`](crate::Loop)
+    /// has what was driven.
+    pub fn from_pose(&self, frame: u64, pose: &EyePose) -> Result<Viewpoint<'_>, DriveError> {
         if self.remembers_frames() {
             let title =
                 format!("a single look by {}, whose pictures show frames before their own", self.drawn_by());
@@ -143,7 +164,11 @@ impl Drive {
             return Err(problem.help("look in a loop, which keeps what was driven").into());
         }
         let pose = pose.checked(self.file())?;
-        self.drawn(&*self.session, frame, &pose.seen(self.opened.scenario.channel.as_ref()))
+        Ok(self.viewpoint(frame, pose.seen(self.opened.scenario.channel.as_ref())))
+    }
+
+    fn viewpoint(&self, frame: u64, pose: Pose) -> Viewpoint<'_> {
+        Viewpoint { drive: self, bench: &self.bench, frame, pose }
     }
 
     /// Pose of the picture of frame `frame` of the path.
@@ -155,28 +180,8 @@ impl Drive {
             let problem = problem.expected(format!("a frame from 0 to {}", frames - 1));
             return Err(problem.help("drive on in a loop, or set `scenario.frames`").into());
         }
-        let table = self.opened.poses(&self.stage, frame..frame + 1);
+        let table = self.opened.poses(&self.bench.stage, frame..frame + 1);
         let table = table.map_err(|error| DriveError::from(front_door::path_problems(&error)))?;
         Ok(table.rows()[0].pose)
-    }
-
-    /// Frame `frame` from `pose` by `session`.
-    pub(crate) fn drawn(&self, session: &dyn Session, frame: u64, pose: &Pose) -> Result<Seen, DriveError> {
-        let draw = || self.drawing.draw(session, (frame, pose), self.file());
-        let (picture, light) = self.pool.install(draw)?;
-        let pose = EyePose::of(pose, self.opened.scenario.channel.as_ref());
-        Ok(Seen { frame, pose, picture, light })
-    }
-
-    /// The judge on the same stage: planes at the centres of pixels.
-    pub(crate) fn judge(&self) -> Result<&dyn Session, DriveError> {
-        if let Some(judge) = self.judge.get() {
-            return Ok(&**judge);
-        }
-        let mut stage = self.stage.clone();
-        stage.view.laws.pixel_rule = PixelRule::Centre;
-        let judge = self.pool.install(|| registry::judge_on(stage));
-        let judge = judge.map_err(|error| DriveError::of(self.file(), &error))?;
-        Ok(&**self.judge.get_or_init(|| judge))
     }
 }

@@ -19,15 +19,40 @@ const SCENARIO: &str = "scenario.toml";
 /// Name of the file with one pose a frame.
 const DRIVEN: &str = "driven.csv";
 
-/// Writes `told`, one pose a frame at `update` frames a second, and the scenario of `opened` that follows them.
-pub(crate) fn save(opened: &Opened, update: Rate, told: &[EyePose], folder: &Path) -> Result<(), DriveError> {
+/// A file of a saved loop.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct SavedFile {
+    /// Path inside the folder, with `/`.
+    pub name: String,
+    /// The whole file.
+    pub bytes: Vec<u8>,
+}
+
+/// The scenario of `opened` that follows `told`, one pose a frame at `update` frames a second; and these poses.
+pub(crate) fn own(opened: &Opened, update: Rate, told: &[EyePose]) -> Result<[SavedFile; 2], DriveError> {
+    let file = |name: &str, text: String| SavedFile { name: name.into(), bytes: text.into_bytes() };
+    Ok([file(SCENARIO, scenario(opened, told.len())?), file(DRIVEN, rows(update, told))])
+}
+
+/// `own` files behind those that the scenario of `opened` names.
+pub(crate) fn files(opened: &Opened, own: &[SavedFile]) -> Result<Vec<SavedFile>, DriveError> {
+    let named = named(opened).map(|(name, path)| read(&name, path));
+    named.chain(own.iter().cloned().map(Ok)).collect()
+}
+
+/// Writes `own` files, `more` and those that the scenario of `opened` names into `folder`, which is made.
+pub(crate) fn save(
+    opened: &Opened,
+    own: &[SavedFile],
+    more: &[SavedFile],
+    folder: &Path,
+) -> Result<(), DriveError> {
     if folder.exists() {
         let problem = Problem::of_file(folder.display().to_string(), "the folder is there already");
         return Err(problem.expected("a folder that is not there").help("name another, or remove it").into());
     }
-    let scenario = scenario(opened, told.len())?;
     let half = half_written(folder);
-    let written = write(opened, &half, [(SCENARIO, scenario), (DRIVEN, rows(update, told))]);
+    let written = write(opened, &half, own.iter().chain(more));
     let written = written.and_then(|()| rename(&half, folder).map_err(|error| failed(folder, &error)));
     if written.is_err() && half.exists() {
         fs::remove_dir_all(&half).map_err(|error| failed(&half, &error))?;
@@ -45,22 +70,36 @@ fn failed(path: &Path, error: &impl std::fmt::Display) -> DriveError {
     DriveError::of(&path.display().to_string(), error)
 }
 
-/// The files of the scenario beside it, then its own.
-fn write(opened: &Opened, half: &Path, own: [(&str, String); 2]) -> Result<(), DriveError> {
-    make_folder(half).map_err(|error| failed(half, &error))?;
+/// Files of the scenario inside its folder: name and path.
+fn named(opened: &Opened) -> impl Iterator<Item = (String, &Path)> {
     let from = opened.folder();
-    for file in opened.scenario.files() {
-        let Ok(name) = file.strip_prefix(from) else { continue };
-        let to = half.join(name);
-        make_folder(to.parent().unwrap_or(half)).map_err(|error| failed(&to, &error))?;
-        let bytes = read_all(file, Limit::BankBytes).map_err(|error| failed(file, &error))?;
-        write_atomic(&to, |out| out.write_all(&bytes)).map_err(|error| failed(&to, &error))?;
-    }
-    for (name, text) in own {
-        let path = half.join(name);
-        write_atomic(&path, |out| out.write_all(text.as_bytes())).map_err(|error| failed(&path, &error))?;
-    }
-    Ok(())
+    let inside = move |path: &'_ Path| {
+        let parts = path.strip_prefix(from).ok()?.iter().map(|part| part.to_string_lossy());
+        Some(parts.collect::<Vec<_>>().join("/"))
+    };
+    opened.scenario.files().into_iter().filter_map(move |path| Some((inside(path)?, path)))
+}
+
+fn read(name: &str, path: &Path) -> Result<SavedFile, DriveError> {
+    let bytes = read_all(path, Limit::BankBytes).map_err(|error| failed(path, &error))?;
+    Ok(SavedFile { name: name.into(), bytes })
+}
+
+/// The files of the scenario beside it, one in memory at a time, then `others`.
+fn write<'a>(
+    opened: &Opened,
+    half: &Path,
+    others: impl Iterator<Item = &'a SavedFile>,
+) -> Result<(), DriveError> {
+    make_folder(half).map_err(|error| failed(half, &error))?;
+    named(opened).try_for_each(|(name, path)| put(half, &read(&name, path)?))?;
+    others.into_iter().try_for_each(|file| put(half, file))
+}
+
+fn put(folder: &Path, SavedFile { name, bytes }: &SavedFile) -> Result<(), DriveError> {
+    let to = folder.join(name);
+    make_folder(to.parent().unwrap_or(folder)).map_err(|error| failed(&to, &error))?;
+    write_atomic(&to, |out| out.write_all(bytes)).map_err(|error| failed(&to, &error))
 }
 
 /// The text of the scenario with its length and its `path.driven`.

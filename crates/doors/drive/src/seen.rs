@@ -26,6 +26,11 @@ impl Seen {
         self.picture.pixel_hash()
     }
 
+    /// Whether a code of the picture is a byte.
+    pub fn has_bytes(&self) -> bool {
+        self.picture.depth() == Depth::Eight
+    }
+
     /// The bytes of a PNG.
     ///
     /// # Errors

@@ -41,7 +41,7 @@ impl Drive {
             return Err(DriveError::asked(file, title, "a hardware model"));
         }
         let (scenario, model) = (self.opened.scenario.clone(), self.opened.model.clone());
-        let subject = Subject::new(scenario, model, self.machine.clone(), &[self.frames() / 2]);
+        let subject = Subject::new(scenario, model, self.bench.machine.clone(), &[self.frames() / 2]);
         let subject = subject.map_err(|error| DriveError::of(file, &error))?;
         let chosen = self.chosen(ladders(&subject, &self.models()?, Extent::Whole), only)?;
         self.pool.install(|| self.climbed(&subject, &chosen, goes_on))
@@ -54,9 +54,9 @@ impl Drive {
         goes_on: &mut (dyn FnMut() -> bool + Send),
     ) -> Result<Study, DriveError> {
         let failed = |error: &dyn std::fmt::Display| DriveError::of(self.file(), &error.to_string());
-        let pictures = ExactPictures::new("", &subject.scenario, &self.stage, None);
+        let pictures = ExactPictures::new("", &subject.scenario, &self.bench.stage, None);
         let mut exact = pictures.map_err(|error| failed(&error))?;
-        let columns = Columns::new(self.stage.clone());
+        let columns = Columns::new(self.bench.stage.clone());
         let mut study = Rehearsed { subject, exact: &mut exact, columns: &columns };
         let mut climbed = Vec::with_capacity(chosen.len());
         for ladder in chosen {

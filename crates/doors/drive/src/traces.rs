@@ -5,15 +5,17 @@ use std::ops::Range;
 use diagnostics::Problem;
 use limits::Limit;
 use scope::{Choice, Look, Looking, expect_known};
-use signal::{Axis, Signal, Waveform};
+use signal::{Axis, Signal, Waveform, Wire};
 
-use crate::{Drive, DriveError};
+use crate::{Drive, DriveError, Viewpoint};
 
 /// A signal in all sweeps that were asked for.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trace {
     /// Signal that was recorded.
     pub signal: Signal,
+    /// Value at full scale, in the unit of the signal; 1 for digital signals, and where there is no wire.
+    pub full_scale: f64,
     /// Its values, sweep after sweep; as many a sweep as the axis has, but of signals told when they change.
     pub values: Vec<f64>,
     /// Number of values in each sweep.
@@ -40,36 +42,47 @@ pub struct Traces {
 }
 
 impl Drive {
-    /// Signals that match any of `patterns`, with * for any run of characters, in `sweeps` of frame `frame` of the path.
+    /// Signals that match any of `patterns` in `sweeps` of frame `frame` of the path.
     ///
     /// # Errors
-    /// If the generator has no signals, a pattern names none, or there is no such sweep or frame.
+    /// If there is no such frame, or as [`Viewpoint::probe`].
     pub fn probe(&self, patterns: &[String], frame: u64, sweeps: Range<u32>) -> Result<Traces, DriveError> {
-        let (file, generator) = (self.file(), &self.opened.generator);
+        self.at(frame)?.probe(patterns, sweeps)
+    }
+}
+
+impl Viewpoint<'_> {
+    /// Signals that match any of `patterns`, with * for any run of characters, in `sweeps`.
+    ///
+    /// # Errors
+    /// If the generator has no signals, a pattern names none, there is no such sweep, or the pose cannot be drawn.
+    pub fn probe(&self, patterns: &[String], sweeps: Range<u32>) -> Result<Traces, DriveError> {
+        let Self { drive, bench, frame, pose } = self;
+        let (file, generator) = (drive.file(), &drive.opened.generator);
         let table = generator.signals();
         expect_known(table, patterns, generator.name()).map_err(|error| DriveError::of(file, &error))?;
         let no_scan =
             || DriveError::asked(file, format!("{} has no signals", generator.name()), "a hardware model");
-        let scan = generator.scan(&self.stage.view).ok_or_else(no_scan)?;
+        let scan = generator.scan(&bench.stage.view).ok_or_else(no_scan)?;
         self.expect_sweeps(&sweeps, scan.timebase.sweeps)?;
-        let choice = Choice::of(table, &self.session.wires(), patterns);
+        let choice = Choice::of(table, &bench.session.wires(), patterns);
         self.expect_signals(&choice)?;
-        let pose = self.seen_from(frame)?;
-        let raster = [self.stage.view.columns as usize, self.stage.view.lines as usize];
-        let look = Look { session: &*self.session, pool: &self.pool, frame, pose: &pose, raster };
+        let raster = [bench.stage.view.columns as usize, bench.stage.view.lines as usize];
+        let look = Look { session: &*bench.session, pool: &drive.pool, frame: *frame, pose, raster };
         let names = choice.names().into_iter().chain([scan.place]).map(str::to_owned).collect();
         let waveforms = look.at(names, sweeps.clone()).map_err(|error| DriveError::of(file, &error))?;
-        let signals = choice.wires.iter().map(|wire| trace(wire.signal, &sweeps, &waveforms)).collect();
+        let signals = choice.wires.iter().map(|wire| trace(wire, &sweeps, &waveforms)).collect();
         let places = of_signal(scan.place, &waveforms).flat_map(|wave| wave.values.iter().copied()).collect();
-        Ok(Traces { frame, sweeps, signals, left_out: choice.left_out, places, place: scan.place })
+        Ok(Traces { frame: *frame, sweeps, signals, left_out: choice.left_out, places, place: scan.place })
     }
 
-    fn expect_sweeps(&self, sweeps: &Range<u32>, all: u32) -> Result<(), DriveError> {
+    pub(crate) fn expect_sweeps(&self, sweeps: &Range<u32>, all: u32) -> Result<(), DriveError> {
         if sweeps.start < sweeps.end && sweeps.end <= all {
             return Ok(());
         }
         let title = format!("no sweeps {}..{}: a frame has sweeps 0..{all}", sweeps.start, sweeps.end);
-        let problem = Problem::of_file(self.file(), title).found(format!("{}..{}", sweeps.start, sweeps.end));
+        let problem =
+            Problem::of_file(self.drive.file(), title).found(format!("{}..{}", sweeps.start, sweeps.end));
         Err(problem.expected(format!("a range inside 0..{all}")).into())
     }
 
@@ -80,7 +93,7 @@ impl Drive {
             false => {
                 let title = format!("{count} signals at once");
                 let expected = format!("at most {}", Limit::Signals.value());
-                Err(DriveError::asked(self.file(), title, expected))
+                Err(DriveError::asked(self.drive.file(), title, expected))
             }
         }
     }
@@ -91,11 +104,12 @@ fn of_signal<'a>(name: &'a str, waveforms: &'a [Waveform]) -> impl Iterator<Item
 }
 
 /// One signal of all sweeps; what was not recorded has no wire, and is 0 at every sample.
-fn trace(signal: Signal, sweeps: &Range<u32>, waveforms: &[Waveform]) -> Trace {
+fn trace(wire: &Wire, sweeps: &Range<u32>, waveforms: &[Waveform]) -> Trace {
     let length = |axis: Axis| {
         waveforms.iter().find(|wave| wave.signal.axis == axis).map_or(0, |wave| wave.values.len())
     };
-    let mut trace = Trace { signal, values: Vec::new(), counts: Vec::new(), times: Vec::new() };
+    let (signal, full_scale) = (wire.signal, wire.full_scale);
+    let mut trace = Trace { signal, full_scale, values: Vec::new(), counts: Vec::new(), times: Vec::new() };
     for sweep in sweeps.clone() {
         match of_signal(signal.name, waveforms).find(|wave| wave.sweep == sweep) {
             Some(wave) => {

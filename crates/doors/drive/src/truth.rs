@@ -5,7 +5,7 @@ use generator::{PlaneKind, Planes};
 use replay::{TRUTH_ERROR, TruthItem, TruthItems};
 use signal::Probe;
 
-use crate::{Drive, DriveError};
+use crate::{Drive, DriveError, Viewpoint};
 
 /// Values of a plane.
 #[derive(Debug, Clone, PartialEq)]
@@ -45,30 +45,47 @@ pub struct Truth {
 }
 
 impl Drive {
-    /// The truth of frame `frame` of the path: `names` of [`TruthPlane`]s, joined by commas, or `all`.
+    /// Names of all planes of truth, in the order of the files.
+    pub fn truth_names() -> Vec<&'static str> {
+        let planes = TruthItem::ALL.into_iter().filter(|item| !item.kinds().is_empty());
+        planes.map(TruthItem::name).collect()
+    }
+
+    /// The truth of frame `frame` of the path.
     ///
     /// # Errors
-    /// If there is no truth of a name, no such frame, or it cannot be drawn.
+    /// If there is no such frame, or as [`Viewpoint::truth`].
     pub fn truth(&self, frame: u64, names: &str) -> Result<Truth, DriveError> {
-        let items: TruthItems = names.parse().map_err(|error| DriveError::of(self.file(), &error))?;
+        self.at(frame)?.truth(names)
+    }
+}
+
+impl Viewpoint<'_> {
+    /// The truth of the frame: `names` of [`TruthPlane`]s, joined by commas, or `all`.
+    ///
+    /// # Errors
+    /// If there is no truth of a name, or it cannot be drawn.
+    pub fn truth(&self, names: &str) -> Result<Truth, DriveError> {
+        let Self { drive, bench, frame, pose } = self;
+        let file = drive.file();
+        let items: TruthItems = names.parse().map_err(|error| DriveError::of(file, &error))?;
         let items: Vec<TruthItem> = items.iter().filter(|item| !item.kinds().is_empty()).collect();
         if items.is_empty() {
             return Err(DriveError::asked(
-                self.file(),
+                file,
                 format!("truth of `{names}` has no planes"),
                 "a plane such as range, or Drive::pose for the pose",
             ));
         }
-        let pose = self.seen_from(frame)?;
         let kinds: Vec<PlaneKind> = items.iter().flat_map(|item| item.kinds()).copied().collect();
-        let view = &self.stage.view;
+        let view = &bench.stage.view;
         let mut planes = Planes::new(view.columns as usize, view.lines as usize, &kinds);
-        let judge = self.judge()?;
-        let drawn = self.pool.install(|| judge.frame(frame, &pose, &mut planes, &mut Probe::off()));
-        drawn.map_err(|error| DriveError::of(self.file(), &error))?;
+        let judge = bench.judge(&drive.pool, file)?;
+        let drawn = drive.pool.install(|| judge.frame(*frame, pose, &mut planes, &mut Probe::off()));
+        drawn.map_err(|error| DriveError::of(file, &error))?;
         let planes = items.into_iter().map(|item| plane(item, &planes));
-        let planes = planes.collect::<Result<_, _>>().map_err(|error| DriveError::of(self.file(), &error))?;
-        Ok(Truth { frame, planes, error: &TRUTH_ERROR })
+        let planes = planes.collect::<Result<_, _>>().map_err(|error| DriveError::of(file, &error))?;
+        Ok(Truth { frame: *frame, planes, error: &TRUTH_ERROR })
     }
 }
 

@@ -111,6 +111,11 @@ impl Opened {
         self.row.map_or(&self.inputs.model, |row| row.name)
     }
 
+    /// What was asked for over the scenario.
+    pub fn wishes(&self) -> &Wishes {
+        &self.wishes
+    }
+
     /// Path of the scenario's file.
     pub fn path(&self) -> &Path {
         &self.path

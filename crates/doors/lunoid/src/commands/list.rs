@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use hardware_model::{BUILT_IN, FAULTS, HardwareModel, ModelSource};
+use hardware_model::{BUILT_IN, FAULTS, HardwareModel, ModelSource, proof};
 use limits::{ROWS, Row};
 use scenario::Scenario;
 use serde_json::{Value, json};
@@ -75,13 +75,13 @@ fn machines(json: bool) -> Result<(), Failure> {
 /// carries, over models and over generators.
 pub fn models(json: bool) -> Result<(), Failure> {
     let rows = model_rows();
-    let overlays = FAULTS.map(|(name, text)| [name.into(), proves(text), "built in".into()]);
+    let overlays = FAULTS.map(|(name, text)| [name.into(), proof(text).into(), "built in".into()]);
     let models = Listing { what: "models", heading: MODEL_HEADING, rows: &rows };
     let overlays = Listing { what: "overlays", heading: ["overlay", "proves", "from"], rows: &overlays };
     let gears = registry::ROWS.iter().filter_map(|row| Some((row.name, row.gear?)));
     let faults = gears.flat_map(|(row, gear)| gear.faults.iter().map(move |fault| (row, fault)));
     let others: Vec<[String; 3]> =
-        faults.map(|(row, (name, text))| [(*name).into(), proves(text), row.into()]).collect();
+        faults.map(|(row, (name, text))| [(*name).into(), proof(text).into(), row.into()]).collect();
     let heading = ["overlay", "proves", "over"];
     let others = Listing { what: "overlays_of_generators", heading, rows: &others };
     show(&[models, overlays, others], json)
@@ -108,13 +108,6 @@ fn model_rows() -> Vec<[String; 3]> {
             Err(problems) => [stem(Path::new(&place)), faults(problems.len()), place],
         })
         .collect()
-}
-
-/// What the head of an overlay says it proves.
-fn proves(text: &str) -> String {
-    let (_, rest) = text.split_once("Proves ").unwrap_or_default();
-    let rest = rest.lines().next().unwrap_or_default();
-    rest.trim_end_matches('.').split(" (").next().unwrap_or_default().to_owned()
 }
 
 fn scenarios(json: bool) -> Result<(), Failure> {

@@ -1,0 +1,87 @@
+//! The values of the hardware model, with what their reader asked for.
+
+use std::collections::BTreeMap;
+
+use diagnostics::asked::{Asked, Shape, ShapeKind};
+use hardware_model::EffectiveValue;
+use serde_json::Value;
+use toml::Table;
+
+/// One value of the hardware model.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Parameter {
+    /// Dotted key, as `--set` takes it.
+    pub key: String,
+    /// Value as it is now.
+    pub value: Value,
+    /// Type of value: number, whole, boolean, text, word, list or table.
+    pub kind: &'static str,
+    /// Unit of the number, where the reader names one.
+    pub unit: Option<String>,
+    /// Least number, where the reader has one.
+    pub low: Option<f64>,
+    /// Largest number, where the reader has one.
+    pub high: Option<f64>,
+    /// Words that may stand there.
+    pub words: Vec<String>,
+    /// File and line that the value comes from, as `hardware-models/ideal.toml:8`.
+    pub source: String,
+}
+
+/// `values` with the shapes that their readers `asked` for.
+pub(crate) fn parameters(values: &[EffectiveValue], asked: &[Asked]) -> Vec<Parameter> {
+    // The model is read after the scenario, which may have a key of the same name.
+    let shapes: BTreeMap<&str, &Shape> =
+        asked.iter().map(|asked| (asked.path.as_str(), &asked.shape)).collect();
+    values.iter().map(|value| parameter(value, shapes.get(value.key.as_str()).copied())).collect()
+}
+
+fn parameter(effective: &EffectiveValue, shape: Option<&Shape>) -> Parameter {
+    let value = read(&effective.value);
+    let end = |end: fn(&Shape) -> Option<(f64, bool)>| shape.and_then(end).map(|(number, _)| number);
+    let mut words = shape.map_or_else(Vec::new, |shape| shape.or_words.clone());
+    if let Some(ShapeKind::Words(more)) = shape.map(|shape| &shape.kind) {
+        words.extend(more.iter().cloned());
+    }
+    Parameter {
+        key: effective.key.clone(),
+        kind: shape.map_or_else(|| kind_of(&value), |shape| kind(&shape.kind)),
+        value,
+        unit: shape.and_then(|shape| shape.unit.clone()),
+        low: end(|shape| shape.low),
+        high: end(|shape| shape.high),
+        words,
+        source: effective.origin.clone(),
+    }
+}
+
+/// A value as written in TOML; text where it stands for itself.
+fn read(text: &str) -> Value {
+    let table = format!("value = {text}").parse::<Table>().ok();
+    let value = table.and_then(|mut table| table.remove("value"));
+    let value = value.and_then(|value| serde_json::to_value(value).ok());
+    value.unwrap_or_else(|| text.into())
+}
+
+fn kind(kind: &ShapeKind) -> &'static str {
+    match kind {
+        ShapeKind::Number | ShapeKind::NumberOrArray(_) => "number",
+        ShapeKind::Whole | ShapeKind::Count => "whole",
+        ShapeKind::Boolean => "boolean",
+        ShapeKind::Text => "text",
+        ShapeKind::Words(_) => "word",
+        ShapeKind::Array(..) => "list",
+        ShapeKind::Table | ShapeKind::Tables | ShapeKind::OpenTable => "table",
+    }
+}
+
+fn kind_of(value: &Value) -> &'static str {
+    match value {
+        Value::Number(number) if number.is_f64() => "number",
+        Value::Number(_) => "whole",
+        Value::Bool(_) => "boolean",
+        Value::Array(_) => "list",
+        Value::Object(_) => "table",
+        Value::String(_) | Value::Null => "text",
+    }
+}
