@@ -2,9 +2,10 @@
 // SITE is the folder, NATIVE the file of crates/doors/browser/examples/native.rs on cases.json, RECORD the record to write.
 
 import { readFile, writeFile } from "node:fs/promises";
-import { join } from "node:path";
+import { dirname, join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { Chromium } from "./chromium.mjs";
+import { instrument } from "./instrument.mjs";
 import { serve } from "./server.mjs";
 import { vectors } from "./vectors.mjs";
 
@@ -242,6 +243,7 @@ try {
   await endings(chromium);
   await responsiveness(chromium);
   await times(chromium);
+  await instrument(chromium, host, native, expect, dirname(site));
   const messages = await chromium.console();
   expect(messages.length === 0, `the console is empty: ${JSON.stringify(messages.slice(0, 3))}`);
   const elsewhere = host.asked.filter((name) => !name.startsWith(PATH));

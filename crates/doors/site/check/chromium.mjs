@@ -54,6 +54,13 @@ export class Chromium {
     return this.ask("POST", "/se/log", { type: "browser" });
   }
 
+  /** Makes the page so many pixels wide, with a light or a dark look. */
+  async emulate(width, scheme) {
+    const devtools = (cmd, params) => this.ask("POST", "/goog/cdp/execute", { cmd, params });
+    await devtools("Emulation.setDeviceMetricsOverride", { width, height: 900, deviceScaleFactor: 1, mobile: width < 600 });
+    await devtools("Emulation.setEmulatedMedia", { features: [{ name: "prefers-color-scheme", value: scheme }] });
+  }
+
   async screenshot() {
     return Buffer.from(await this.ask("GET", "/screenshot"), "base64");
   }

@@ -1,0 +1,105 @@
+// The instrument as a reader uses it: links, pixels, faults, driving, files, widths.
+
+import { writeFile } from "node:fs/promises";
+import { join } from "node:path";
+
+const LATE = "#scenario=scenarios%2Ffirst-light.toml&set=loader.access_ns%3A90&frame=60&colour=red";
+
+/** Waits until the page has drawn what it was asked for. */
+async function drawn(chromium) {
+  for (let turn = 0; turn < 600; turn += 1) {
+    if (await chromium.run(`return document.body.dataset.busy === "false" && document.getElementById("state").textContent !== "The machine draws.";`)) return;
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  }
+  throw new Error("the page still draws after a minute");
+}
+
+const hash = (chromium) => chromium.run(`return document.getElementById("tube").dataset.hash;`);
+const text = (chromium, id) => chromium.run(`return document.getElementById(values[0]).textContent;`, id);
+
+/** Sets a field as a reader does, and waits. */
+async function put(chromium, id, value) {
+  await chromium.run(`const field = document.getElementById(values[0]); field.value = values[1]; field.dispatchEvent(new Event("change", { bubbles: true }));`, id, value);
+  await drawn(chromium);
+}
+
+async function press(chromium, id) {
+  await chromium.run(`document.getElementById(values[0]).click();`, id);
+  await drawn(chromium);
+}
+
+export async function instrument(chromium, host, native, expect, folder) {
+  const [healed, torn] = native;
+  await chromium.go(`${host.address}instrument.html${LATE}`);
+  await drawn(chromium);
+  expect((await hash(chromium)) === torn.hash, "a link opens the torn mountain");
+  expect((await text(chromium, "state")).includes("colour=red"), "what a link asks for and nobody knows is listed");
+  await chromium.run(`
+    const tube = document.getElementById("tube");
+    const { left, top, width, height } = tube.getBoundingClientRect();
+    tube.dispatchEvent(new MouseEvent("click", { clientX: left + 500.5 / 1000 * width, clientY: top + 200.5 / 575 * height }));`);
+  await drawn(chromium);
+  const cause = await text(chromium, "pixel");
+  expect(cause.includes("Column 500, line 200: late word: tg.green, corner 237, 116, 41 ns"), `a click tells the late word: ${cause}`);
+  const scope = await chromium.run(`return document.getElementById("scope").dataset.sweep;`);
+  expect(scope === "500", `the sweep of the pixel is on the scope: ${scope}`);
+  expect(/^[1-9]\d* late of/.test(await text(chromium, "late")), `late events are counted: ${await text(chromium, "late")}`);
+  const link = await chromium.run(`return document.getElementById("link").href;`);
+  await press(chromium, "heal");
+  expect((await hash(chromium)) === healed.hash, "with everything taken back the mountain is healed");
+  await chromium.go("about:blank");
+  await chromium.go(link);
+  await drawn(chromium);
+  expect((await hash(chromium)) === torn.hash && (await text(chromium, "pixel")).includes("tg.green"), "the page's link brings picture and pixel back");
+  await chromium.run(`document.querySelector('#faults input[value="tear"]').click();`);
+  await drawn(chromium);
+  expect((await hash(chromium)) !== healed.hash, "a fault of the board shows");
+  await press(chromium, "heal");
+  await put(chromium, "wires", "no.such");
+  expect((await text(chromium, "state")).includes("no.such"), "a wire that is not there is told");
+  await put(chromium, "wires", "mu.*,sc.gate,tg.red.hold");
+  expect((await hash(chromium)) === healed.hash, "the page goes on after that");
+  await driven(chromium, expect);
+  await ownFile(chromium, expect);
+  await widths(chromium, expect, folder);
+}
+
+async function driven(chromium, expect) {
+  const found = await chromium.run(`
+    document.getElementById("drive").click();
+    while (!/^([3-9]|\\d\\d) frames/.test(document.getElementById("driven").textContent)) await new Promise((resolve) => setTimeout(resolve, 50));
+    document.getElementById("drive").click();
+    return { says: document.getElementById("frame-says").textContent, saves: !document.getElementById("record").disabled };`);
+  await drawn(chromium);
+  expect(found.saves, `what was driven can be saved: ${JSON.stringify(found)}`);
+}
+
+async function ownFile(chromium, expect) {
+  const say = await chromium.run(`
+    const text = await (await fetch("scenarios/profile.toml")).text();
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([text.replace(/^title = .*$/m, 'title = "A file of mine"')], "mine.toml"));
+    const field = document.getElementById("files");
+    field.files = transfer.files;
+    field.dispatchEvent(new Event("change"));
+    await new Promise((resolve) => setTimeout(resolve, 500));
+    return 1;`);
+  await drawn(chromium);
+  expect(say === 1 && (await text(chromium, "state")).includes("A file of mine"), `a file of the reader is opened: ${await text(chromium, "state")}`);
+}
+
+/** Nothing sticks out at any width, light or dark; every control has a name. */
+async function widths(chromium, expect, folder) {
+  for (const width of [360, 1400]) {
+    for (const scheme of ["light", "dark"]) {
+      await chromium.emulate(width, scheme);
+      const out = await chromium.run(`return document.documentElement.scrollWidth - document.documentElement.clientWidth;`);
+      expect(out <= 0, `${width} pixels, ${scheme}: nothing sticks out (${out})`);
+      await writeFile(join(folder, `instrument-${width}-${scheme}.png`), await chromium.screenshot());
+    }
+  }
+  const nameless = await chromium.run(`
+    const fields = [...document.querySelectorAll("button, input, select, canvas")];
+    return fields.filter((field) => !(field.labels?.length || field.getAttribute("aria-label") || field.textContent.trim())).map((field) => field.id || field.outerHTML);`);
+  expect(nameless.length === 0, `every control has a name: ${nameless}`);
+}

@@ -1,0 +1,229 @@
+// The instrument: tube, scope, fault board and time over one view model. The page knows nothing of where the machine runs.
+
+import { Lunoid, WorkerHome } from "./lunoid.js";
+import { showEvents } from "./events-table.js";
+import { showFaults, showNumbers } from "./fault-board.js";
+import { read, setting, written } from "./link.js";
+import { Scope } from "./scope.js";
+import { contents, scenarios } from "./shipped.js";
+import { Tube } from "./tube.js";
+import { ViewModel } from "./view-model.js";
+
+/** Largest file that is read (bytes). */
+const MOST_BYTES = 256 * 2 ** 20;
+const MACHINES = ["", "ideal", "pra-nominal", "pra-parts", "pra-wires", "exact", "sampled", "smooth-faces", "lod-mesh"];
+const START = { scenario: "scenarios/first-light.toml", frame: 60, wires: "mu.height,sweep.x", set: { "loader.access_ns": 90 }, faults: [] };
+
+const at = (id) => document.getElementById(id);
+const say = (text) => { at("state").textContent = text; };
+
+const own = new Map();
+const rows = await scenarios();
+const machine = new Lunoid(new WorkerHome({ hear }));
+const model = new ViewModel(machine, given);
+const tube = new Tube(at("tube"), (column, line) => model.show({ column, line }));
+const scope = new Scope(at("scope"), (text) => { at("values").textContent = text; });
+let parameters = [];
+let goes = null;
+
+function hear({ phase, bytes, reason }) {
+  if (phase === "loading") say(`Loading the machine: ${(bytes / 1e6).toFixed(1)} MB.`);
+  if (phase === "ended") say(`The machine ended and was started again: ${reason}`);
+}
+
+/** The files of a scenario: the page's own, and those that were opened. */
+async function given(scenario) {
+  const row = rows.find((row) => row.scenario === scenario);
+  const shipped = row ? await contents(row.files) : {};
+  return { ...shipped, ...Object.fromEntries(own) };
+}
+
+function option(value, text = value) {
+  return Object.assign(document.createElement("option"), { value, textContent: text });
+}
+
+function fillMenus() {
+  at("scenario").replaceChildren(...rows.map(({ scenario }) => option(scenario, scenario.replace(/^scenarios\/|\.toml$/g, ""))));
+  at("machine").replaceChildren(...MACHINES.map((name) => option(name, name || "the scenario's own")));
+}
+
+/** Takes up what the address says; what it does not know is listed. */
+function follow() {
+  const { view, unknown } = read(location.hash);
+  const isEmpty = location.hash.length < 2;
+  const wanted = isEmpty ? START : { ...START, frame: 0, set: {}, column: null, line: null, ...view };
+  if (!isEmpty && !view.scenario) wanted.scenario = START.scenario;
+  at("wires").value = wanted.wires;
+  at("state").dataset.unknown = unknown.join(" ");
+  model.show({ machine: null, ...wanted });
+}
+
+/** Makes fields and address say what is looked at. */
+function agree() {
+  const { view, facts } = model;
+  at("scenario").value = view.scenario;
+  at("machine").value = view.machine ?? "";
+  at("frame").value = view.frame;
+  at("sweep").value = view.sweep;
+  at("frame-says").textContent = model.isDriven ? `driven ${facts.driven}` : `frame ${view.frame} of ${facts.frames}`;
+  at("link").href = written(view);
+}
+
+async function opened({ detail: facts }) {
+  at("frame").max = facts.frames - 1;
+  at("sweep").max = Math.max(0, facts.sweeps - 1);
+  const [told, shipped, blocks] = await Promise.all([model.parameters(), model.faults(), model.blocks()]);
+  parameters = told.parameters;
+  showFaults(at("faults"), shipped.faults, model.view.faults, (faults) => model.show({ faults }));
+  numbers();
+  showBlocks(blocks.blocks);
+}
+
+function numbers() {
+  const change = (key, text) => {
+    const { [key]: _, ...rest } = model.view.set;
+    model.show({ set: text === null ? rest : { ...rest, [key]: setting(text) } });
+  };
+  showNumbers(at("numbers"), parameters, model.view.set, at("find").value.trim(), change);
+}
+
+/** Blocks with their wires; a click puts a wire on the scope. What is left out is pale and says why. */
+function showBlocks(blocks) {
+  const item = ({ name, left_out, signals, omissions }) => {
+    const made = document.createElement("li");
+    made.className = left_out ? "left-out" : "";
+    const details = document.createElement("details");
+    const head = Object.assign(document.createElement("summary"), { textContent: left_out ? `${name} (left out)` : name });
+    details.append(head, ...omissions.map(({ what, why }) => Object.assign(document.createElement("p"), { textContent: `Left out: ${what}; ${why}.` })));
+    details.append(...signals.map(wire));
+    made.append(details);
+    return made;
+  };
+  at("blocks").replaceChildren(...blocks.map(item));
+}
+
+function wire(name) {
+  const button = Object.assign(document.createElement("button"), { type: "button", textContent: name });
+  button.addEventListener("click", () => {
+    const wires = at("wires").value.split(",").map((word) => word.trim()).filter((word) => word && word !== name);
+    at("wires").value = [...wires, name].join(",");
+    model.show({ wires: at("wires").value });
+  });
+  return button;
+}
+
+/** Steps the frame, and comes round at the ends. */
+function turn(by) {
+  const { frames } = model.facts;
+  model.show({ frame: (model.view.frame + by + frames) % frames });
+}
+
+/** Plays or drives for as long as the button is pressed; each picture is shown before the next is asked for. */
+function repeat(button, once) {
+  const stop = () => {
+    goes = null;
+    for (const other of [at("play"), at("drive")]) other.setAttribute("aria-pressed", "false");
+  };
+  button.addEventListener("click", async () => {
+    const was = goes;
+    stop();
+    if (was === button) return;
+    goes = button;
+    button.setAttribute("aria-pressed", "true");
+    while (goes === button) {
+      await once().catch((error) => { failed(error); stop(); });
+      await new Promise(requestAnimationFrame);
+    }
+  });
+}
+
+/** Waits until the picture of the newest wish stands. */
+const settled = () => new Promise((resolve) => {
+  model.addEventListener("busy", function hear({ detail }) {
+    if (detail) return;
+    model.removeEventListener("busy", hear);
+    resolve();
+  });
+});
+
+function failed(error) {
+  say(error.message);
+  at("state").dataset.fault = error.name;
+}
+
+async function record() {
+  const { planes } = await model.record();
+  for (const { name, values } of Object.values(planes)) {
+    const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(new Blob([values])), download: name.split("/").at(-1) });
+    link.click();
+    URL.revokeObjectURL(link.href);
+  }
+}
+
+/** Opens files of the reader: a scenario among them is shown, and finds the others beside it. */
+async function take(files) {
+  for (const file of files) {
+    if (file.size > MOST_BYTES) throw new Error(`${file.name}: ${file.size} bytes; expected at most ${MOST_BYTES}`);
+  }
+  for (const file of files) own.set(`scenarios/${file.name}`, new Uint8Array(await file.arrayBuffer()));
+  const scenario = [...files].find(({ name }) => name.endsWith(".toml"));
+  if (!scenario) throw new Error("no scenario among the files; expected one whose name ends in .toml");
+  const name = `scenarios/${scenario.name}`;
+  if (!rows.some((row) => row.scenario === name)) rows.push({ scenario: name, files: [] });
+  fillMenus();
+  model.show({ scenario: name, set: {}, faults: [], frame: 0, column: null, line: null });
+}
+
+model.addEventListener("opened", opened);
+model.addEventListener("picture", ({ detail: { planes, hash } }) => {
+  tube.show(planes.picture, hash);
+  tube.mark(model.view.column, model.view.line);
+  tube.zoom(at("zoom").value);
+});
+model.addEventListener("explained", ({ detail: { cause, text, document: told } }) => {
+  at("pixel").textContent = `Column ${model.view.column}, line ${model.view.line}: ${cause}.`;
+  at("explained").textContent = text;
+  tube.mark(model.view.column, model.view.line);
+  if (told.ground) scope.point(told.ground.sample);
+});
+model.addEventListener("traces", ({ detail }) => scope.show(detail));
+model.addEventListener("events", ({ detail: { events, tick_us } }) => {
+  const late = showEvents(at("events"), events, tick_us);
+  at("late").textContent = events.length === 0 ? "" : `${late} late of ${events.length}`;
+});
+model.addEventListener("driven", ({ detail }) => {
+  at("driven").textContent = `${detail} frames driven`;
+  at("record").disabled = false;
+});
+model.addEventListener("fault", ({ detail }) => failed(detail));
+model.addEventListener("busy", ({ detail }) => {
+  document.body.dataset.busy = detail;
+  if (detail) return say("The machine draws.");
+  if (model.facts) agree();
+  const { unknown } = at("state").dataset;
+  if (!at("state").dataset.fault && model.facts) say(`${model.facts.title}, drawn by ${model.facts.drawn_by}.${unknown ? ` The link asks for what nobody knows: ${unknown}.` : ""}`);
+  else if (at("state").dataset.fault) delete at("state").dataset.fault;
+});
+
+fillMenus();
+at("scenario").addEventListener("change", ({ target }) => model.show({ scenario: target.value, set: {}, faults: [], frame: 0, column: null, line: null }));
+at("machine").addEventListener("change", ({ target }) => model.show({ machine: target.value || null, faults: [] }));
+at("files").addEventListener("change", ({ target }) => take(target.files).catch(failed));
+at("frame").addEventListener("input", ({ target }) => model.show({ frame: Number(target.value) }));
+at("back").addEventListener("click", () => turn(-1));
+at("on").addEventListener("click", () => turn(1));
+at("zoom").addEventListener("change", ({ target }) => tube.zoom(target.value));
+at("wires").addEventListener("change", ({ target }) => model.show({ wires: target.value }));
+at("sweep").addEventListener("change", ({ target }) => model.show({ sweep: Number(target.value), column: null, line: null }));
+at("across").addEventListener("change", ({ target }) => scope.along(target.value));
+at("keep").addEventListener("click", ({ target }) => { target.textContent = scope.keep() ? "Drop the reference" : "Keep as reference"; });
+at("whole").addEventListener("click", () => scope.whole());
+at("find").addEventListener("input", numbers);
+at("heal").addEventListener("click", () => model.show({ set: {}, faults: [] }));
+at("record").addEventListener("click", () => record().catch(failed));
+repeat(at("play"), () => { const done = settled(); turn(1); return done; });
+repeat(at("drive"), () => model.drive(at("speed").value, at("turn").value));
+addEventListener("hashchange", follow);
+document.body.addEventListener("dragover", (event) => event.preventDefault());
+document.body.addEventListener("drop", (event) => { event.preventDefault(); take(event.dataTransfer.files).catch(failed); });
+follow();
