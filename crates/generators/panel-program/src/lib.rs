@@ -13,7 +13,7 @@
 //!   mesh once, by the top-left rule. The picture is that of the scene sampler with one sampling point a pixel and one light a panel, but for ground that
 //!   hides from the photograph: the program paints through it.
 //! - **As written.** [`Restrictions`] says what each switch does. Each works alone and with any other.
-//! - **24 bits** are those of variables as they are stored: angles, coordinates, axes, distances, columns of an edge. Sums between them have 53.
+//! - **24 bits** are those of variables as they are stored: coordinates, axes, distances, columns of an edge. Sums between them have 53.
 //! - **Fill.** The five ways of [`Fill`] find the same pixels. With both ends of a span the listing's own fill is the only one.
 //! - **Order.** Panels are drawn one after the other; of equally near ones the first stays.
 //!
@@ -21,7 +21,8 @@
 //!
 //! # Not modelled
 //!
-//! Arrays of the listing count from 1, and its photograph is read with numbers that count from 0: one pixel beside. A panel of one row of whole-number
+//! The listing stores latitudes and longitudes in 24 bits too, which moves places by up to a metre: the panel counts of the specification are those
+//! without. Arrays of the listing count from 1, and its photograph is read with numbers that count from 0: one pixel beside. A panel of one row of whole-number
 //! corners makes the listing read before its edge list; here it has no pixel. Time: nothing is counted but cells.
 //!
 //! # See also

@@ -60,15 +60,11 @@ impl Lie {
         }
     }
 
-    /// The georectangular point (m) of a place (north, east, up; m), its angles stored in `real` as DMS2XYZ stores them.
+    /// The georectangular point (m) of a place (north, east, up; m), stored in `real`.
     pub(crate) fn point(&self, place: DVec3, real: Real) -> DVec3 {
         let point = match self {
             Self::Plane => Self::from_plane(place.y, place.x, Ellipsoid::MOON.semi_major() + place.z),
-            Self::Degrees { body, .. } => {
-                let Geodetic { latitude, longitude, height } = self.geodetic(place);
-                let [latitude, longitude] = [latitude, longitude].map(|angle| real.of(angle));
-                body.point(Geodetic { latitude, longitude, height })
-            }
+            Self::Degrees { body, .. } => body.point(self.geodetic(place)),
         };
         real.vector(point)
     }

@@ -23,8 +23,7 @@ impl Posts {
         let heights: Vec<f64> = self.places.iter().map(|place| place.z).collect();
         let way = if restrictions.mean_void { Fill::WrittenMean } else { Fill::Harmonic };
         // The listing fills any hole; harmonically a large one would be invented ground.
-        let wishes =
-            Wishes { fill: way, border: Border::Filled, allow_large_holes: restrictions.mean_void };
+        let wishes = Wishes { fill: way, border: Border::Filled, allow_large_holes: restrictions.mean_void };
         let filled = fill(self.size, &heights, wishes)?;
         let places = self.places.iter().zip(filled.heights);
         Ok((places.map(|(place, height)| DVec3::new(place.x, place.y, height)).collect(), filled.was_void))
@@ -33,7 +32,8 @@ impl Posts {
     /// Numbers of the corners of all panels: two a cell, cut from the south-eastern to the north-western post.
     pub(crate) fn panels(&self) -> impl Iterator<Item = [usize; 3]> {
         let [rows, columns] = self.size;
-        let cells = (0..rows - 1).flat_map(move |row| (0..columns - 1).map(move |column| row * columns + column));
+        let cells =
+            (0..rows - 1).flat_map(move |row| (0..columns - 1).map(move |column| row * columns + column));
         cells.flat_map(move |sw| [[sw, sw + 1, sw + columns], [sw + 1, sw + columns + 1, sw + columns]])
     }
 }

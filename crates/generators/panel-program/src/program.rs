@@ -91,7 +91,8 @@ impl Program {
     /// Places of the posts on the screen (column, row; pixels, not cut to whole numbers) with their distances from the eye (m).
     pub fn posts_on_screen(&self, view: &View) -> Vec<([f64; 2], f64)> {
         let camera = self.camera(view);
-        let place = |point: &DVec3| (camera.projection.project(camera.place(*point)), camera.distance(*point));
+        let place =
+            |point: &DVec3| (camera.projection.project(camera.place(*point)), camera.distance(*point));
         self.points.iter().map(place).collect()
     }
 

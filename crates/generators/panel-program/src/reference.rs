@@ -110,7 +110,12 @@ impl<'a> Reference<'a> {
 
     /// Calls `each` for the pixels of half a box: columns from the south-eastern to the south-western post, lines from the south-eastern to the
     /// north-western one, cut along the line between these two (IM_REFAVG). The listing counts upward alone; here the ends are put in order.
-    fn each_of_box(&self, [sw, se, nw, _]: [[f64; 2]; 4], is_first: bool, mut each: impl FnMut(usize, usize)) {
+    fn each_of_box(
+        &self,
+        [sw, se, nw, _]: [[f64; 2]; 4],
+        is_first: bool,
+        mut each: impl FnMut(usize, usize),
+    ) {
         let [a, b, c] = [sw, se, nw].map(|pixel| pixel.map(f64::trunc));
         let slope = if c[0] == b[0] { 0.0 } else { (c[1] - b[1]) / (c[0] - b[0]) };
         let picture = self.photograph.picture();
@@ -129,7 +134,8 @@ impl<'a> Reference<'a> {
             };
             let mut line = from;
             while line <= to && (is_first || column != a[0]) {
-                if let (Some(x), Some(y)) = (within(column, picture.columns()), within(line, picture.lines())) {
+                if let (Some(x), Some(y)) = (within(column, picture.columns()), within(line, picture.lines()))
+                {
                     each(x, y);
                 }
                 line += 1.0;

@@ -5,7 +5,7 @@
 pub struct Restrictions {
     /// The picture is the lower left quadrant of the field, on the whole screen.
     pub quadrant: bool,
-    /// Stored coordinates, angles and axes have 24 bits.
+    /// Stored coordinates, axes and distances have 24 bits.
     pub real4: bool,
     /// Greys are signed bytes, and their mean is cut to a whole number.
     pub signed_bytes: bool,

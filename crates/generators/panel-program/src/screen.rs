@@ -3,9 +3,9 @@
 use glam::DVec3;
 use raster::{DistancePlane, Fan, Point, Screen};
 
+use crate::Restrictions;
 use crate::depth::{DepthPlane, NoDepth};
 use crate::view::Camera;
-use crate::Restrictions;
 
 /// Depth (m) nearer than which repaired ground is cut off. Chosen by the specification.
 const NEAR: f64 = 0.1;
@@ -44,7 +44,12 @@ fn whole(place: [f64; 2]) -> [i64; 2] {
 }
 
 /// The part of a panel that is filled.
-pub(crate) fn shape(corners: &Corners, camera: &Camera, screen: &Screen, restrictions: Restrictions) -> Shape {
+pub(crate) fn shape(
+    corners: &Corners,
+    camera: &Camera,
+    screen: &Screen,
+    restrictions: Restrictions,
+) -> Shape {
     let places = on_screen(corners, camera, restrictions);
     match (restrictions.discard_partial, restrictions.both_ends) {
         (true, is_whole) => match places {
@@ -66,17 +71,15 @@ pub(crate) fn shape(corners: &Corners, camera: &Camera, screen: &Screen, restric
 /// The listing's test: all corners from 1 to the last column and row.
 fn whole_inside(places: [[f64; 2]; 3], screen: &Screen) -> Shape {
     let corners = places.map(whole);
-    let is_inside = |corner: &[i64; 2]| {
-        (0..2).all(|axis| (1..=i64::from(screen.size()[axis])).contains(&corner[axis]))
-    };
+    let is_inside =
+        |corner: &[i64; 2]| (0..2).all(|axis| (1..=i64::from(screen.size()[axis])).contains(&corner[axis]));
     if corners.iter().all(is_inside) { Shape::Whole(vec![corners]) } else { Shape::Discarded }
 }
 
 /// The same test for corners that are not cut to whole numbers.
 fn fine_inside(places: [[f64; 2]; 3], screen: &Screen) -> Shape {
-    let is_inside = |place: &[f64; 2]| {
-        (0..2).all(|axis| (0.0..=f64::from(screen.size()[axis])).contains(&place[axis]))
-    };
+    let is_inside =
+        |place: &[f64; 2]| (0..2).all(|axis| (0.0..=f64::from(screen.size()[axis])).contains(&place[axis]));
     let snapped = places.map(|place| Point::snap(place).ok());
     match (places.iter().all(is_inside), snapped) {
         (true, [Some(a), Some(b), Some(c)]) => Shape::Fine(Fan::from_slice(&[[a, b, c]])),

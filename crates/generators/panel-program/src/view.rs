@@ -3,9 +3,9 @@
 use glam::{DMat3, DVec3};
 use raster::Projection;
 
+use crate::Restrictions;
 use crate::lie::Lie;
 use crate::real::Real;
-use crate::Restrictions;
 
 /// Where the eye stands and what it sees.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -110,7 +110,8 @@ impl Filler {
             Fill::Span => span::fill(corners, &pixels, &mut self.work, each),
             Fill::Rasteriser => self.rasteriser.fill(corners, &pixels, &mut self.work, each),
             Fill::EdgeBuffer | Fill::Fence | Fill::Seed => {
-                let mut buffer = Buffer { cells: &mut self.buffer, columns: self.size[0], work: &mut self.work };
+                let mut buffer =
+                    Buffer { cells: &mut self.buffer, columns: self.size[0], work: &mut self.work };
                 buffer.clear(&pixels);
                 match self.way {
                     Fill::EdgeBuffer => edge_buffer::mark(corners, &pixels, self.size[1], &mut buffer),

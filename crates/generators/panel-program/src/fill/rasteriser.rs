@@ -31,7 +31,8 @@ impl Rasteriser {
     ) {
         let (Some(triangle), Some(screen)) = (Triangle::new(corners), &self.screen) else { return };
         let across = screen.counts()[0] as usize;
-        let squares = |axis: usize| pixels.low[axis] as usize / SIDE..(pixels.high[axis] as usize).div_ceil(SIDE);
+        let squares =
+            |axis: usize| pixels.low[axis] as usize / SIDE..(pixels.high[axis] as usize).div_ceil(SIDE);
         for row in squares(1) {
             for column in squares(0) {
                 let area = screen.sub_area(row * across + column);

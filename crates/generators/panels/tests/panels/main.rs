@@ -3,6 +3,7 @@
 mod identity;
 mod light;
 mod panels_of_cells;
+mod program;
 mod refused;
 mod shots;
 mod views;
