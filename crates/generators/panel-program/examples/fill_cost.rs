@@ -1,6 +1,6 @@
 //! What five ways to fill cost over the panels of the artificial block: cells, and with a way's word no more than its work.
 //!
-//! `cargo run --release -p panel-program --example fill_cost` prints the cells. With `edge-buffer`, `fence`, `seed`, `span` or `rasteriser` it fills one
+//! `cargo run -p panel-program --example fill_cost` prints the cells. With `edge-buffer`, `fence`, `seed`, `span` or `rasteriser` it fills one
 //! frame by that way, and with `none` it fills nothing: `valgrind --tool=callgrind` then counts the instructions.
 
 use std::hint::black_box;

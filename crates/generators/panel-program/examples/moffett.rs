@@ -1,6 +1,6 @@
 //! The photographs of `scenarios/moffett`, made of the constants of the listing, and pictures of the three observers.
 //!
-//! `cargo run --release -p panel-program --example moffett -- scenarios/moffett runs/moffett-views` writes both folders, which exist.
+//! `cargo run -p panel-program --example moffett -- scenarios/moffett runs/moffett-views` writes both folders, which exist.
 
 #![allow(dead_code, reason = "the tests use the rest of the block")]
 
