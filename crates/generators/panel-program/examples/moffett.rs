@@ -28,7 +28,7 @@ fn moved_frame() -> [f64; 2] {
 fn write_frame(folder: &Path, name: &str, frame: [f64; 2], shift: f64) -> Result<(), Box<dyn Error>> {
     write_png(folder.join(format!("{name}.png")), &picture(frame, shift), &[])?;
     let text = camera_file(frame).write();
-    write_atomic(&folder.join(format!("{name}.json")), |out| out.write_all(text.as_bytes()))?;
+    write_atomic(folder.join(format!("{name}.json")), |out| out.write_all(text.as_bytes()))?;
     Ok(())
 }
 

@@ -21,7 +21,7 @@ pub struct Restrictions {
     pub mean_void: bool,
     /// A panel with a corner beyond the screen is left out.
     pub discard_partial: bool,
-    /// Corners are cut to whole pixels, and a span has both its ends.
+    /// Corners are cut to whole pixels, the first of which is 1, and a span has both its ends.
     pub both_ends: bool,
     /// At most 50 x 50 posts, 512 panels, a screen and a photograph of 512 x 512.
     pub limits: bool,

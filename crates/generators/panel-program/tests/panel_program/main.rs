@@ -8,3 +8,4 @@ mod counts;
 mod fills;
 mod findings;
 mod refused;
+mod shipped;
