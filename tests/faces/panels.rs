@@ -92,17 +92,3 @@ fn the_figures_of_the_scenario_hold() {
     let [texture, panel] = [of(&[]), of(&[("panels.drape", "panel"), ("panels.spacing_m", "16")])];
     assert!((texture - 0.0015).abs() < 0.00005 && (panel - 0.0148).abs() < 0.00005, "{texture} {panel}");
 }
-
-#[test]
-fn the_observers_of_moffett_lose_three_panels_none_and_all() {
-    let lost = |name: &str, frame: u64| {
-        let shipped = Shipped::new(name, None);
-        let session = session(shipped.stage().stage(), &[("panels.restrictions", "true")]);
-        drop(session);
-        let generator = shipped.configured(&::panels::ROW);
-        let session = generator.prepare(shipped.stage().stage()).unwrap();
-        shipped.draw(&*session, frame, &mut Probe::off()).counts.get("discarded_panels")
-    };
-    assert_eq!([40, 0, 60].map(|frame| lost("moffett", frame)), [3, 0, 176]);
-    assert_eq!(lost("moffett-moved", 0), 67);
-}

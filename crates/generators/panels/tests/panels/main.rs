@@ -2,6 +2,7 @@
 
 mod identity;
 mod light;
+mod moffett;
 mod panels_of_cells;
 mod program;
 mod refused;
