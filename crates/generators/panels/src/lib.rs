@@ -34,6 +34,10 @@
 //! | `panels.infer` | true, false | true | unseen ground has light from around, where seen ground encloses it |
 //! | `panels.outside` | 0 to 1 | 0 | light of ground beside the photographs |
 //! | `panels.relight` | true, false | false | the scenario's sun on albedo, in place of the photograph's own light |
+//! | `panels.restrictions` | true, false | false | all findings of the listing; `panel-program` draws |
+//! | `panels.quadrant` and ten more | true, false | `restrictions` | one finding: [`panel_program::Restrictions`] |
+//! | `panels.fill` | `edge-buffer`, `fence`, `seed`, `span`, `rasteriser` | none | `panel-program` draws, and fills panels in this way |
+//! | `panels.posts` | a table | none | `panel-program` draws posts of its own, a second of arc apart: [`PostTable`] |
 //! | `panels.pattern` | `1`, `4`, `8`, `16`, `grid16`, `lattice32`, `off-centre16` | `4` | sampling points of a pixel |
 //! | `panels.rotate` | true, false | false | the pattern is turned from pixel to pixel |
 //! | `panels.filter` | `box`, `tent`, `gaussian` | `box` | how sampling points make a pixel |
@@ -65,10 +69,12 @@ mod panels;
 mod parameters;
 mod place;
 mod prepared;
+mod program;
 mod relit;
 mod row;
 mod session;
 
 pub use panels::Panels;
 pub use parameters::{Diagonal, Fineness, Parameters, Shading};
+pub use program::{Block, PostTable, ProgramKeys};
 pub use row::ROW;

@@ -6,6 +6,7 @@ use serde_json::Value;
 
 use crate::name::NAME;
 use crate::parameters::Parameters;
+use crate::program::{PLANES as PROGRAM_PLANES, ProgramSession};
 use crate::session::Session;
 
 /// The generator of panels; see the crate's data sheet.
@@ -31,21 +32,25 @@ const COUNTERS: [Counter; 8] = [
     counter("unseen_panels"),
 ];
 
+/// What a frame of the program took and lost.
+const PROGRAM_COUNTERS: [Counter; 4] =
+    [counter("panels"), counter("triangles"), counter("discarded_panels"), counter("lost_panels")];
+
 impl Generator for Panels {
     fn name(&self) -> &'static str {
         NAME
     }
 
     fn counters(&self) -> &'static [Counter] {
-        &COUNTERS
+        if self.parameters.program.draws() { &PROGRAM_COUNTERS } else { &COUNTERS }
     }
 
     fn planes(&self) -> &'static [PlaneKind] {
-        &PLANES
+        if self.parameters.program.draws() { &PROGRAM_PLANES } else { &PLANES }
     }
 
     fn draws_colour(&self, stage: &Stage) -> bool {
-        stage.is_colourful()
+        stage.is_colourful() && !self.parameters.program.draws()
     }
 
     fn record(&self) -> Value {
@@ -53,6 +58,9 @@ impl Generator for Panels {
     }
 
     fn prepare(&self, stage: Stage) -> Result<Box<dyn GeneratorSession>, PrepareError> {
+        if self.parameters.program.draws() {
+            return Ok(Box::new(ProgramSession::new(stage, &self.parameters)?));
+        }
         Ok(Box::new(Session::new(stage, self.parameters.clone())?))
     }
 }

@@ -4,6 +4,8 @@ use diagnostics::Reader;
 use photo_drape::Choice;
 use serde_json::Value;
 
+use crate::program::ProgramKeys;
+
 /// Run parameters that no other generator has, and those of sampling.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Parameters {
@@ -25,6 +27,8 @@ pub struct Parameters {
     pub outside: f64,
     /// Whether the scenario's sun lights the ground anew.
     pub relights: bool,
+    /// What the program of the thesis is asked for; it draws in place of the scene sampler if that is anything.
+    pub program: ProgramKeys,
 }
 
 /// How finely cells are divided.
@@ -69,6 +73,7 @@ impl Default for Parameters {
             infers: true,
             outside: 0.0,
             relights: false,
+            program: ProgramKeys::default(),
         }
     }
 }
@@ -92,6 +97,7 @@ impl Parameters {
         let infers = table.bool("infer").default(usual.infers);
         let outside = table.f64("outside").between(0.0, 1.0).default(usual.outside);
         let relights = table.bool("relight").default(usual.relights);
+        let program = ProgramKeys::read(table);
         Some(Self {
             sampling: sampling?,
             spacing: (spacing.is_some() || !table.has("spacing_m")).then_some(spacing)?,
@@ -102,6 +108,7 @@ impl Parameters {
             infers: infers?,
             outside: outside?,
             relights: relights?,
+            program: program?,
         })
     }
 
@@ -123,6 +130,7 @@ impl Parameters {
             ("relight", self.relights.into()),
         ];
         own.into_iter().for_each(|(key, value): (&str, Value)| record[key] = value);
+        self.program.record(&mut record);
         record
     }
 }

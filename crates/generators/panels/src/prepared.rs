@@ -62,11 +62,17 @@ impl Prepared {
     }
 }
 
+/// Distance of posts (m) before cells are divided.
+pub fn spacing(stage: &Stage, run: &Parameters) -> f64 {
+    let [south, west, north, east] = stage.landscape.level().extent();
+    run.spacing.unwrap_or((north - south).max(east - west) / USUAL_CELLS)
+}
+
 /// Photographs over posts as fine as a run asks for.
 fn laid(stage: &Stage, run: &Parameters) -> Result<Drape, PrepareError> {
     let landscape = &stage.landscape;
     let [south, west, north, east] = landscape.level().extent();
-    let spacing = run.spacing.unwrap_or((north - south).max(east - west) / USUAL_CELLS);
+    let spacing = spacing(stage, run);
     let of = |error: DrapeError| refused(&error, remedy(&error));
     let over = |spacing: f64| {
         let ground = Ground::new(landscape, [south, west, north, east], spacing)?;

@@ -2,7 +2,7 @@
 
 /// Calls `each` for every pixel (column, line) of a picture of `size` (columns, lines) whose centre lies in a triangle of pixels I, J. A
 /// centre on a side is in the triangle that has the side as a left or an upper one; so each centre is in one of two triangles that share a side.
-pub(crate) fn pixels(corners: [[f64; 2]; 3], size: [usize; 2], mut each: impl FnMut(usize, usize)) {
+pub fn pixels(corners: [[f64; 2]; 3], size: [usize; 2], mut each: impl FnMut(usize, usize)) {
     let [a, b, c] = corners;
     let area = cross(a, b, c);
     if area == 0.0 || !area.is_finite() {

@@ -2,7 +2,9 @@
 
 mod identity;
 mod light;
+mod moffett;
 mod panels_of_cells;
+mod program;
 mod refused;
 mod shots;
 mod views;

@@ -1,0 +1,69 @@
+//! Keys of `[panels]` that turn findings of the listing on.
+
+use diagnostics::Reader;
+use panel_program::{Fill, Restrictions};
+use serde_json::Value;
+
+use super::PostTable;
+
+/// What the program of the thesis is asked for.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct ProgramKeys {
+    /// Findings that are turned on.
+    pub restrictions: Restrictions,
+    /// How panels are filled; the listing's way where none is asked for.
+    pub fill: Option<Fill>,
+    /// Posts of the program in place of those of the landscape.
+    pub posts: Option<PostTable>,
+}
+
+impl ProgramKeys {
+    /// Whether the program draws, in place of the scene sampler.
+    pub fn draws(&self) -> bool {
+        self.restrictions.any() || self.fill.is_some() || self.posts.is_some()
+    }
+
+    /// Reads the keys. `restrictions` turns all findings on; the key of a finding stands over it.
+    pub(crate) fn read(table: &Reader) -> Option<Self> {
+        let all = table.bool("restrictions").default(false);
+        let mut restrictions = Restrictions::default();
+        let mut is_read = true;
+        for (key, switch) in Restrictions::SWITCHES {
+            match table.bool(key).default(all.unwrap_or(false)) {
+                Some(value) => *switch(&mut restrictions) = value,
+                None => is_read = false,
+            }
+        }
+        let fill = table.one_of("fill", &Fill::ALL).optional();
+        let posts = match table.optional_table("posts") {
+            Some(posts) => PostTable::read(&posts).map(Some),
+            None => (!table.has("posts")).then_some(None),
+        };
+        Some(Self {
+            restrictions: (all.is_some() && is_read).then_some(restrictions)?,
+            fill: (fill.is_some() || !table.has("fill")).then_some(fill)?,
+            posts: posts?,
+        })
+    }
+
+    /// Adds the keys to the record of a run, if the program draws.
+    pub(crate) fn record(&self, record: &mut Value) {
+        if !self.draws() {
+            return;
+        }
+        let mut restrictions = self.restrictions;
+        for (key, switch) in Restrictions::SWITCHES {
+            record[key] = (*switch(&mut restrictions)).into();
+        }
+        let word = Fill::ALL.iter().find(|(_, fill)| *fill == self.way()).map(|(word, _)| *word);
+        record["fill"] = word.into();
+        if let Some(posts) = &self.posts {
+            record["posts"] = posts.record();
+        }
+    }
+
+    /// The way in which panels are filled.
+    pub(crate) fn way(&self) -> Fill {
+        self.fill.unwrap_or(Fill::EdgeBuffer)
+    }
+}

@@ -1,0 +1,177 @@
+//! The program made ready for a stage.
+
+use generator::{
+    Fact, FrameCounts, FrameError, Label, Omission, PlaneKind, Planes, PrepareError, Session, Stage, Weight,
+    check_free_eye, face_lists_beside,
+};
+use glam::DVec3;
+use panel_program::{Lie, NO_PANEL, Picture, Posts, Program, ProgramError, Settings, View};
+use photo_camera::{Axes, Ellipsoid};
+use photo_drape::Ground;
+use photograph::{Photograph, Placement};
+use scenario::{Curvature, Pose};
+use scene_sampler::Camera;
+use signal::Probe;
+
+use crate::name::NAME;
+use crate::parameters::Parameters;
+use crate::prepared::{refused, spacing};
+
+/// What its pictures hold.
+pub(crate) const PLANES: [PlaneKind; 3] = [PlaneKind::Intensity, PlaneKind::Label, PlaneKind::Distance];
+
+/// Advice where the listing has no room.
+const LIMITS: &str = "take fewer posts and a smaller raster, or lift it with --set panels.limits=false";
+
+/// The program over the ground of one stage.
+pub(crate) struct ProgramSession {
+    stage: Stage,
+    program: Program,
+}
+
+impl ProgramSession {
+    /// Lays the first photograph of `stage` over the posts that `run` asks for.
+    ///
+    /// # Errors
+    /// If there is no photograph, or the program refuses it or the posts.
+    pub fn new(stage: Stage, run: &Parameters) -> Result<Self, PrepareError> {
+        let photograph = stage.landscape.photographs().first();
+        let none = || refused(&"ground without photographs", "name one: [[photograph]]");
+        let photograph = photograph.ok_or_else(none)?;
+        let (posts, lie) = posts(&stage, run, photograph)?;
+        let settings = Settings {
+            restrictions: run.program.restrictions,
+            fill: run.program.way(),
+            outside: run.outside,
+        };
+        let program = Program::new(&posts, lie, photograph, settings);
+        let program = program.map_err(|error| refused(&error, remedy(&error)))?;
+        Ok(Self { stage, program })
+    }
+
+    fn picture(&self, frame: u64, pose: &Pose) -> Result<Picture, FrameError> {
+        self.check(frame, pose)?;
+        let refused = |error: ProgramError| FrameError::Refused {
+            frame,
+            reason: format!("{NAME} cannot draw it: {error}; {}", remedy(&error)),
+        };
+        self.program.draw(&self.view(pose)).map_err(refused)
+    }
+
+    fn view(&self, pose: &Pose) -> View {
+        let view = &self.stage.view;
+        let camera = Camera::new(pose, view);
+        let [north, east, up] = DVec3::AXES.map(|axis| camera.direction(axis));
+        let row = |of: fn(DVec3) -> f64, scale: f64| DVec3::new(of(north), of(east), of(up)) / scale;
+        View {
+            eye: camera.eye,
+            axes: [row(|axis| axis.x, 1.0), row(|axis| axis.y, camera.squeeze()), row(|axis| axis.z, 1.0)],
+            half_field: [view.field.tan_half_width, view.field.tan_half_height],
+            size: [view.columns, view.lines],
+        }
+    }
+}
+
+/// The posts of a run, and how they lie on a body.
+fn posts(stage: &Stage, run: &Parameters, photograph: &Photograph) -> Result<(Posts, Lie), PrepareError> {
+    if let Some(table) = &run.program.posts {
+        // The posts stand on the body of the photograph.
+        let body = match photograph.placement() {
+            Placement::Camera { axes: Axes::Body(body), .. } => *body,
+            _ => Ellipsoid::CLARKE_1866,
+        };
+        return Ok((table.posts(body), table.lie(body)));
+    }
+    let landscape = &stage.landscape;
+    let ground = Ground::new(landscape, landscape.level().extent(), spacing(stage, run));
+    let ground = ground.map_err(|error| refused(&error, "ask for another panels.spacing_m"))?;
+    let [rows, columns] = ground.size();
+    let all = (0..rows).flat_map(|row| (0..columns).map(move |column| [row, column]));
+    Ok((Posts { size: [rows, columns], places: all.map(|post| ground.post(post)).collect() }, Lie::Plane))
+}
+
+/// What helps against a refusal.
+fn remedy(error: &ProgramError) -> &'static str {
+    match error {
+        ProgramError::Limit { .. } | ProgramError::BesideFrame { .. } => LIMITS,
+        ProgramError::Axes { .. } => "give its camera file those axes",
+        ProgramError::WrittenFill => "leave panels.fill out, or set panels.both_ends = false",
+        ProgramError::Void(_) => "give posts with heights",
+    }
+}
+
+impl Session for ProgramSession {
+    fn frame(
+        &self,
+        frame: u64,
+        pose: &Pose,
+        planes: &mut Planes,
+        _: &mut Probe,
+    ) -> Result<FrameCounts, FrameError> {
+        let picture = self.picture(frame, pose)?;
+        for (kind, values) in
+            [(PlaneKind::Intensity, &picture.light), (PlaneKind::Distance, &picture.distance)]
+        {
+            if let Some(plane) = planes.get_mut(kind) {
+                plane.copy_from_slice(values);
+            }
+        }
+        if let Some(labels) = planes.get_mut(PlaneKind::Label) {
+            let label = |panel: &u32| if *panel == NO_PANEL { Label::Sky } else { Label::Terrain };
+            let all = picture.panel.iter().map(|panel| f32::from(label(panel).code()));
+            labels.iter_mut().zip(all).for_each(|(plane, label)| *plane = label);
+        }
+        let counts = picture.counts;
+        Ok(FrameCounts::of([
+            ("panels", counts.panels()),
+            ("triangles", counts.filled),
+            ("discarded_panels", counts.discarded),
+            ("lost_panels", counts.lost),
+        ]))
+    }
+
+    fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
+        check_free_eye(&self.stage.landscape, frame, pose)
+    }
+
+    fn omissions(&self) -> Vec<Omission> {
+        let scenery = &self.stage.scenery;
+        let mut omissions = scene_sampler::omissions(&self.stage, NAME);
+        omissions.extend(face_lists_beside(scenery, NAME));
+        let has_bodies = !scenery.standing().is_empty() || !scenery.all_guests().is_empty();
+        let lacks = [
+            (has_bodies, "rocks and man-made things"),
+            (!scenery.all_effects().is_empty(), "lights, sheets and discs of the sky"),
+            (self.stage.landscape.photographs().len() > 1, "all photographs but the first"),
+            (self.stage.view.laws.curvature != Curvature::None, "curvature of the ground between posts"),
+        ];
+        let omission = |what: &str| Omission {
+            block: NAME,
+            what: what.to_owned(),
+            why: "the program of the thesis draws panels of one photograph".to_owned(),
+            weight: Weight::NotModelled,
+        };
+        omissions.extend(lacks.iter().filter(|(is_there, _)| *is_there).map(|(_, what)| omission(what)));
+        omissions
+    }
+
+    /// Panel, posts, grey, depth and writes of a pixel.
+    fn explain(&self, frame: u64, pose: &Pose, [column, line]: [usize; 2]) -> Result<Vec<Fact>, FrameError> {
+        let picture = self.picture(frame, pose)?;
+        let pixel = line * self.stage.view.columns as usize + column;
+        let number = picture.panel[pixel];
+        let Some(panel) = self.program.panels().get(number as usize) else {
+            return Ok(vec![Fact::new("panel", "none")]);
+        };
+        Ok(vec![
+            Fact::new("panel", format!("{number}; posts {:?}", panel.posts)),
+            Fact::new(
+                "light of the panel",
+                format!("{:.4}, mean of {} pixels of the photograph", panel.grey.light, panel.grey.pixels),
+            ),
+            Fact::new("void", if panel.touches_void { "a post of it was void" } else { "none" }),
+            Fact::new("depth buffer", format!("{:.3} m", picture.distance[pixel])),
+            Fact::new("written", format!("{} times", picture.writes[pixel])),
+        ])
+    }
+}

@@ -1,0 +1,105 @@
+//! The shipped scenarios of the thesis's posts: panels that each observer loses.
+
+use std::path::PathBuf;
+
+use diagnostics::{Problems, TomlFile};
+use generator::{Generator, PlaneKind, Planes, Session};
+use panels::ROW;
+use photograph::Photograph;
+use scenario::Pose;
+use signal::Probe;
+
+use crate::shots::{landscape, pose, stage};
+
+fn folder() -> PathBuf {
+    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../scenarios")
+}
+
+/// The generator that the table `[panels]` of a text asks for.
+fn configured(text: &str) -> Result<std::sync::Arc<dyn Generator>, String> {
+    let problems = Problems::new();
+    let file = TomlFile::parse("moffett.toml", text, &problems).expect("TOML");
+    let root = file.root(&problems);
+    let generator = (ROW.configure)(&root);
+    root.table_or_empty("panels").finish();
+    problems.resolve(generator).map_err(|problems| problems.to_string())
+}
+
+fn scenario(name: &str) -> String {
+    std::fs::read_to_string(folder().join(format!("{name}.toml"))).unwrap()
+}
+
+/// The scenario's generator over its photograph, seen by its screen.
+fn session(text: &str, photograph: &str) -> Box<dyn Session> {
+    let [picture, camera] = ["png", "json"].map(|end| folder().join(format!("moffett/{photograph}.{end}")));
+    let photograph = Photograph::read(&picture, &camera).unwrap();
+    configured(text)
+        .unwrap()
+        .prepare(stage(landscape(0.0), vec![photograph], 512, 1600.0 / 15_000.0))
+        .unwrap()
+}
+
+/// Poses of a path file.
+fn poses(name: &str) -> Vec<Pose> {
+    let text = std::fs::read_to_string(folder().join(format!("{name}.csv"))).unwrap();
+    let rows = text.lines().skip(1).map(|line| {
+        let of = |column: usize| line.split(',').nth(column).unwrap().parse::<f64>().unwrap();
+        pose([of(1), of(2), of(3)], of(4), of(5))
+    });
+    rows.collect()
+}
+
+/// Panels, discarded panels and pixels that show ground.
+fn seen(session: &dyn Session, pose: &Pose) -> [u64; 3] {
+    let mut planes = Planes::new(512, 512, &[PlaneKind::Intensity, PlaneKind::Label]);
+    let counts = session.frame(0, pose, &mut planes, &mut Probe::off()).unwrap();
+    let ground = planes.get(PlaneKind::Label).unwrap().iter().filter(|label| **label > 0.0).count();
+    let [panels, discarded] = ["panels", "discarded_panels"].map(|name| counts.get(name).unwrap());
+    [panels, discarded, ground as u64]
+}
+
+#[test]
+fn observers_lose_three_panels_none_and_all() {
+    let session = session(&scenario("moffett"), "frame");
+    // The path begins at observer 2 and goes on by observer 1 to observer 3.
+    let found: Vec<[u64; 3]> = poses("moffett").iter().map(|pose| seen(&*session, pose)).collect();
+    assert_eq!(
+        found.iter().map(|seen| [seen[0], seen[1]]).collect::<Vec<_>>(),
+        [[176, 0], [176, 3], [176, 176]]
+    );
+    assert!(found[1][2] > 10_000 && found[0][2] > 1000 && found[2][2] == 0, "{found:?}");
+}
+
+#[test]
+fn the_moved_block_has_lost_panels_at_the_border() {
+    let text = scenario("moffett-moved");
+    let [pose, _] = poses("moffett-moved")[..] else { panic!("two rows") };
+    assert_eq!(seen(&*session(&text, "moved"), &pose)[..2], [176, 67]);
+    let kept = text.replace("restrictions = true", "restrictions = true\ndiscard_partial = false");
+    assert_eq!(seen(&*session(&kept, "moved"), &pose)[1], 0);
+}
+
+#[test]
+fn faults_of_the_tables_are_named() {
+    let refused = |from: &str, to: &str| {
+        let text = scenario("moffett").replace(from, to);
+        configured(&text).err().unwrap_or_else(|| panic!("{to} was read"))
+    };
+    assert!(refused("restrictions = true", "quadrants = true").contains("quadrants"));
+    assert!(refused("restrictions = true", "fill = \"spam\"").contains("edge-buffer"));
+    assert!(refused("latitude = \"37:22:47 N\"", "latitude = \"-37:22:47 N\"").contains("-37:22:47 N"));
+    assert!(refused("rows = [71, 79]", "rows = [79, 71]").contains("at most 512 apart"));
+    assert!(refused("height_m = 83", "height_m = \"viod\"").contains("void"));
+}
+
+#[test]
+fn void_posts_are_filled_and_told() {
+    let text = scenario("moffett").replace("height_m = 43", "height_m = \"void\"");
+    let session = session(&text, "frame");
+    let pose = poses("moffett")[1];
+    let pixels =
+        (60..200).step_by(20).flat_map(|line| (160..320).step_by(20).map(move |column| [column, line]));
+    let facts = pixels.flat_map(|pixel| session.explain(0, &pose, pixel).unwrap());
+    let told: Vec<String> = facts.filter(|fact| fact.what == "void").map(|fact| fact.value).collect();
+    assert!(told.iter().any(|value| value == "a post of it was void"), "{told:?}");
+}
