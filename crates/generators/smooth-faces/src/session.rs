@@ -28,7 +28,7 @@ impl Session {
     /// # Errors
     /// If a list has too many faces.
     pub fn new(stage: Stage, run: Parameters) -> Result<Self, PrepareError> {
-        for FaceList { group, .. } in &stage.scenery.face_lists().lists {
+        for FaceList { group, .. } in stage.scenery.face_lists().of_machines() {
             let faces = group.mesh.faces().len();
             if faces > run.limit as usize {
                 return Err(PrepareError::Unsupported {
