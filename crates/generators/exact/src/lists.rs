@@ -3,6 +3,7 @@
 mod gather;
 mod triangle;
 
+use std::fmt;
 use std::sync::Arc;
 
 use face_areas::Mean;
@@ -32,6 +33,12 @@ pub struct FaceLayer {
     lines: Vec<[f64; 2]>,
     screen: Screen,
     view: View,
+}
+
+impl fmt::Debug for FaceLayer {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("FaceLayer").field("lists", &self.lists).finish_non_exhaustive()
+    }
 }
 
 /// What faces make of a place of the screen.
@@ -146,12 +153,21 @@ impl FaceLayer {
         self.view.ray_ahead(self.screen.on_plane(at))
     }
 
-    /// Triangles at a place in pixels, near to far.
+    /// Triangles at a place in pixels, near to far; of those of one list that coincide there the first.
     fn covers(&self, at: [f64; 2]) -> Vec<u32> {
         let mut faces = self.of_lines(at[0].max(0.0) as usize, [at[1]; 2]);
         faces.retain(|&face| self.triangles[face as usize].covers(at));
         face_areas::near_to_far(&self.areas, &mut faces, at);
+        // A place on the border of two triangles lies in both.
+        faces.dedup_by(|later, first| self.coincide([*first, *later], at));
         faces
+    }
+
+    /// Whether two triangles are of one list and coincide at a place in pixels.
+    fn coincide(&self, faces: [u32; 2], at: [f64; 2]) -> bool {
+        let [first, later] = faces.map(|face| &self.triangles[face as usize]);
+        let [near, far] = [first, later].map(|triangle| linear(&triangle.nearness, at));
+        first.paint.of[0] == later.paint.of[0] && (near - far).abs() <= COINCIDENCE * near
     }
 
     /// What faces make of a place in pixels before ground or a body at a depth (m); `None` where there are none.

@@ -27,6 +27,7 @@ pub struct Meeting {
 }
 
 /// Ground, light, shadow, bodies and lists of faces from one eye at one time.
+#[derive(Debug)]
 pub struct Scene<'a> {
     landscape: &'a Landscape,
     outlook: Outlook<'a>,

@@ -159,8 +159,11 @@ fn brightness_is_linear_in_space() {
 
 #[test]
 fn levels_are_laid_upon_the_sea_and_the_sea_upon_ground_of_its_height() {
-    let expected =
-        [(Detail::Add, 1.0, "sea"), (Detail::AddSoft, 0.75, "sea"), (Detail::Replace, 0.5, "wake")];
+    let expected = [
+        (Detail::Add, 1.0, Label::Sea),
+        (Detail::AddSoft, 0.75, Label::Sea),
+        (Detail::Replace, 0.5, Label::Wake),
+    ];
     for (detail, red, label) in expected {
         let sea = list(FaceKind::Sea, &square([100.0, 100.0, 0.0], 150.0), |face| face);
         let mut level = list(FaceKind::Level, &square([100.0, 100.0, 0.0], 20.0), |face| face);
@@ -169,7 +172,7 @@ fn levels_are_laid_upon_the_sea_and_the_sea_upon_ground_of_its_height() {
         let found = drawn(vec![sea, level], &from_above(80.0));
         assert!((value(&found, PlaneKind::Red, MIDDLE) - red).abs() < 1e-6, "{detail:?}");
         assert_eq!(value(&found, PlaneKind::Blue, MIDDLE), 0.0, "no ground");
-        assert_eq!(Label::of_code(value(&found, PlaneKind::Label, MIDDLE) as u8).unwrap().name(), label);
+        assert_eq!(value(&found, PlaneKind::Label, MIDDLE), f64::from(label.code()));
         assert!((value(&found, PlaneKind::Red, 0) - 0.5).abs() < 1e-6, "the sea beside the level");
     }
 }
@@ -246,7 +249,7 @@ fn explain_names_faces_near_to_far() {
         facts.iter().filter(|fact| fact.what == "face").map(|fact| fact.value.as_str()).collect();
     assert_eq!(told.len(), 2);
     assert!(
-        told[0].starts_with("0 of face (wake): depth 50.000 m, brightness 0.5000 between"),
+        told[0].starts_with("0 of face (wake or effect): depth 50.000 m, brightness 0.5000 between"),
         "{}",
         told[0]
     );
