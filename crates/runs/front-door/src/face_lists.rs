@@ -155,20 +155,20 @@ impl Lists<'_> {
         let carrier = Carrier::Ship(self.course(wish, sea, motion));
         let is_true = wish.hiding == Hiding::Exact;
         let drawn_by = if is_true { DrawnBy::All } else { DrawnBy::Machines };
-        self.hull(&arranged.ship, carrier.clone(), drawn_by);
+        self.hull(&arranged.ship, FaceKind::Ship, (carrier.clone(), drawn_by));
         if !is_true {
             let whole = wish.kind.arranged(&wish.id, Hiding::Exact, arranged.ship.priority)?;
-            self.hull(&whole.ship, carrier, DrawnBy::Exact);
+            self.hull(&whole.ship, FaceKind::Ship, (carrier, DrawnBy::Exact));
         }
         if let Some(surround) = &arranged.surround {
             let carrier = Carrier::Ship(self.course(wish, sea, Motion::default()));
-            self.hull(surround, carrier, DrawnBy::Machines);
+            self.hull(surround, FaceKind::Sea, (carrier, DrawnBy::Machines));
         }
         Ok(arranged)
     }
 
-    fn hull(&mut self, group: &Group, carrier: Carrier, drawn_by: DrawnBy) {
-        let (group, kind) = (group.clone(), FaceKind::Ship);
+    fn hull(&mut self, group: &Group, kind: FaceKind, (carrier, drawn_by): (Carrier, DrawnBy)) {
+        let group = group.clone();
         self.lists.push(FaceList { group, kind, carrier, other_side: None, sea: None, drawn_by });
     }
 

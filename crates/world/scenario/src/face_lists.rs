@@ -11,13 +11,13 @@ use crate::{FacePlace, Guest, Object, Pose, Scenery};
 /// What a list of faces shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FaceKind {
-    /// Water of a flat sea.
+    /// Water of a flat sea, or of the box around a hull.
     Sea,
     /// A second level of detail upon the sea: churned water.
     Level,
     /// Foam that stands up.
     Wake,
-    /// A ship, or the box around it.
+    /// A ship.
     Ship,
     /// An effect of a file, or dust.
     Effect,
