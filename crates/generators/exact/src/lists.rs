@@ -1,13 +1,14 @@
 //! Lists of faces of a frame: sea, wakes, ships, effects. They lie over ground and bodies by depth, and in a pixel by area.
 
 mod gather;
+mod told;
 mod triangle;
 
 use std::fmt;
 use std::sync::Arc;
 
 use face_areas::Mean;
-use generator::{FaceScene, Fact, ScreenFace, Shade, Stage};
+use generator::{FaceScene, ScreenFace, Shade, Stage};
 use glam::DVec3;
 use scenario::Pose;
 
@@ -139,6 +140,9 @@ impl FaceLayer {
 
     /// Whether the plane of a triangle lies before ground or a body at a depth (m; infinite in the sky), or coincides with it.
     fn is_before(&self, face: u32, at: [f64; 2], depth: f64) -> bool {
+        if depth.is_infinite() {
+            return true;
+        }
         let triangle = &self.triangles[face as usize];
         let nearness = linear(&triangle.nearness, at);
         let sag = match triangle.sag > 0.0 {
@@ -155,7 +159,8 @@ impl FaceLayer {
 
     /// Triangles at a place in pixels, near to far; of those of one list that coincide there the first.
     fn covers(&self, at: [f64; 2]) -> Vec<u32> {
-        let mut faces = self.of_lines(at[0].max(0.0) as usize, [at[1]; 2]);
+        let column = (at[0].max(0.0) as usize).min(self.columns.len().saturating_sub(1));
+        let mut faces = self.of_lines(column, [at[1]; 2]);
         faces.retain(|&face| self.triangles[face as usize].covers(at));
         face_areas::near_to_far(&self.areas, &mut faces, at);
         // A place on the border of two triangles lies in both.
@@ -197,32 +202,6 @@ impl FaceLayer {
             label: self.lists[triangle.paint.of[0] as usize].label,
         };
         (seen, depth)
-    }
-
-    /// The faces at the middle of a pixel in words, near to far.
-    pub fn facts(&self, pixel: [usize; 2]) -> Vec<Fact> {
-        let at = pixel.map(|at| at as f64 + 0.5);
-        let told = |face: u32| Fact::new("face", self.told(face, at));
-        self.covers(at).into_iter().map(told).collect()
-    }
-
-    fn told(&self, face: u32, at: [f64; 2]) -> String {
-        let triangle = &self.triangles[face as usize];
-        let list = &self.lists[triangle.paint.of[0] as usize];
-        let corners = triangle.brightness.map(|brightness| format!("{brightness:.4}")).join(", ");
-        format!(
-            "{} of {} ({}): depth {:.3} m, brightness {:.4} between corners {corners}; {} {:.4} north, {:.4} east, {:.4} up{}",
-            triangle.paint.of[1],
-            list.name,
-            list.label.name(),
-            1.0 / linear(&triangle.nearness, at),
-            triangle.brightness_at(at),
-            if list.has_own_sun { "its own sun" } else { "the scene's sun" },
-            list.sun.x,
-            list.sun.y,
-            list.sun.z,
-            triangle.paint.level.map_or("", |_| "; laid upon what is behind it")
-        )
     }
 }
 

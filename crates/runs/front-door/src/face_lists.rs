@@ -59,14 +59,7 @@ pub(crate) fn face_lists(
         let priority = if is_first { SEA_FIRST } else { SEA };
         let group = sea.group("sea", priority, Mesh::MOST_FACES)?;
         let carrier = Carrier::Map(wish.height);
-        lists.lists.push(FaceList {
-            group,
-            kind: FaceKind::Sea,
-            carrier,
-            other_side: None,
-            sea: Some(sea),
-            drawn_by: DrawnBy::All,
-        });
+        lists.lists.push(FaceList { sea: Some(sea), ..FaceList::new(group, FaceKind::Sea, carrier) });
     }
     let Lists { lists, by_depth, warnings, .. } = lists;
     Ok(Arc::new(FaceLists { lists, by_depth, warnings }))
@@ -93,14 +86,7 @@ impl Lists<'_> {
         for mut group in groups {
             group.priority = self.priority();
             let carrier = Carrier::of(wish.place, self.objects, self.landscape);
-            self.lists.push(FaceList {
-                group,
-                kind: FaceKind::Effect,
-                carrier,
-                other_side: None,
-                sea: None,
-                drawn_by: DrawnBy::All,
-            });
+            self.lists.push(FaceList::new(group, FaceKind::Effect, carrier));
         }
         Ok(())
     }
@@ -117,14 +103,7 @@ impl Lists<'_> {
             let name = format!("plume-{}-{}", number + 1, copy + 1);
             let group = plume.group(&name, self.priority(), wish.frames, (copy, wish.copies))?;
             let carrier = Carrier::of(wish.place, self.objects, self.landscape);
-            self.lists.push(FaceList {
-                group,
-                kind: FaceKind::Effect,
-                carrier,
-                other_side: None,
-                sea: None,
-                drawn_by: DrawnBy::All,
-            });
+            self.lists.push(FaceList::new(group, FaceKind::Effect, carrier));
         }
         Ok(())
     }
@@ -168,8 +147,7 @@ impl Lists<'_> {
     }
 
     fn hull(&mut self, group: &Group, kind: FaceKind, (carrier, drawn_by): (Carrier, DrawnBy)) {
-        let group = group.clone();
-        self.lists.push(FaceList { group, kind, carrier, other_side: None, sea: None, drawn_by });
+        self.lists.push(FaceList { drawn_by, ..FaceList::new(group.clone(), kind, carrier) });
     }
 
     /// Foam on both sides of the bow: before the ship for an eye on its own side, behind it for one on the other.
@@ -187,14 +165,7 @@ impl Lists<'_> {
             let carrier =
                 Carrier::Ship(ShipCourse { origin, yaw, ..self.course(wish, sea, Motion::default()) });
             let other_side = Some(OtherSide { towards, priority: first + SHIP_STEP / 2 });
-            self.lists.push(FaceList {
-                group,
-                kind: FaceKind::Wake,
-                carrier,
-                other_side,
-                sea: None,
-                drawn_by: DrawnBy::All,
-            });
+            self.lists.push(FaceList { other_side, ..FaceList::new(group, FaceKind::Wake, carrier) });
         }
         Ok(())
     }
@@ -215,14 +186,7 @@ impl Lists<'_> {
         let origin = DVec3::X * (-wish.kind.length / 2.0);
         let carrier = Carrier::Ship(ShipCourse { origin, ..self.course(wish, water, Motion::default()) });
         let group = group.detailed(wake.detail);
-        self.lists.push(FaceList {
-            group,
-            kind: FaceKind::Level,
-            carrier,
-            other_side: None,
-            sea: Some(level),
-            drawn_by: DrawnBy::All,
-        });
+        self.lists.push(FaceList { sea: Some(level), ..FaceList::new(group, FaceKind::Level, carrier) });
         Ok(())
     }
 

@@ -61,6 +61,11 @@ pub struct OtherSide {
 }
 
 impl FaceList {
+    /// A list that all draw, with one priority and no pattern.
+    pub fn new(group: Group, kind: FaceKind, carrier: Carrier) -> Self {
+        Self { group, kind, carrier, other_side: None, sea: None, drawn_by: DrawnBy::All }
+    }
+
     /// Its priority for an eye (north, east, up; m) when it has `axes`.
     pub fn priority(&self, axes: &ListAxes, eye: DVec3) -> i32 {
         match self.other_side {

@@ -33,8 +33,7 @@ fn of_vertices(kind: FaceKind, vertices: Vec<Vertex>, change: impl FnOnce(Face) 
     let corners = (0..vertices.len() as u32).collect();
     let face = change(Face::flat(corners, [1.0, 0.0, 0.0]));
     let mesh = Mesh::load("face", vertices, vec![face]).unwrap().mesh;
-    let (group, carrier) = (Group::new("face", mesh, 1), Carrier::Map(0.0));
-    FaceList { group, kind, carrier, other_side: None, sea: None, drawn_by: DrawnBy::All }
+    FaceList::new(Group::new("face", mesh, 1), kind, Carrier::Map(0.0))
 }
 
 /// A square of a side about a place, seen from above.

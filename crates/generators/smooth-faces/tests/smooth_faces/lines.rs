@@ -3,7 +3,7 @@
 use faces::{Cut, Face, Group, Interpolation, Mesh, Pattern, Scan, SeaState, SunProgramme, Vertex};
 use generator::PlaneKind;
 use glam::DVec3;
-use scenario::{Carrier, DrawnBy, FaceKind, FaceList};
+use scenario::{Carrier, FaceKind, FaceList};
 use smooth_faces::Parameters;
 
 use crate::shots::{PIXELS, apart, draw, from_above, light, pose, run, sea, sea_list, session, stage};
@@ -24,14 +24,7 @@ fn diamond() -> FaceList {
     let mesh = Mesh::load("diamond", vertices, vec![Face::smooth(vec![0, 1, 2, 3], [1.0; 3])]).unwrap().mesh;
     let zenith = faces::TurningSun::new(std::f64::consts::FRAC_PI_2, 0.0, faces::Turn::STILL).unwrap();
     let group = Group::new("diamond", mesh, 1).under(SunProgramme::Turning(zenith));
-    FaceList {
-        group,
-        kind: FaceKind::Effect,
-        carrier: Carrier::Map(0.0),
-        other_side: None,
-        sea: None,
-        drawn_by: DrawnBy::All,
-    }
+    FaceList::new(group, FaceKind::Effect, Carrier::Map(0.0))
 }
 
 #[test]

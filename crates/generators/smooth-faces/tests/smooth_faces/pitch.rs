@@ -36,7 +36,7 @@ fn ship_list(group: Group, motion: Motion, drawn_by: DrawnBy) -> FaceList {
         yaw: 0.0,
     };
     let carrier = Carrier::Ship(course);
-    FaceList { group, kind: FaceKind::Ship, carrier, other_side: None, sea: None, drawn_by }
+    FaceList { drawn_by, ..FaceList::new(group, FaceKind::Ship, carrier) }
 }
 
 /// An assault ship at a pitch (deg) on a sea of one face; and which face wins in the machine.
