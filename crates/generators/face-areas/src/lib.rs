@@ -14,7 +14,7 @@
 //!   the lower id.
 //! - **Light** (EP-0611021, claim 4): the sum of each face's own light times the product of all nearer translucencies, without limit. It is
 //!   integrated over each triangle of a piece by the middles of its sides, which is exact for light that is quadratic there.
-//! - Behind everything is black ([`draw`]), or what [`Mean::through`] lets through ([`mean`]).
+//! - Behind everything is black ([`draw`]), or what [`Mean::through`] lets through ([`mean()`]).
 //!
 //! **Error.** Of areas and crossings: rounding of f64. Of light that is no polynomial over a pixel, as colours in perspective: third order
 //! in the size of the piece.
