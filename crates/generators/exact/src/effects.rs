@@ -17,18 +17,19 @@ use rayon::prelude::*;
 use scenario::{Effects, FieldOfView};
 
 use beams::Beams;
-use column::Opaque;
 use matter::Feature;
 use part::{Part, Parts};
 use placing::Placing;
-use screen::Screen;
-use stack::{Mix, Stack, Surface};
+use stack::{Mix, Stack};
 
 use crate::column::Pixel;
 use crate::scene::Scene;
 use crate::view::View;
 
-pub use lattice::SUB_RAYS;
+pub use column::Opaque;
+pub use lattice::{SUB_RAYS, sub_rays};
+pub use screen::Screen;
+pub use stack::Surface;
 
 /// The effects of a frame on the screen.
 #[derive(Debug)]

@@ -11,6 +11,7 @@
 //!                            v                                  v                               v
 //!  bodies --> perspective --> first face -----> depth ------> shadow ----------------------> Seen --> planes
 //!                                                 |                                                      ^
+//!  face lists --> perspective --> triangles, areas -> near to far, before ground and bodies ---> Mean ----+
 //!  effects --> perspective --> outlines, areas -> stack of a pixel, near to far -----------> Mix --------+
 //! ```
 //!
@@ -57,9 +58,28 @@
 //! - **Pixel rule.** `Centre`: one ray. `LineMean`: the mean over the line's height at the column's centre, by
 //!   adaptive quadrature to [`LINE_MEAN_TOLERANCE`].
 //!
+//! # Lists of faces
+//!
+//! Sea, wakes, ships and effects of faces lie over ground and bodies. A scene without them costs nothing, and its picture is the
+//! same to the bit.
+//!
+//! - **Place.** True perspective under every projection law. Each corner stands lower by the drop of the lunoid at its own place.
+//! - **Depth.** The nearest face is seen, whatever the priority of its list. Faces whose nearness differs by less than
+//!   `COINCIDENCE` coincide: the list of the lower number is seen, in it the face stored first. A face hides ground and bodies that
+//!   coincide with it. Between its corners the curved ground may stand above it by the sag of the lunoid.
+//! - **Hull.** A ship has its whole hull, cut at the height of the water, whatever a scenario does to hide the hull. Boxes and wedges
+//!   are not drawn.
+//! - **Light.** Corners have the brightness of `faces` under the list's own sun. Faces of more than three corners are cut in
+//!   triangles from their first corner. Brightness is linear over a triangle in space.
+//! - **Levels** are laid upon what lies behind them: `a + b` without a clamp, `1 - (1 - a)(1 - b)`, or in its place. The label stays
+//!   that of what lies behind, unless the level replaces it.
+//! - **Area.** In a pixel each face has the area that is seen of it, in closed form (`face_areas`). Where ground or a body passes
+//!   between the faces of a pixel, [`SUB_RAYS`] sub-rays say what is seen.
+//! - Faces throw no shadow and receive none. The normal of a sea in the planes is that of its face, not the false one.
+//!
 //! # Effects
 //!
-//! Light points, sheets, overlays and discs of the sky lie over the opaque picture, which is drawn as if they were not there. A
+//! Light points, sheets, overlays and discs of the sky lie over the opaque picture, lists of faces included, which is drawn as if they were not there. A
 //! scene without them costs nothing, and its picture is the same to the bit.
 //!
 //! - **Stack.** From near to far, with translucency tau and colour c: `sum (1 - tau_i) T_i c_i + T_end opaque`, T the product
@@ -166,6 +186,7 @@ mod effects;
 mod ground;
 mod light;
 mod line;
+mod lists;
 mod outlook;
 mod profile;
 mod relief;

@@ -10,22 +10,24 @@ use solids::Body;
 
 use crate::ground::Scratch;
 use crate::light::Light;
+use crate::lists::{self, FaceLayer, FacesSeen};
 use crate::outlook::{Outlook, Ray, Sight, Spot};
 use crate::seen::Seen;
 use crate::shadow::Shadows;
 use crate::standing::{Lit, Stand, Standing};
 use crate::view::View;
 
-/// What a ray meets: the ground or the sky, and a body before it.
+/// What a ray meets: the ground or the sky, a body before it, and faces of lists before both.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Meeting {
     ray: Ray,
     sight: Sight,
     body: Option<Seen>,
+    faces: Option<FacesSeen>,
 }
 
-/// Ground, light, shadow and bodies from one eye at one time.
-#[derive(Debug, Clone)]
+/// Ground, light, shadow, bodies and lists of faces from one eye at one time.
+#[derive(Debug)]
 pub struct Scene<'a> {
     landscape: &'a Landscape,
     outlook: Outlook<'a>,
@@ -35,6 +37,7 @@ pub struct Scene<'a> {
     reach: f64,
     eye_height: f64,
     standing: Standing<'a>,
+    faces: Option<FaceLayer>,
 }
 
 impl<'a> Scene<'a> {
@@ -70,7 +73,27 @@ impl<'a> Scene<'a> {
         let standing = Standing::new(bodies, &outlook, &view, shadows.as_ref(), laws);
         let light = Light::new(landscape, &sun, laws, pose.eye[2]);
         let reach = reach.unwrap_or_default();
-        Self { landscape, outlook, view, light, shadows, reach, eye_height: pose.eye[2], standing }
+        Self {
+            landscape,
+            outlook,
+            view,
+            light,
+            shadows,
+            reach,
+            eye_height: pose.eye[2],
+            standing,
+            faces: None,
+        }
+    }
+
+    /// The same with lists of faces.
+    pub fn with_faces(self, faces: Option<FaceLayer>) -> Self {
+        Self { faces, ..self }
+    }
+
+    /// The lists of faces in it, where there are some.
+    pub fn faces(&self) -> Option<&FaceLayer> {
+        self.faces.as_ref()
     }
 
     /// The bodies in it.
@@ -113,7 +136,7 @@ impl<'a> Scene<'a> {
         (self.seen(&meeting, scratch), clear)
     }
 
-    /// What the ray through (x, y) of the screen meets; arguments are those of [`look`](Self::look).
+    /// What the ray through (x, y) of the screen meets without lists of faces; arguments are those of [`look`](Self::look).
     pub fn meet(
         &self,
         [x, y]: [f64; 2],
@@ -133,11 +156,26 @@ impl<'a> Scene<'a> {
         } else {
             self.standing.look(column, self.view.perspective(x, y), met)
         };
-        Meeting { ray, sight, body }
+        Meeting { ray, sight, body, faces: None }
+    }
+
+    /// The same meeting with what lists of faces have at the place (x, y) of the screen.
+    pub fn with_faces_met(&self, meeting: Meeting, place: [f64; 2]) -> Meeting {
+        let Some(layer) = &self.faces else { return meeting };
+        let depth = self.depth(&meeting, place);
+        Meeting { faces: layer.at(self, layer.screen().in_pixels(place), depth), ..meeting }
     }
 
     /// What is seen of what a ray meets.
     pub fn seen(&self, meeting: &Meeting, scratch: &mut Scratch) -> Seen {
+        let Some(FacesSeen { mean, opaque }) = &meeting.faces else { return self.behind(meeting, scratch) };
+        let behind = opaque.map_or_else(|| self.behind(meeting, scratch), |(seen, _)| seen);
+        let light = lists::over(mean, if opaque.is_some() { [0.0; 3] } else { behind.light });
+        Seen { light, ..behind }
+    }
+
+    /// The same without lists of faces.
+    fn behind(&self, meeting: &Meeting, scratch: &mut Scratch) -> Seen {
         meeting.body.unwrap_or_else(|| match meeting.sight {
             Sight::Ground(spot) => self.ground(&spot, &meeting.ray, scratch),
             Sight::Sky => self.beyond(&meeting.ray),
@@ -147,6 +185,9 @@ impl<'a> Scene<'a> {
 
     /// How far along the axis of view (m) the ray through a place of the screen ends; infinite where it meets no place.
     pub fn depth(&self, meeting: &Meeting, [x, y]: [f64; 2]) -> f64 {
+        if let Some(FacesSeen { opaque: Some((_, depth)), .. }) = meeting.faces {
+            return depth;
+        }
         let (range, rise) = match (meeting.body, meeting.sight) {
             (Some(body), _) => (body.range, self.view.perspective(x, y).z),
             (None, Sight::Ground(Spot { range, .. }) | Sight::Cut(range)) => (range, meeting.ray.rise),
@@ -155,8 +196,11 @@ impl<'a> Scene<'a> {
         range * ((1.0 + rise * rise) / (1.0 + x * x + y * y)).sqrt()
     }
 
-    /// Whether a ray goes on into the sky: it meets no ground, no body and no silhouette.
+    /// Whether a ray goes on into the sky: it meets no ground, no body, no silhouette and no face that hides them.
     pub fn is_open(&self, meeting: &Meeting) -> bool {
+        if meeting.faces.is_some_and(|faces| faces.opaque.is_some()) {
+            return false;
+        }
         let passes = meeting.body.is_none() && meeting.sight == Sight::Sky;
         passes && self.beyond(&meeting.ray).label == Label::Sky
     }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use generator::{
     Counter, Fact, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes, PrepareError,
-    Role, Row, Session as GeneratorSession, Stage, face_lists_beside, photographs_beside,
+    Role, Row, Session as GeneratorSession, Stage, photographs_beside,
 };
 use quantities::intensity;
 use rayon::prelude::*;
@@ -13,8 +13,9 @@ use scenario::Pose;
 use signal::Probe;
 
 use crate::column::{Column, Fineness, Frame, Pixel};
-use crate::effects::Layer;
+use crate::effects::{Layer, Screen};
 use crate::light::Light;
+use crate::lists::FaceLayer;
 use crate::scene::Scene;
 use crate::{Ceilings, Outlook, stance};
 
@@ -57,7 +58,7 @@ impl Generator for Exact {
     }
 
     fn draws_colour(&self, stage: &Stage) -> bool {
-        stage.is_colourful()
+        stage.is_colourful() || !stage.scenery.face_lists().is_empty()
     }
 
     fn prepare(&self, stage: Stage) -> Result<Box<dyn GeneratorSession>, PrepareError> {
@@ -107,9 +108,9 @@ impl GeneratorSession for Session {
         _probe: &mut Probe,
     ) -> Result<FrameCounts, FrameError> {
         self.check(frame, pose)?;
-        let scene = self.scene(pose);
-        let (columns, samples) =
-            self.columns(&scene, pose, 0..planes.columns(), [planes.columns(), planes.lines()]);
+        let size = [planes.columns(), planes.lines()];
+        let scene = self.scene((frame, pose), size);
+        let (columns, samples) = self.columns(&scene, pose, 0..planes.columns(), size);
         for &kind in PLANES {
             fill(planes, kind, &columns, &scene);
         }
@@ -122,13 +123,16 @@ impl GeneratorSession for Session {
     }
 
     fn omissions(&self) -> Vec<Omission> {
-        let photographs = photographs_beside(&self.stage.landscape, ROW.name);
-        photographs.into_iter().chain(face_lists_beside(&self.stage.scenery, ROW.name)).collect()
+        photographs_beside(&self.stage.landscape, ROW.name).into_iter().collect()
     }
 
-    /// All planes of the pixel: of its column alone, so that nobody waits for the picture.
+    /// All planes of the pixel: of its column alone, so that nobody waits for the picture. Then the faces at its middle, near to far.
     fn explain(&self, frame: u64, pose: &Pose, [column, line]: [usize; 2]) -> Result<Vec<Fact>, FrameError> {
-        Ok(self.planes_of_column(frame, pose, column, PLANES)?.facts([0, line]))
+        self.check(frame, pose)?;
+        let scene = self.scene((frame, pose), self.size());
+        let mut facts = self.planes_of(&scene, pose, column, PLANES).facts([0, line]);
+        facts.extend(scene.faces().into_iter().flat_map(|faces| faces.facts([column, line])));
+        Ok(facts)
     }
 }
 
@@ -207,10 +211,18 @@ impl Session {
         Outlook::new(landscape, &self.ceilings, pose.eye, view.laws.curvature, ranges, view.levels)
     }
 
-    fn scene(&self, pose: &Pose) -> Scene<'_> {
+    /// The scene of a frame for a picture of `size` (columns, lines).
+    fn scene(&self, (frame, pose): (u64, &Pose), size: [usize; 2]) -> Scene<'_> {
         let Stage { landscape, scenery, view } = &self.stage;
         let reach = view.shadows.map(|fineness| fineness.reach.unwrap_or(f64::INFINITY));
-        Scene::new(landscape, scenery, self.outlook(pose), view.laws, reach, pose)
+        let scene = Scene::new(landscape, scenery, self.outlook(pose), view.laws, reach, pose);
+        let faces = FaceLayer::new(&self.stage, &scene, (frame, pose), Screen::new(size, view.field));
+        scene.with_faces(faces)
+    }
+
+    /// Columns and lines of the raster of the stage.
+    fn size(&self) -> [usize; 2] {
+        [self.stage.view.columns as usize, self.stage.view.lines as usize]
     }
 
     /// Planes of one column of the raster of the stage.
@@ -221,17 +233,21 @@ impl Session {
         column: usize,
         kinds: &[PlaneKind],
     ) -> Result<Planes, FrameError> {
-        let raster = &self.stage.view;
-        let size = [raster.columns as usize, raster.lines as usize];
         self.check(frame, pose)?;
-        let scene = self.scene(pose);
-        let (pixels, _) = self.columns(&scene, pose, column..column + 1, size);
-        let mut planes = Planes::new(1, size[1], kinds);
-        kinds.iter().for_each(|&kind| fill(&mut planes, kind, &pixels, &scene));
-        Ok(planes)
+        let scene = self.scene((frame, pose), self.size());
+        Ok(self.planes_of(&scene, pose, column, kinds))
     }
 
-    /// Some columns of a picture of `size` (columns, lines) with all effects, and the rays that they took.
+    /// The same of a scene.
+    fn planes_of(&self, scene: &Scene, pose: &Pose, column: usize, kinds: &[PlaneKind]) -> Planes {
+        let size = self.size();
+        let (pixels, _) = self.columns(scene, pose, column..column + 1, size);
+        let mut planes = Planes::new(1, size[1], kinds);
+        kinds.iter().for_each(|&kind| fill(&mut planes, kind, &pixels, scene));
+        planes
+    }
+
+    /// Some columns of a picture of `size` (columns, lines) with faces and all effects, and the rays that they took.
     fn columns(
         &self,
         scene: &Scene,
@@ -243,8 +259,9 @@ impl Session {
         let layer = Layer::new(scene, &effects, size, self.stage.view.field);
         let draw = |column| {
             let (mut pixels, rays) = self.column(scene, column, size);
+            let faces = scene.faces().map_or(0, |faces| faces.over(scene, column, &mut pixels));
             let over = layer.as_ref().map_or(0, |layer| layer.over(column, &mut pixels));
-            (pixels, rays + over)
+            (pixels, rays + faces + over)
         };
         let first = columns.start;
         let drawn: Vec<_> = columns.into_par_iter().map(draw).collect();

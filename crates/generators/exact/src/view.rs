@@ -92,6 +92,14 @@ impl View {
         (ahead >= near).then_some([x * cos + y * sin, y * cos - x * sin])
     }
 
+    /// Axes of the screen (right, down, ahead; m) of what lies `to` (north, east, up; m) from the eye, in true perspective.
+    pub fn axes(&self, to: DVec3) -> DVec3 {
+        let ((sin_p, cos_p), (sin_h, cos_h), (sin, cos)) = (self.pitch, self.heading, self.yoke);
+        let (forward, right) = (to.x * cos_h + to.y * sin_h, to.y * cos_h - to.x * sin_h);
+        let down = forward * sin_p - to.z * cos_p;
+        DVec3::new(right * cos + down * sin, down * cos - right * sin, self.ahead(to))
+    }
+
     /// How far ahead along the axis of view (m) something is that lies `to` (north, east, up; m) from the eye.
     pub fn ahead(&self, to: DVec3) -> f64 {
         let ((sin_p, cos_p), (sin_h, cos_h)) = (self.pitch, self.heading);

@@ -6,7 +6,7 @@ use generator::{FaceScene, Look, ScreenFace};
 /// Faces with looks of their own.
 fn scene(faces: Vec<(ScreenFace, Look)>) -> FaceScene {
     let (faces, looks): (Vec<_>, Vec<_>) = faces.into_iter().unzip();
-    FaceScene { faces, looks: Box::new(move |face, _| looks[face]) }
+    FaceScene { faces, looks: Box::new(move |face, _| looks[face]), coincidence: 0.0 }
 }
 
 fn face(id: u32, corners: &[[f64; 2]], q: [f64; 3]) -> ScreenFace {
@@ -14,11 +14,11 @@ fn face(id: u32, corners: &[[f64; 2]], q: [f64; 3]) -> ScreenFace {
 }
 
 fn opaque(level: f64) -> Look {
-    Look { light: [level, 0.5 * level, 0.0], translucency: 0.0 }
+    Look { light: [level, 0.5 * level, 0.0], translucency: [0.0; 3] }
 }
 
 fn sheet(level: f64, translucency: f64) -> Look {
-    Look { light: [(1.0 - translucency) * level, 0.0, 0.0], translucency }
+    Look { light: [(1.0 - translucency) * level, 0.0, 0.0], translucency: [translucency; 3] }
 }
 
 const ALL: [[f64; 2]; 4] = [[-5.0, -5.0], [9.0, -5.0], [9.0, 9.0], [-5.0, 9.0]];
@@ -74,8 +74,8 @@ fn equal_distances_go_by_priority_and_then_by_id() {
 #[test]
 fn quadratic_light_is_integrated_exactly() {
     let faces = vec![face(0, &ALL, [0.0, 0.0, 1.0])];
-    let looks = |_: usize, [x, y]: [f64; 2]| Look { light: [x * x, x * y, 1.0], translucency: 0.0 };
-    let picture = draw(&FaceScene { faces, looks: Box::new(looks) }, [2, 1]);
+    let looks = |_: usize, [x, y]: [f64; 2]| Look { light: [x * x, x * y, 1.0], translucency: [0.0; 3] };
+    let picture = draw(&FaceScene { faces, looks: Box::new(looks), coincidence: 0.0 }, [2, 1]);
     near(picture[1][0], 7.0 / 3.0);
     near(picture[1][1], 0.75);
     near(picture[1][2], 1.0);
@@ -114,7 +114,7 @@ fn sampled(faces: &[(ScreenFace, Look)], at: [f64; 2]) -> f64 {
     held.iter()
         .map(|(_, look)| {
             let light = through * look.light[0];
-            through *= look.translucency;
+            through *= look.translucency[0];
             light
         })
         .sum()
@@ -130,7 +130,7 @@ fn random_scenes_are_what_dense_sampling_says() {
                 let corners = [0; 3].map(|_| [random(-1.0, 5.0), random(-1.0, 5.0)]);
                 let q = [random(-0.1, 0.1), random(-0.1, 0.1), random(0.5, 1.5)];
                 let tau = if random(0.0, 1.0) < 0.5 { 0.0 } else { random(0.0, 1.0) };
-                (face(id, &corners, q), Look { light: [random(0.0, 1.0), 0.0, 0.0], translucency: tau })
+                (face(id, &corners, q), Look { light: [random(0.0, 1.0), 0.0, 0.0], translucency: [tau; 3] })
             })
             .collect();
         let picture = draw(&scene(faces.clone()), [SIDE, SIDE]);

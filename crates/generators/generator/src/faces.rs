@@ -6,6 +6,8 @@ pub struct FaceScene {
     pub faces: Vec<ScreenFace>,
     /// Looks of the faces.
     pub looks: Looks,
+    /// Share of their nearness by which two faces may differ and still be equally near; 0 for none.
+    pub coincidence: f64,
 }
 
 /// How the face of a number looks at a place on the screen (pixels).
@@ -29,8 +31,8 @@ pub struct ScreenFace {
 pub struct Look {
     /// Light that it sends itself (linear red, green, blue, at least 0).
     pub light: [f64; 3],
-    /// Share of light from behind that it lets through, 0 to 1.
-    pub translucency: f64,
+    /// Share of light from behind that it lets through, 0 to 1 each (red, green, blue).
+    pub translucency: [f64; 3],
 }
 
 impl ScreenFace {

@@ -45,7 +45,7 @@ pub fn face_lists_beside(scenery: &Scenery, block: &'static str) -> Option<Omiss
     (!scenery.face_lists().is_empty()).then(|| Omission {
         block,
         what: "sea, ships, effects of faces (`[sea]`, `[[ship]]`, `[[effect]]`, `[[plume]]`)".into(),
-        why: "--machine smooth-faces draws them".into(),
+        why: "--machine smooth-faces and exact draw them".into(),
         weight: Weight::NotModelled,
     })
 }

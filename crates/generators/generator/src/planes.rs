@@ -1,5 +1,7 @@
 //! Named planes: what a frame is made of.
 
+use scenario::FaceKind;
+
 use crate::Fact;
 
 /// What a plane holds, one f32 a pixel. All but [`Intensity`](Self::Intensity) and colour are taken at the pixel's
@@ -183,6 +185,17 @@ codes! {
         Wake = "wake or effect",
         /// A ship, or the box around it.
         Ship = "ship",
+    }
+}
+
+impl Label {
+    /// The label of what a list of faces shows.
+    pub fn of_faces(kind: FaceKind) -> Self {
+        match kind {
+            FaceKind::Sea => Self::Sea,
+            FaceKind::Level | FaceKind::Wake | FaceKind::Effect => Self::Wake,
+            FaceKind::Ship => Self::Ship,
+        }
     }
 }
 

@@ -21,7 +21,7 @@ use crate::tile::mapped;
 const CORNERS: u32 = 48;
 
 /// A look that leaves what is behind it as it is.
-const NOTHING: Look = Look { light: [0.0; 3], translucency: 1.0 };
+const NOTHING: Look = Look { light: [0.0; 3], translucency: [1.0; 3] };
 
 /// What a face of the judge is in the scene.
 #[derive(Debug, Clone, Copy)]
@@ -64,7 +64,11 @@ pub fn faces(scene: Scene, run: &Parameters) -> FaceScene {
         }));
     }
     let scene = Arc::new(scene);
-    FaceScene { faces, looks: Box::new(move |face, place| look(&scene, sources[face], place)) }
+    FaceScene {
+        faces,
+        looks: Box::new(move |face, place| look(&scene, sources[face], place)),
+        coincidence: 0.0,
+    }
 }
 
 fn of_plane(plane: &DistancePlane) -> [f64; 3] {
@@ -113,14 +117,14 @@ fn outline(disc: &SkyDisc, camera: &Camera) -> Option<Vec<[f64; 2]>> {
 
 fn look(scene: &Scene, source: Source, place: [f64; 2]) -> Look {
     match source {
-        Source::Light(light, translucency) => Look { light, translucency },
+        Source::Light(light, translucency) => Look { light, translucency: [translucency; 3] },
         Source::Disc(number) => {
             let disc = &scene.discs[number as usize].0;
             // Beyond the rim, where the polygon has its corners, the rim's light goes on.
             let ray = scene.camera.ray(place).normalize();
             let light =
                 disc.light(ray).or_else(|| disc.light((ray + 0.05 * (disc.direction - ray)).normalize()));
-            Look { light: light.unwrap_or_default(), translucency: 0.0 }
+            Look { light: light.unwrap_or_default(), translucency: [0.0; 3] }
         }
         Source::Triangle(number) => match scene.faces.seen(number, &scene.camera) {
             None => NOTHING,
@@ -133,12 +137,12 @@ fn look(scene: &Scene, source: Source, place: [f64; 2]) -> Look {
             Some((_, Surface::Dust(sheet))) => {
                 let sheet = &scene.dust[sheet as usize].0;
                 let share = sheet.translucency(scene.camera.ray(place).normalize().dot(sheet.normal()));
-                Look { light: sheet.colour.map(|channel| (1.0 - share) * channel), translucency: share }
+                Look { light: sheet.colour.map(|channel| (1.0 - share) * channel), translucency: [share; 3] }
             }
         },
     }
 }
 
 fn of_feature(feature: &Feature, place: [f64; 2]) -> Look {
-    Look { light: feature.light_at(place), translucency: feature.translucency() }
+    Look { light: feature.light_at(place), translucency: [feature.translucency(); 3] }
 }

@@ -14,9 +14,9 @@ use crate::scene::{List, SceneBuilder};
 
 /// Adds all lists of faces of a stage, the lowest priority first.
 pub fn add(scene: &mut SceneBuilder<'_>, stage: &Stage, frame: u64, pose: &Pose) {
-    let all = &stage.scenery.face_lists().lists;
-    let mut lists: Vec<(i32, &FaceList, ListAxes)> = Vec::with_capacity(all.len());
-    for list in all {
+    let all = stage.scenery.face_lists();
+    let mut lists: Vec<(i32, &FaceList, ListAxes)> = Vec::with_capacity(all.lists.len());
+    for list in all.of_machines() {
         let Some(axes) = list.carrier.axes(frame, pose, (&stage.scenery, &stage.landscape)) else { continue };
         lists.push((list.priority(&axes, scene.camera.eye), list, axes));
     }
@@ -39,7 +39,7 @@ fn add_list(
     let is_level = list.kind == FaceKind::Level || group.detail != faces::Detail::Replace;
     let number = scene.start(List {
         name: group.name.clone(),
-        label: label(list.kind),
+        label: Label::of_faces(list.kind),
         priority: i64::from(priority),
         level: is_level.then_some(group.detail),
         sun: sun.to_array(),
@@ -103,13 +103,5 @@ fn words(list: &FaceList, run: &Parameters, has_own_sun: bool) -> u64 {
         Some(sea) => run.animation.by.words(sea.board.vertices()),
         None if has_own_sun => Animate::Sun.words(0),
         None => 0,
-    }
-}
-
-fn label(kind: FaceKind) -> Label {
-    match kind {
-        FaceKind::Sea => Label::Sea,
-        FaceKind::Level | FaceKind::Wake | FaceKind::Effect => Label::Wake,
-        FaceKind::Ship => Label::Ship,
     }
 }

@@ -96,7 +96,7 @@ pub fn counts(scene: &Scene, lines: &[ScanLine]) -> FrameCounts {
         ("pieces", scene.pieces.len() as u64),
         ("crossings", sum(|line| line.crossings)),
         ("most_crossings", lines.iter().map(|line| line.crossings).max().unwrap_or(0)),
-        ("missed", sum(|line| line.missed)),
+        ("missed", sum(|line| line.missed.len() as u64)),
         ("suns", scene.lists.iter().filter(|list| list.has_own_sun).count() as u64),
         ("words", scene.lists.iter().map(|list| list.words).sum()),
         ("clamped", sum(|line| line.clamped)),

@@ -34,8 +34,8 @@ pub struct ScanLine {
     pub samples: Vec<Sample>,
     /// Pieces that cross it.
     pub crossings: u64,
-    /// Of them those without a slot.
-    pub missed: u64,
+    /// Numbers of those of them without a slot, in the order of the scene.
+    pub missed: Vec<u32>,
     /// Samples whose sum of levels was clamped.
     pub clamped: u64,
     /// Samples at which priority and depth disagree.
@@ -52,16 +52,9 @@ struct Standing {
 impl ScanLine {
     /// The scan line number `line` of `count` samples; `crossing` numbers the pieces that may cross it, in the order of the scene.
     pub fn new(scene: &Scene, run: &Parameters, crossing: &[u32], line: usize, count: usize) -> Self {
-        let across = across(run);
-        let at = line as f64 + 0.5;
-        let ramp = |piece: &u32| {
-            let ramp = scene.pieces[*piece as usize].ramp(across, at, run.interpolation)?;
-            Some((*piece, ramp))
-        };
-        let mut ramps: Vec<(u32, Ramp)> = crossing.iter().filter_map(ramp).collect();
+        let mut ramps = ramps(scene, run, crossing.iter().copied(), line);
         let crossings = ramps.len() as u64;
-        ramps.truncate(run.edges_line.map_or(usize::MAX, |slots| slots as usize));
-        let missed = crossings - ramps.len() as u64;
+        let missed = without_slot(&mut ramps, run);
         let mut drawn =
             Self { samples: vec![Sample::default(); count], crossings, missed, ..Self::default() };
         drawn.resolve(scene, run, &ramps);
@@ -116,6 +109,24 @@ impl ScanLine {
     }
 }
 
+/// Ramps of those of some pieces that cross a scan line.
+fn ramps(
+    scene: &Scene,
+    run: &Parameters,
+    pieces: impl Iterator<Item = u32>,
+    line: usize,
+) -> Vec<(u32, Ramp)> {
+    let (across, at) = (across(run), line as f64 + 0.5);
+    let ramp = |piece: u32| Some((piece, scene.pieces[piece as usize].ramp(across, at, run.interpolation)?));
+    pieces.filter_map(ramp).collect()
+}
+
+/// Takes from the ramps of a scan line those beyond its slots, and returns their pieces.
+fn without_slot(ramps: &mut Vec<(u32, Ramp)>, run: &Parameters) -> Vec<u32> {
+    let slots = run.edges_line.map_or(usize::MAX, |slots| slots as usize).min(ramps.len());
+    ramps.drain(slots..).map(|(piece, _)| piece).collect()
+}
+
 /// Axis of the screen that scan lines lie across.
 pub fn across(run: &Parameters) -> usize {
     match run.scan {
@@ -152,20 +163,36 @@ fn lay(sample: &mut Sample, above: &Sample, detail: Detail) -> bool {
     levels.iter().any(|level| level.is_clamped)
 }
 
-/// All pieces at the middle of a sample, in the order of their lists, with how near each is (1/m) and its brightness; and which of them
-/// each order shows.
-pub fn covers(scene: &Scene, run: &Parameters, [line, sample]: [usize; 2]) -> Vec<(u32, [f64; 2])> {
-    let (across, at) = (across(run), line as f64 + 0.5);
-    let of_piece = |(number, piece): (usize, &crate::piece::Piece)| {
-        let ramp = piece.ramp(across, at, run.interpolation)?;
+/// A piece at the middle of a sample, with how near it is (1/m) and its brightness.
+pub type PieceAt = (u32, [f64; 2]);
+
+/// What a scan line has at the middle of a sample.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Covers {
+    /// Pieces that have a slot, in the order of their lists.
+    pub drawn: Vec<PieceAt>,
+    /// Pieces without a slot on the line.
+    pub missed: Vec<PieceAt>,
+    /// Pieces that cross the whole line, and how many of them have no slot.
+    pub counts: [usize; 2],
+}
+
+/// All pieces at the middle of a sample.
+pub fn covers(scene: &Scene, run: &Parameters, [line, sample]: [usize; 2]) -> Covers {
+    let mut crossing = ramps(scene, run, 0..scene.pieces.len() as u32, line);
+    let all = crossing.clone();
+    let missing = without_slot(&mut crossing, run);
+    let is_missed = |piece: &u32| missing.binary_search(piece).is_ok();
+    let at = |(piece, ramp): &(u32, Ramp)| {
         let is_in = ramp.samples(usize::MAX >> 12).contains(&sample);
-        is_in.then(|| (number as u32, ramp.at(sample as f64 + 0.5, run.interpolation)))
+        is_in.then(|| (*piece, ramp.at(sample as f64 + 0.5, run.interpolation)))
     };
-    scene.pieces.iter().enumerate().filter_map(of_piece).collect()
+    let (missed, drawn) = all.iter().filter_map(at).partition(|(piece, _)| is_missed(piece));
+    Covers { drawn, missed, counts: [all.len(), missing.len()] }
 }
 
 /// The cover that `faces` judges by.
-pub fn cover(scene: &Scene, (piece, [q, _]): (u32, [f64; 2])) -> Cover {
+pub fn cover(scene: &Scene, (piece, [q, _]): PieceAt) -> Cover {
     Cover { priority: scene.pieces[piece as usize].list as i32, depth: 1.0 / q }
 }
 

@@ -12,7 +12,7 @@ use signal::{Probe, Wire};
 use crate::name::NAME;
 use crate::parameters::Parameters;
 use crate::planes;
-use crate::scan_line::{across, cover, covers, interpolation_word};
+use crate::scan_line::{Covers, across, cover, covers, interpolation_word};
 use crate::scene::Scene;
 use crate::signals;
 
@@ -28,7 +28,7 @@ impl Session {
     /// # Errors
     /// If a list has too many faces.
     pub fn new(stage: Stage, run: Parameters) -> Result<Self, PrepareError> {
-        for FaceList { group, .. } in &stage.scenery.face_lists().lists {
+        for FaceList { group, .. } in stage.scenery.face_lists().of_machines() {
             let faces = group.mesh.faces().len();
             if faces > run.limit as usize {
                 return Err(PrepareError::Unsupported {
@@ -98,11 +98,12 @@ impl GeneratorSession for Session {
         signals::wires(&self.stage.view)
     }
 
-    /// The faces at the middle of a pixel, as they win, with list, sun, brightness and depth.
+    /// The faces at the middle of a pixel, as they win, with list, sun, brightness and depth; then those without a slot on the line.
     fn explain(&self, frame: u64, pose: &Pose, pixel: [usize; 2]) -> Result<Vec<Fact>, FrameError> {
         let scene = self.scene(frame, pose)?;
         let axis = across(&self.run);
-        let mut found = covers(&scene, &self.run, [pixel[axis], pixel[1 - axis]]);
+        let Covers { drawn: mut found, missed, counts: [crossings, without] } =
+            covers(&scene, &self.run, [pixel[axis], pixel[1 - axis]]);
         let mut facts = Vec::new();
         while !found.is_empty() {
             let judged: Vec<_> = found.iter().map(|of_piece| cover(&scene, *of_piece)).collect();
@@ -113,6 +114,11 @@ impl GeneratorSession for Session {
         }
         if facts.is_empty() {
             facts.push(Fact::new("sky", "no face covers the middle of the pixel"));
+        }
+        facts.extend(missed.into_iter().map(|(piece, at)| Fact::new("missed", told(&scene, piece, at))));
+        if let Some(slots) = self.run.edges_line {
+            let told = format!("{crossings} crossings, {slots} slots, {without} missed");
+            facts.push(Fact::new("scan line", told));
         }
         facts.push(Fact::new("brightness", format!("linear {}", interpolation_word(self.run.interpolation))));
         Ok(facts)

@@ -2,14 +2,14 @@
 
 use std::sync::Arc;
 
-use faces::ship::{Arrangement, Motion, Wave};
-use faces::{Board, Cone, Effect, FaceError, Mesh, Plume, Sea, Setting, Side, Turn, Warning};
+use faces::ship::{Arrangement, Hiding, Motion, Wave};
+use faces::{Board, Cone, Effect, FaceError, Group, Mesh, Plume, Sea, Setting, Side, Turn, Warning};
 use glam::DVec3;
 use landscape::Landscape;
 use quantities::Rate;
 use scenario::{
-    Carrier, EffectFileWish, FaceKind, FaceList, FaceLists, Object, OtherSide, PlumeWish, Scenario, SeaWish,
-    ShipCourse, ShipWish, WaveWish,
+    Carrier, DrawnBy, EffectFileWish, FaceKind, FaceList, FaceLists, Object, OtherSide, PlumeWish, Scenario,
+    SeaWish, ShipCourse, ShipWish, WaveWish,
 };
 
 use crate::StageError;
@@ -59,7 +59,7 @@ pub(crate) fn face_lists(
         let priority = if is_first { SEA_FIRST } else { SEA };
         let group = sea.group("sea", priority, Mesh::MOST_FACES)?;
         let carrier = Carrier::Map(wish.height);
-        lists.lists.push(FaceList { group, kind: FaceKind::Sea, carrier, other_side: None, sea: Some(sea) });
+        lists.lists.push(FaceList { sea: Some(sea), ..FaceList::new(group, FaceKind::Sea, carrier) });
     }
     let Lists { lists, by_depth, warnings, .. } = lists;
     Ok(Arc::new(FaceLists { lists, by_depth, warnings }))
@@ -86,7 +86,7 @@ impl Lists<'_> {
         for mut group in groups {
             group.priority = self.priority();
             let carrier = Carrier::of(wish.place, self.objects, self.landscape);
-            self.lists.push(FaceList { group, kind: FaceKind::Effect, carrier, other_side: None, sea: None });
+            self.lists.push(FaceList::new(group, FaceKind::Effect, carrier));
         }
         Ok(())
     }
@@ -103,7 +103,7 @@ impl Lists<'_> {
             let name = format!("plume-{}-{}", number + 1, copy + 1);
             let group = plume.group(&name, self.priority(), wish.frames, (copy, wish.copies))?;
             let carrier = Carrier::of(wish.place, self.objects, self.landscape);
-            self.lists.push(FaceList { group, kind: FaceKind::Effect, carrier, other_side: None, sea: None });
+            self.lists.push(FaceList::new(group, FaceKind::Effect, carrier));
         }
         Ok(())
     }
@@ -132,18 +132,22 @@ impl Lists<'_> {
         let motion = self.motion(wish)?;
         self.warn(&format!("[[ship]] {}", wish.id), &motion.warnings());
         let carrier = Carrier::Ship(self.course(wish, sea, motion));
-        self.lists.push(FaceList {
-            group: arranged.ship.clone(),
-            kind: FaceKind::Ship,
-            carrier,
-            other_side: None,
-            sea: None,
-        });
-        if let Some(group) = arranged.surround.clone() {
+        let is_true = wish.hiding == Hiding::Exact;
+        let drawn_by = if is_true { DrawnBy::All } else { DrawnBy::Machines };
+        self.hull(&arranged.ship, FaceKind::Ship, (carrier.clone(), drawn_by));
+        if !is_true {
+            let whole = wish.kind.arranged(&wish.id, Hiding::Exact, arranged.ship.priority)?;
+            self.hull(&whole.ship, FaceKind::Ship, (carrier, DrawnBy::Exact));
+        }
+        if let Some(surround) = &arranged.surround {
             let carrier = Carrier::Ship(self.course(wish, sea, Motion::default()));
-            self.lists.push(FaceList { group, kind: FaceKind::Ship, carrier, other_side: None, sea: None });
+            self.hull(surround, FaceKind::Sea, (carrier, DrawnBy::Machines));
         }
         Ok(arranged)
+    }
+
+    fn hull(&mut self, group: &Group, kind: FaceKind, (carrier, drawn_by): (Carrier, DrawnBy)) {
+        self.lists.push(FaceList { drawn_by, ..FaceList::new(group.clone(), kind, carrier) });
     }
 
     /// Foam on both sides of the bow: before the ship for an eye on its own side, behind it for one on the other.
@@ -161,7 +165,7 @@ impl Lists<'_> {
             let carrier =
                 Carrier::Ship(ShipCourse { origin, yaw, ..self.course(wish, sea, Motion::default()) });
             let other_side = Some(OtherSide { towards, priority: first + SHIP_STEP / 2 });
-            self.lists.push(FaceList { group, kind: FaceKind::Wake, carrier, other_side, sea: None });
+            self.lists.push(FaceList { other_side, ..FaceList::new(group, FaceKind::Wake, carrier) });
         }
         Ok(())
     }
@@ -182,13 +186,7 @@ impl Lists<'_> {
         let origin = DVec3::X * (-wish.kind.length / 2.0);
         let carrier = Carrier::Ship(ShipCourse { origin, ..self.course(wish, water, Motion::default()) });
         let group = group.detailed(wake.detail);
-        self.lists.push(FaceList {
-            group,
-            kind: FaceKind::Level,
-            carrier,
-            other_side: None,
-            sea: Some(level),
-        });
+        self.lists.push(FaceList { sea: Some(level), ..FaceList::new(group, FaceKind::Level, carrier) });
         Ok(())
     }
 

@@ -11,13 +11,13 @@ use crate::{FacePlace, Guest, Object, Pose, Scenery};
 /// What a list of faces shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FaceKind {
-    /// Water of a flat sea.
+    /// Water of a flat sea, or of the box around a hull.
     Sea,
     /// A second level of detail upon the sea: churned water.
     Level,
     /// Foam that stands up.
     Wake,
-    /// A ship, or the box around it.
+    /// A ship.
     Ship,
     /// An effect of a file, or dust.
     Effect,
@@ -36,6 +36,19 @@ pub struct FaceList {
     pub other_side: Option<OtherSide>,
     /// The pattern of a sea or of a level upon it, for whoever renumbers its normals.
     pub sea: Option<Sea>,
+    /// Who draws the list.
+    pub drawn_by: DrawnBy,
+}
+
+/// Who draws a list of faces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DrawnBy {
+    /// Machines and `exact`.
+    All,
+    /// Machines alone: a hull that ends at the water, a box around a hull.
+    Machines,
+    /// `exact` alone: the true hull behind such a means, cut by the water.
+    Exact,
 }
 
 /// A plane through the origin of a list that separates it from another list: for an eye beyond it the two change places.
@@ -48,6 +61,11 @@ pub struct OtherSide {
 }
 
 impl FaceList {
+    /// A list that all draw, with one priority and no pattern.
+    pub fn new(group: Group, kind: FaceKind, carrier: Carrier) -> Self {
+        Self { group, kind, carrier, other_side: None, sea: None, drawn_by: DrawnBy::All }
+    }
+
     /// Its priority for an eye (north, east, up; m) when it has `axes`.
     pub fn priority(&self, axes: &ListAxes, eye: DVec3) -> i32 {
         match self.other_side {
@@ -99,7 +117,7 @@ pub struct ShipCourse {
 /// All lists of faces of a mission.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct FaceLists {
-    /// The lists; no two of one priority.
+    /// The lists; no two that machines draw have one priority.
     pub lists: Vec<FaceList>,
     /// Whether a ship asks for the order by depth.
     pub by_depth: bool,
@@ -120,6 +138,24 @@ impl FaceLists {
     /// Whether there is no list.
     pub fn is_empty(&self) -> bool {
         self.lists.is_empty()
+    }
+
+    /// The lists that machines draw.
+    pub fn of_machines(&self) -> impl Iterator<Item = &FaceList> {
+        self.lists.iter().filter(|list| list.drawn_by != DrawnBy::Exact)
+    }
+
+    /// The lists that `exact` draws.
+    pub fn of_exact(&self) -> impl Iterator<Item = &FaceList> {
+        self.lists.iter().filter(|list| list.drawn_by != DrawnBy::Machines)
+    }
+
+    /// Height of the water (m), where there is a sea.
+    pub fn water(&self) -> Option<f64> {
+        self.lists.iter().find_map(|list| match (list.kind, &list.carrier) {
+            (FaceKind::Sea, Carrier::Map(height)) => Some(*height),
+            _ => None,
+        })
     }
 }
 

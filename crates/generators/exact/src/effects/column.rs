@@ -1,4 +1,4 @@
-//! The opaque picture in one column of pixels.
+//! The opaque picture in one column of pixels, with or without the lists of faces.
 
 use super::matter::Back;
 use super::screen::Screen;
@@ -15,6 +15,7 @@ pub struct Opaque<'a> {
     scene: &'a Scene<'a>,
     screen: Screen,
     bodies: Vec<&'a Stand<'a>>,
+    with_faces: bool,
     scratch: Scratch,
     rays: u64,
     recent: [([f64; 2], Back); REMEMBERED],
@@ -29,11 +30,17 @@ impl<'a> Opaque<'a> {
             scene,
             screen: *screen,
             bodies: scene.standing().between(ends),
+            with_faces: true,
             scratch: Scratch::default(),
             rays: 0,
             recent: [([f64::NAN; 2], Back { depth: 0.0, is_open: false }); REMEMBERED],
             next: 0,
         }
+    }
+
+    /// The same without the lists of faces.
+    pub fn beside_faces(scene: &'a Scene<'a>, screen: &Screen, column: usize) -> Self {
+        Self { with_faces: false, ..Self::new(scene, screen, column) }
     }
 
     /// Number of rays so far.
@@ -45,6 +52,7 @@ impl<'a> Opaque<'a> {
         self.rays += 1;
         let place = self.screen.on_plane(at);
         let meeting = self.scene.meet(place, &self.bodies, self.scene.near(), &mut self.scratch);
+        let meeting = if self.with_faces { self.scene.with_faces_met(meeting, place) } else { meeting };
         let back = Back { depth: self.scene.depth(&meeting, place), is_open: self.scene.is_open(&meeting) };
         (meeting, back)
     }

@@ -1,5 +1,6 @@
 //! The pixels of a picture over the view-plane.
 
+use glam::DVec3;
 use scenario::FieldOfView;
 
 /// A raster over the view-plane. Places in pixels are counted from the top left corner of the picture.
@@ -23,6 +24,12 @@ impl Screen {
     /// Place on the view-plane (right, down; at distance 1) of a place in pixels.
     pub fn on_plane(&self, at: [f64; 2]) -> [f64; 2] {
         [0, 1].map(|axis| self.half[axis] * (2.0 * at[axis] / self.size[axis] as f64 - 1.0))
+    }
+
+    /// Factors of x, y and 1 in pixels of the function `of . (x, y, 1)` of the view-plane.
+    pub fn linear(&self, of: DVec3) -> [f64; 3] {
+        let [across, down] = [0, 1].map(|axis| 2.0 * self.half[axis] / self.size[axis] as f64);
+        [of.x * across, of.y * down, of.z - of.x * self.half[0] - of.y * self.half[1]]
     }
 
     /// Place in pixels of a place on the view-plane.

@@ -11,6 +11,7 @@ mod from_aside;
 mod guests;
 mod levels;
 mod light;
+mod lists;
 mod many_rays;
 mod roll;
 mod scenes;

@@ -24,7 +24,7 @@ fn diamond() -> FaceList {
     let mesh = Mesh::load("diamond", vertices, vec![Face::smooth(vec![0, 1, 2, 3], [1.0; 3])]).unwrap().mesh;
     let zenith = faces::TurningSun::new(std::f64::consts::FRAC_PI_2, 0.0, faces::Turn::STILL).unwrap();
     let group = Group::new("diamond", mesh, 1).under(SunProgramme::Turning(zenith));
-    FaceList { group, kind: FaceKind::Effect, carrier: Carrier::Map(0.0), other_side: None, sea: None }
+    FaceList::new(group, FaceKind::Effect, Carrier::Map(0.0))
 }
 
 #[test]

@@ -3,6 +3,7 @@
 mod levels;
 mod lines;
 mod orders;
+mod pitch;
 mod roads;
 mod sea;
 mod shots;

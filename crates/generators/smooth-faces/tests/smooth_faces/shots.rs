@@ -68,7 +68,7 @@ pub fn board_sea(board: Board, state: SeaState, pattern: Pattern) -> Sea {
 pub fn sea_list(sea: &Sea) -> FaceList {
     let group = sea.group("sea", 30_000, usize::MAX).unwrap();
     let carrier = Carrier::Map(0.0);
-    FaceList { group, kind: FaceKind::Sea, carrier, other_side: None, sea: Some(sea.clone()) }
+    FaceList { sea: Some(sea.clone()), ..FaceList::new(group, FaceKind::Sea, carrier) }
 }
 
 /// A square of a side (m) about a place, whose normal is up, as a list of a priority.
@@ -78,7 +78,7 @@ pub fn square(name: &str, at: DVec3, side: f64, priority: i32, colour: [f64; 3])
     let vertices = corners.map(|[north, east]| Vertex::at(at + DVec3::new(north, east, 0.0))).to_vec();
     let mesh = Mesh::load(name, vertices, vec![Face::flat(vec![0, 1, 2, 3], colour)]).unwrap().mesh;
     let group = Group::new(name, mesh, priority);
-    FaceList { group, kind: FaceKind::Effect, carrier: Carrier::Map(0.0), other_side: None, sea: None }
+    FaceList::new(group, FaceKind::Effect, Carrier::Map(0.0))
 }
 
 pub fn session(stage: Stage, parameters: Parameters) -> Box<dyn Session> {

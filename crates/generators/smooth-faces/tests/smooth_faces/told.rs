@@ -6,7 +6,7 @@ use glam::DVec3;
 use signal::Probe;
 use smooth_faces::{Parameters, SmoothFaces};
 
-use crate::shots::{PIXELS, from_above, light, run, sea, sea_list, session, square, stage};
+use crate::shots::{PIXELS, draw, from_above, light, run, sea, sea_list, session, square, stage};
 
 #[test]
 fn a_pixel_tells_what_is_shown_and_what_is_behind_it() {
@@ -20,6 +20,38 @@ fn a_pixel_tells_what_is_shown_and_what_is_behind_it() {
     assert!(behind.contains("of sea (list 2 of 2)") && behind.contains("depth 120.000 m"), "{behind}");
     let sky = session.explain(0, &crate::shots::pose([150.0, 100.0, 5.5], 0.0, 60.0), [30, 30]).unwrap();
     assert_eq!(sky[0].what, "sky");
+}
+
+/// With 24 slots every pixel that differs tells a face without a slot, every face told is missing, and lines tell all misses.
+#[test]
+fn a_streak_leads_to_its_face_and_a_miss_to_its_streak() {
+    let sea = sea(SeaState::High, Pattern::Random { seed: 1 });
+    let eye = crate::shots::pose([10.0, 100.0, 30.0], 0.0, -20.0);
+    let with = |edges_line| session(stage(vec![sea_list(&sea)]), Parameters { edges_line, ..run() });
+    let (all, few) = (with(None), with(Some(24)));
+    let ((whole, _), (streaked, counts)) = (draw(&*all, 0, &eye), draw(&*few, 0, &eye));
+    let red = |planes: &Planes| planes.get(PlaneKind::Red).unwrap().to_vec();
+    let (whole, streaked) = (red(&whole), red(&streaked));
+    let (mut on_lines, mut streaks) = (0, 0);
+    for column in 0..PIXELS {
+        for line in 0..PIXELS {
+            let facts = few.explain(0, &eye, [column, line]).unwrap();
+            let of = |what: &str| facts.iter().filter(|fact| fact.what == what).collect::<Vec<_>>();
+            let pixel = line * PIXELS + column;
+            assert_eq!(of("missed").len(), usize::from(whole[pixel] != streaked[pixel]), "{column} {line}");
+            if let [missed] = of("missed")[..] {
+                let shown = &all.explain(0, &eye, [column, line]).unwrap()[0];
+                assert_eq!((shown.what.as_str(), &shown.value), ("shown", &missed.value));
+                streaks += 1;
+            }
+            if line == 0 {
+                let told = &of("scan line")[0].value;
+                on_lines += told.rsplit(", ").next().unwrap().replace(" missed", "").parse::<u64>().unwrap();
+            }
+        }
+    }
+    assert_eq!(on_lines, counts["missed"]);
+    assert!(streaks > 100, "{streaks}");
 }
 
 #[test]
