@@ -34,6 +34,7 @@ export async function instrument(chromium, host, native, expect, folder) {
   await drawn(chromium);
   expect((await hash(chromium)) === torn.hash, "a link opens the torn mountain");
   expect((await text(chromium, "state")).includes("colour=red"), "what a link asks for and nobody knows is listed");
+  await put(chromium, "zoom", "1");
   await chromium.run(`
     const tube = document.getElementById("tube");
     const { left, top, width, height } = tube.getBoundingClientRect();
@@ -76,9 +77,9 @@ async function driven(chromium, expect) {
 
 async function ownFile(chromium, expect) {
   const say = await chromium.run(`
-    const text = await (await fetch("scenarios/profile.toml")).text();
+    const text = await (await fetch("scenarios/first-light.toml")).text();
     const transfer = new DataTransfer();
-    transfer.items.add(new File([text.replace(/^title = .*$/m, 'title = "A file of mine"')], "mine.toml"));
+    transfer.items.add(new File([text.replace("First light", "A file of mine")], "mine.toml"));
     const field = document.getElementById("files");
     field.files = transfer.files;
     field.dispatchEvent(new Event("change"));

@@ -72,6 +72,8 @@ function agree() {
 async function opened({ detail: facts }) {
   at("frame").max = facts.frames - 1;
   at("sweep").max = Math.max(0, facts.sweeps - 1);
+  at("driven").textContent = facts.driven > 0 ? `${facts.driven} frames driven` : "";
+  at("record").disabled = facts.driven === 0;
   const [told, shipped, blocks] = await Promise.all([model.parameters(), model.faults(), model.blocks()]);
   parameters = told.parameters;
   showFaults(at("faults"), shipped.faults, model.view.faults, (faults) => model.show({ faults }));
@@ -194,6 +196,7 @@ model.addEventListener("events", ({ detail: { events, tick_us } }) => {
 model.addEventListener("driven", ({ detail }) => {
   at("driven").textContent = `${detail} frames driven`;
   at("record").disabled = false;
+  agree();
 });
 model.addEventListener("fault", ({ detail }) => failed(detail));
 model.addEventListener("busy", ({ detail }) => {
