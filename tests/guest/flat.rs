@@ -17,8 +17,8 @@ use std::sync::Arc;
 use blake3::Hasher;
 use diagnostics::Reader;
 use generator::{
-    Counter, Fact, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes, PrepareError,
-    Role, Row, Scan, Session, Stage, Timed, Weight, check_eye,
+    Along, Counter, Fact, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes,
+    PrepareError, Role, Row, Scan, Session, Stage, Timed, Weight, check_eye,
 };
 use glam::DVec3;
 use landscape::{Attitude, Photometry, bank_file};
@@ -90,7 +90,7 @@ impl Generator for Flat {
     fn scan(&self, view: &View) -> Option<Scan> {
         let timebase =
             Timebase::new(Rate::new(MASTER_HZ, 1)?, view.update, view.lines, view.columns, 0).ok()?;
-        Some(Scan { line: "line", timebase, place: "flat.range", ahead: None })
+        Some(Scan { line: "line", timebase, place: "flat.range", along: Along::Range })
     }
 
     fn record(&self) -> Value {

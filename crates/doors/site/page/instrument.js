@@ -220,10 +220,15 @@ at("wires").addEventListener("change", ({ target }) => model.show({ wires: targe
 at("sweep").addEventListener("change", ({ target }) => model.show({ sweep: Number(target.value), column: null, line: null }));
 at("across").addEventListener("change", ({ target }) => scope.along(target.value));
 at("keep").addEventListener("click", ({ target }) => { target.textContent = scope.keep() ? "Drop the reference" : "Keep as reference"; });
+at("persist").addEventListener("change", ({ target }) => scope.persist(target.checked));
 at("whole").addEventListener("click", () => scope.whole());
 at("find").addEventListener("input", numbers);
 at("heal").addEventListener("click", () => model.show({ set: {}, faults: [] }));
 at("record").addEventListener("click", () => record().catch(failed));
+at("tube").addEventListener("keydown", ({ key }) => {
+  const by = { w: ["speed", 1], s: ["speed", -1], a: ["turn", -2], d: ["turn", 2] }[key.toLowerCase()];
+  if (by) at(by[0]).value = Number(at(by[0]).value) + by[1];
+});
 repeat(at("play"), () => { const done = settled(); turn(1); return done; });
 repeat(at("drive"), () => model.drive(at("speed").value, at("turn").value));
 addEventListener("hashchange", follow);

@@ -1,19 +1,23 @@
-// The scope: analog traces in panels by unit, digital lanes below them, a reference behind, one cursor.
+// The scope: analog traces in panels by unit, digital lanes below them, what was before behind, two cursors; or one wire over another.
+
+import { curve, trace } from "./curve.js";
 
 const LEFT = 88;
 const TOP = 14;
 const LANE = 22;
 const AXIS = 34;
 const COLOURS = ["#0b6fc2", "#c2480b", "#0b8a4b", "#8a3fc2", "#a67c00", "#00838f", "#ad1457", "#5d4037"];
-const MOST = { analog: 8, digital: 16 };
+const MOST = { analog: 8, digital: 16, behind: 24 };
 
 export class Scope {
   #canvas;
   #say;
   #traces = null;
   #reference = null;
+  #persists = false;
+  #behind = [];
   #window = [0, 1];
-  #cursor = null;
+  #cursors = [null, null];
   #across = "sample";
   #drag = null;
 
@@ -31,6 +35,7 @@ export class Scope {
 
   /** Shows waveforms of one sweep. */
   show(traces) {
+    if (this.#persists && this.#traces) this.#behind = [...this.#behind, this.#traces].slice(-MOST.behind);
     this.#traces = traces;
     this.#canvas.dataset.sweep = traces.sweeps[0];
     this.#draw();
@@ -43,20 +48,27 @@ export class Scope {
     return this.#reference !== null;
   }
 
+  /** Leaves what was shown behind what comes, or takes it away. */
+  persist(persists) {
+    this.#persists = persists;
+    this.#behind = [];
+    this.#draw();
+  }
+
   whole() {
     this.#window = [0, 1];
     this.#draw();
   }
 
-  /** What runs across: "sample" for sweep time, "place" for range. */
+  /** What runs across: "sample" for sweep time, "place" for range, "xy" for the first wire. */
   along(across) {
     this.#across = across;
     this.whole();
   }
 
-  /** Sets the cursor on a sample. */
-  point(sample) {
-    this.#cursor = sample;
+  /** Sets cursor A or B, 0 or 1, on a sample. */
+  point(sample, which = 0) {
+    this.#cursors[which] = sample;
     this.#draw();
   }
 
@@ -127,16 +139,17 @@ export class Scope {
   }
 
   #release(event) {
-    if (this.#drag && !this.#drag.moved && this.#traces) this.point(this.#sample(event));
+    if (this.#drag && !this.#drag.moved && this.#traces) this.point(this.#sample(event), Number(event.shiftKey));
     this.#drag = null;
   }
 
   #key(event) {
     if (!this.#traces) return;
     const last = this.#traces.planes.places.values.length - 1;
-    const step = event.shiftKey ? 10 : 1;
-    const to = { ArrowLeft: (this.#cursor ?? 0) - step, ArrowRight: (this.#cursor ?? -1) + step }[event.key];
-    if (to !== undefined) this.point(Math.max(0, Math.min(last, to)));
+    const which = Number(event.shiftKey);
+    const at = this.#cursors[which];
+    const to = { ArrowLeft: (at ?? 1) - 1, ArrowRight: (at ?? -1) + 1, PageUp: (at ?? 0) - 20, PageDown: (at ?? 0) + 20 }[event.key];
+    if (to !== undefined) this.point(Math.max(0, Math.min(last, to)), which);
     else if (event.key === "+") this.#scale(0.8, 0.5);
     else if (event.key === "-") this.#scale(1.25, 0.5);
     else return;
@@ -154,6 +167,7 @@ export class Scope {
     if (!this.#traces) return;
     const analog = this.#traces.signals.filter((row) => row.kind === "analog").slice(0, MOST.analog);
     const digital = this.#traces.signals.filter((row) => row.kind !== "analog").slice(0, MOST.digital);
+    if (this.#across === "xy" && analog.length > 1) return this.#over(context, analog);
     const panels = [...Map.groupBy(analog, (row) => row.unit)];
     const room = canvas.height - TOP - AXIS - digital.length * LANE;
     const height = panels.length ? room / panels.length : 0;
@@ -161,16 +175,52 @@ export class Scope {
     panels.forEach(([unit, rows], at) => this.#panel(context, unit, rows, colour, TOP + at * height, height - 12));
     digital.forEach((row, at) => this.#lane(context, row, TOP + room + at * LANE));
     this.#axis(context, canvas.height - AXIS + 8);
-    this.#drawCursor(context, canvas.height - AXIS);
+    this.#drawCursors(context, canvas.height - AXIS);
     this.#tell();
   }
 
   #ink = "#000";
 
-  /** Lowest and highest finite value of the rows, the reference included. */
+  /** What stands behind: the reference, and what persists. */
+  get #before() {
+    return this.#reference ? [...this.#behind, this.#reference] : this.#behind;
+  }
+
+  /** The first wire across, the second up. */
+  #over(context, [across, up]) {
+    const [width, height] = [this.#canvas.width - LEFT - 8, this.#canvas.height - TOP - AXIS];
+    const [[left, right], [low, high]] = [this.#extent([across]), this.#extent([up])];
+    const place = {
+      x: (value) => LEFT + ((value - left) / (right - left)) * width,
+      y: (value) => TOP + height - ((value - low) / (high - low)) * height,
+    };
+    const drawn = ({ planes }, colour) => {
+      if (planes[across.name] && planes[up.name]) trace(context, planes[across.name].values, planes[up.name].values, { ...place, colour });
+    };
+    context.globalAlpha = 0.35;
+    this.#before.forEach((traces) => drawn(traces, this.#ink));
+    context.globalAlpha = 1;
+    drawn(this.#traces, COLOURS[0]);
+    context.fillStyle = this.#ink;
+    context.strokeStyle = this.#ink;
+    this.#cursors.forEach((sample, which) => {
+      if (sample === null) return;
+      const [x, y] = [place.x(this.#traces.planes[across.name].values[sample]), place.y(this.#traces.planes[up.name].values[sample])];
+      context.strokeRect(x - 4, y - 4, 8, 8);
+      context.fillText("AB"[which], x + 7, y - 5);
+    });
+    context.textAlign = "right";
+    context.fillText(short(high), LEFT - 4, TOP + 10);
+    context.fillText(short(low), LEFT - 4, TOP + height);
+    context.textAlign = "center";
+    context.fillText(`${short(left)} to ${short(right)}: ${across.name}; up: ${up.name}`, LEFT + width / 2, TOP + height + 22);
+    this.#tell();
+  }
+
+  /** Lowest and highest finite value of the rows, with what stands behind. */
   #extent(rows) {
     let [low, high] = [Infinity, -Infinity];
-    for (const traces of [this.#traces, this.#reference]) {
+    for (const traces of [this.#traces, ...this.#before]) {
       for (const { name } of rows) {
         for (const value of traces?.planes[name]?.values ?? []) {
           if (value < low) low = value;
@@ -196,45 +246,17 @@ export class Scope {
     context.fillText(`${short(high)}${end}`, LEFT - 4, top + 10);
     context.fillText(`${short(low)}${end}`, LEFT - 4, top + height);
     context.textAlign = "left";
+    const way = { x: (sample) => this.#x(sample), y, bounds: [LEFT, this.#canvas.width - 8] };
     rows.forEach(({ name }, at) => {
       context.globalAlpha = 0.35;
-      if (this.#reference?.planes[name]) this.#curve(context, this.#reference.planes[name].values, y, this.#ink);
+      for (const { planes } of this.#before) {
+        if (planes[name]) curve(context, planes[name].values, { ...way, colour: this.#ink });
+      }
       context.globalAlpha = 1;
-      this.#curve(context, this.#traces.planes[name].values, y, colour.get(name));
+      curve(context, this.#traces.planes[name].values, { ...way, colour: colour.get(name) });
       context.fillStyle = colour.get(name);
       context.fillText(name, LEFT + 6 + at * 130, top + 12);
     });
-  }
-
-  /** A column of the canvas keeps its lowest and its highest value, so no peak is lost. */
-  #curve(context, values, y, colour) {
-    context.strokeStyle = colour;
-    context.lineWidth = 1.5;
-    context.beginPath();
-    let [column, low, high, pen] = [null, 0, 0, false];
-    const put = () => {
-      if (column === null) return;
-      if (!pen) context.moveTo(column, y(low));
-      pen = true;
-      context.lineTo(column, y(low));
-      context.lineTo(column, y(high));
-    };
-    values.forEach((value, sample) => {
-      const x = Math.round(this.#x(sample));
-      if (x < LEFT - 1 || x > this.#canvas.width - 7) return;
-      if (!Number.isFinite(value)) {
-        put();
-        [column, pen] = [null, false];
-      } else if (x === column) {
-        [low, high] = [Math.min(low, value), Math.max(high, value)];
-      } else {
-        put();
-        [column, low, high] = [x, value, value];
-      }
-    });
-    put();
-    context.stroke();
-    context.lineWidth = 1;
   }
 
   /** A gate as levels; what changes at instants as strokes there. */
@@ -277,31 +299,47 @@ export class Scope {
     context.fillText(says, (LEFT + this.#canvas.width) / 2, top + 22);
   }
 
-  #drawCursor(context, bottom) {
-    if (this.#cursor === null) return;
-    const x = this.#x(this.#cursor);
-    context.strokeStyle = this.#ink;
-    context.setLineDash([4, 3]);
-    context.beginPath();
-    context.moveTo(x, TOP);
-    context.lineTo(x, bottom);
-    context.stroke();
-    context.setLineDash([]);
+  #drawCursors(context, bottom) {
+    context.fillStyle = this.#ink;
+    context.textAlign = "center";
+    this.#cursors.forEach((sample, which) => {
+      if (sample === null) return;
+      const x = this.#x(sample);
+      context.strokeStyle = this.#ink;
+      context.setLineDash(which === 0 ? [4, 3] : [1, 3]);
+      context.beginPath();
+      context.moveTo(x, TOP);
+      context.lineTo(x, bottom);
+      context.stroke();
+      context.setLineDash([]);
+      context.fillText("AB"[which], x, TOP - 2);
+    });
   }
 
+  /** The values of a sample, with its place; of a signal that is told when it changes, none. */
+  #values(sample) {
+    const analog = this.#traces.signals.filter(({ name }) => !this.#traces.planes[`times:${name}`]);
+    const value = ({ name, unit }) => ({ name, unit: unit === "1" ? "" : ` ${unit}`, value: this.#traces.planes[name].values[sample] });
+    return [{ name: this.#traces.place, unit: "", value: this.#traces.planes.places.values[sample] }, ...analog.map(value)];
+  }
+
+  /** Says the values at both cursors, their difference, and what the reference has at A. */
   #tell() {
-    if (this.#cursor === null) return;
-    const sample = Math.max(0, Math.min(this.#traces.planes.places.values.length - 1, Math.round(this.#cursor)));
-    const value = ({ name, unit }) => {
-      const values = this.#traces.planes[name].values;
-      if (this.#traces.planes[`times:${name}`]) return null;
-      const before = this.#reference?.planes[name]?.values[sample];
-      const change = before === undefined ? "" : ` (reference ${short(before)})`;
-      return `${name} ${short(values[sample])}${unit === "1" ? "" : ` ${unit}`}${change}`;
-    };
-    const told = this.#traces.signals.map(value).filter(Boolean);
-    const place = short(this.#traces.planes.places.values[sample]);
-    this.#say(`Sample ${sample}, ${this.#traces.place} ${place}: ${told.join(", ")}`);
+    const last = this.#traces.planes.places.values.length - 1;
+    const [a, b] = this.#cursors.map((sample) => (sample === null ? null : Math.max(0, Math.min(last, Math.round(sample)))));
+    const at = (sample) => this.#values(sample).map(({ name, unit, value }) => `${name} ${short(value)}${unit}`).join(", ");
+    const told = [];
+    if (a !== null) told.push(`A, sample ${a}: ${at(a)}.`);
+    if (a !== null && this.#reference) {
+      const behind = this.#values(a).filter(({ name }) => this.#reference.planes[name]);
+      told.push(`Reference: ${behind.map(({ name, unit }) => `${name} ${short(this.#reference.planes[name].values[a])}${unit}`).join(", ")}.`);
+    }
+    if (b !== null) told.push(`B, sample ${b}: ${at(b)}.`);
+    if (a !== null && b !== null) {
+      const before = this.#values(a);
+      told.push(`B less A, ${b - a} samples: ${this.#values(b).map(({ name, unit, value }, row) => `${name} ${short(value - before[row].value)}${unit}`).join(", ")}.`);
+    }
+    if (told.length) this.#say(told.join(" "));
   }
 }
 
