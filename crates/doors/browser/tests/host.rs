@@ -86,7 +86,7 @@ fn machines_and_overlays_may_be_given() {
     let mut host = Host::default();
     let own =
         Plane::of_file("models/own.toml", std::fs::read(on_disk("hardware-models/ideal.toml")).unwrap());
-    let late = Plane::of_file("models/late.toml", b"[loader]\naccess_ns = 90\n".to_vec());
+    let late = Plane::of_file("models/late.toml", b"format = 1\n\n[loader]\naccess_ns = 90\n".to_vec());
     let mut given = planes(&[SCENARIO, "scenarios/craters.csv"]);
     given.extend([own, late]);
     let request = json!({ "id": 1, "do": "open", "scenario": SCENARIO, "machine": "models/own.toml",

@@ -51,6 +51,26 @@ async function firstPage(chromium, host) {
   expect(last <= 10_000, `both stand after ${last} ms, at most 10 s`);
 }
 
+/** Pixels on the canvas of the first page that are not those of the machine's picture. */
+async function canvas(chromium) {
+  const wrong = await chromium.run(
+    `const [rows] = values;
+     const { contents } = await import(new URL("shipped.js", document.baseURI));
+     document.getElementById("pause").click();
+     const tube = document.getElementById("tube");
+     const row = rows[tube.dataset.view === "torn" ? 1 : 0];
+     const machine = new lunoid.Lunoid();
+     await machine.open(row.scenario, { files: await contents([row.scenario]), set: row.set });
+     const { shape: [lines, columns], values: codes } = (await machine.frame(row.frame)).planes.picture;
+     machine.close();
+     const { data } = tube.getContext("2d").getImageData(0, 0, tube.width, tube.height);
+     if (tube.width !== columns || tube.height !== lines) return -1;
+     return codes.reduce((wrong, code, pixel) => wrong + (data[4 * pixel] !== code || data[4 * pixel + 3] !== 255), 0);`,
+    native.slice(0, 2),
+  );
+  expect(wrong === 0, `every pixel on the canvas is the machine's: ${wrong} are not`);
+}
+
 /** The pictures of the cases, in the page; each frame is drawn twice, and the second time counts. */
 async function pictures(chromium) {
   record.pictures = [];
@@ -238,6 +258,7 @@ const chromium = await Chromium.open();
 record.browser = `Chromium ${chromium.version}`;
 try {
   await firstPage(chromium, host);
+  await canvas(chromium);
   await pictures(chromium);
   await refusals(chromium);
   await endings(chromium);
