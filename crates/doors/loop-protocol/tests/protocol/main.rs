@@ -1,0 +1,7 @@
+//! The protocol: bytes of messages, answers of a session, and hostile input.
+
+mod home;
+mod hostile;
+mod session;
+mod states;
+mod wire;
