@@ -4,6 +4,8 @@ use std::fs::{self, FileType, Metadata};
 use std::io;
 use std::path::{Path, PathBuf};
 
+use crate::given::is_given;
+
 /// What a path names. A link counts as itself, whatever it leads to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
@@ -19,6 +21,8 @@ pub enum Kind {
     Stream,
     /// A named pipe stands there.
     Pipe,
+    /// A path of the store of given files, be there one or not.
+    Given,
     /// A socket, a disk, or another thing that is no file.
     Device,
 }
@@ -31,6 +35,9 @@ impl Kind {
     pub fn of(path: &Path) -> io::Result<Self> {
         if is_descriptor(path) {
             return Ok(Self::Stream);
+        }
+        if is_given(path) {
+            return Ok(Self::Given);
         }
         match fs::symlink_metadata(itself(path)) {
             Ok(found) => Ok(Self::of_type(found.file_type())),
@@ -59,6 +66,7 @@ impl Kind {
             Self::Link => "a link",
             Self::Stream => "a device",
             Self::Pipe => "a pipe",
+            Self::Given => "a given file, which is held in memory alone",
             Self::Device => "a device or a socket",
         }
     }

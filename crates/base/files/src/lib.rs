@@ -6,6 +6,8 @@
 //! - [`open()`], [`open_own`] and [`expect_output`] are the gate: whatever is opened is a file. Nothing is written through a link.
 //! - [`remove_leftovers`] removes what killed commands have left.
 //! - [`read_all`] reads a file up to a limit that the caller states, [`FilePieces`] piece by piece to where each stays.
+//! - [`give`] holds a file in memory under a path that begins with `given:`. Readers find it there, and nothing is written there:
+//!   a page has no disk. [`is_file`], [`is_there`] and [`names_in`] look on the disk and among what was given.
 //! - [`Npy`] and [`write_npz`] are numpy's formats; the bytes depend on the values alone. [`npy_layout`] tells where values stand.
 //!
 //! ```
@@ -20,6 +22,7 @@
 mod atomic;
 mod error;
 mod folder;
+mod given;
 mod kind;
 mod leftovers;
 mod lock;
@@ -31,10 +34,12 @@ mod open;
 mod pieces;
 mod read;
 mod temporary;
+mod there;
 
 pub use atomic::write_atomic;
 pub use error::{Action, FileError, folder_of};
 pub use folder::{Folder, FolderError, make_folder, rename};
+pub use given::{GIVEN, GIVEN_BYTES, GIVEN_FILES, GivenError, give, is_given, take_back, take_back_all};
 pub use kind::{Kind, leads_outside};
 pub use leftovers::{remove_leftovers, remove_leftovers_of};
 pub use lock::{LOCK, Lock};
@@ -45,3 +50,4 @@ pub use open::{append_own, expect_output, open, open_own, open_stream};
 pub use pieces::{FilePieces, Pieces, PiecesError};
 pub use read::{Most, holds, read_all};
 pub use temporary::{Temporary, abandon_temporaries};
+pub use there::{is_file, is_there, names_in};

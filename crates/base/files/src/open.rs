@@ -4,6 +4,7 @@ use std::fs::{self, File, OpenOptions};
 use std::path::Path;
 
 use crate::error::{Action, FileError};
+use crate::given::is_given;
 use crate::kind::{Kind, has_other_names, is_descriptor};
 
 /// Opens a file that a user names for reading. A link is followed: the user may read whatever they can. A named pipe or a device
@@ -13,6 +14,9 @@ use crate::kind::{Kind, has_other_names, is_descriptor};
 /// [`FileError::Missing`], [`FileError::IsFolder`], [`FileError::NoFile`], and failures of the system.
 pub fn open(path: &Path) -> Result<File, FileError> {
     let failed = |source| FileError::new(path, Action::Read, source);
+    if is_given(path) {
+        return Err(FileError::NoFile { path: path.to_owned(), action: Action::Read, kind: Kind::Given });
+    }
     let mut options = OpenOptions::new();
     options.read(true);
     if !is_descriptor(path) {

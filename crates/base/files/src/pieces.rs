@@ -4,8 +4,10 @@ use std::convert::Infallible;
 use std::fs::File;
 use std::io::{Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use crate::error::{Action, FileError};
+use crate::given;
 use crate::read::{Most, bytes_of, open};
 
 /// Bytes of which any piece can be read: of a file, or at hand.
@@ -81,6 +83,8 @@ enum Source {
     File(File),
     /// A pipe that this process has open (`/dev/stdin`), which has no places to go to.
     Whole(Vec<u8>),
+    /// A file in memory.
+    Given(Arc<[u8]>),
 }
 
 impl FilePieces {
@@ -90,6 +94,10 @@ impl FilePieces {
     /// As [`read_all`](crate::read_all).
     pub fn open(path: impl AsRef<Path>, most: impl Into<Most>) -> Result<Self, FileError> {
         let (path, most) = (path.as_ref(), most.into());
+        if let Some(bytes) = given::read(path, most).transpose()? {
+            let length = bytes.len() as u64;
+            return Ok(Self { path: path.to_owned(), length, source: Source::Given(bytes) });
+        }
         let (file, metadata) = open(path, most)?;
         let (source, length) = if metadata.is_file() {
             (Source::File(file), metadata.len())
@@ -118,6 +126,10 @@ impl Pieces for FilePieces {
                 .map_err(|error| FileError::new(path, Action::Read, error)),
             Source::Whole(bytes) => {
                 let Ok(()) = bytes.as_slice().fill(offset, piece);
+                Ok(())
+            }
+            Source::Given(bytes) => {
+                let Ok(()) = (&**bytes).fill(offset, piece);
                 Ok(())
             }
         }

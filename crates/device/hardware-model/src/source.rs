@@ -1,11 +1,10 @@
 //! Where a model is: a file, or one that the program carries with it.
 
 use std::collections::BTreeSet;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use diagnostics::{Problem, ProblemList, Problems, TomlFile};
-use files::FileError;
+use files::{FileError, is_file, is_there, names_in};
 use limits::Limit;
 
 use crate::faults::FAULTS;
@@ -65,7 +64,7 @@ impl ModelSource {
         }
         let folders = [folder.join(FOLDER), folder.join("..").join(FOLDER), FOLDER.into()];
         let files = folders.iter().map(|folder| folder.join(format!("{name_or_path}.toml")));
-        if let Some(file) = files.into_iter().find(|file| file.is_file()) {
+        if let Some(file) = files.into_iter().find(|file| is_file(file)) {
             return Ok(Self::File(file));
         }
         if let Some(built_in) = Self::built_in(name_or_path) {
@@ -82,13 +81,13 @@ impl ModelSource {
     pub(crate) fn overlay(path: &Path) -> Self {
         let name = path.to_string_lossy();
         let is_fault = FAULTS.iter().any(|(known, _)| *known == name);
-        if is_fault && !path.is_file() { Self::Fault(name.into_owned()) } else { Self::File(path.to_owned()) }
+        if is_fault && !is_file(path) { Self::Fault(name.into_owned()) } else { Self::File(path.to_owned()) }
     }
 
     /// This overlay, if it is there; of one that is not, names that are like its own are told.
     pub(crate) fn found(&self, problems: &Problems) -> Option<&Self> {
         match self {
-            Self::File(path) if !path.exists() => {
+            Self::File(path) if !is_there(path) => {
                 let missing = FileError::Missing { path: path.clone() };
                 let problem = Problem::of_file(self.name(), missing.to_string());
                 let name = path.file_stem().unwrap_or_default().to_string_lossy();
@@ -111,7 +110,7 @@ impl ModelSource {
             Self::File(path) => Some(path.with_file_name(format!("{name}.toml"))),
             Self::BuiltIn(_) | Self::Fault(_) => None,
         };
-        let file = beside.filter(|path| path.is_file()).map(Self::File);
+        let file = beside.filter(|path| is_file(path)).map(Self::File);
         file.or_else(|| Self::built_in(name))
     }
 
@@ -158,11 +157,9 @@ impl ModelSource {
 }
 
 fn known_names(folders: &[PathBuf]) -> BTreeSet<String> {
-    let entries = folders.iter().filter_map(|folder| fs::read_dir(folder).ok()).flatten().flatten();
-    let paths =
-        entries.map(|entry| entry.path()).filter(|path| path.extension().is_some_and(|e| e == "toml"));
-    let names = paths.filter_map(|path| path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
-    names.chain(BUILT_IN.iter().map(|(name, _)| (*name).to_owned())).collect()
+    let names = folders.iter().flat_map(names_in);
+    let models = names.filter_map(|name| name.strip_suffix(".toml").map(str::to_owned));
+    models.chain(BUILT_IN.iter().map(|(name, _)| (*name).to_owned())).collect()
 }
 
 /// Adds the nearest of what is known, and all of it, to a problem.

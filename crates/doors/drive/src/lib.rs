@@ -32,7 +32,9 @@ mod parameters;
 mod pose;
 mod saved;
 mod seen;
+#[cfg(feature = "studies")]
 mod studied;
+mod threads;
 mod traces;
 mod truth;
 mod viewpoint;
@@ -52,6 +54,7 @@ pub use pose::EyePose;
 pub use saved::SavedFile;
 pub use scenario::Scalar;
 pub use seen::Seen;
+#[cfg(feature = "studies")]
 pub use studied::Study;
 pub use traces::{Trace, Traces};
 pub use truth::{Codes, Truth, TruthPlane};

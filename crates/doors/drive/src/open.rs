@@ -1,16 +1,18 @@
 //! An opened scenario, and what is asked of its frames.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use diagnostics::{Problem, asked};
 use front_door::{Opened, Wishes, open};
 use generator::Omission;
-use rayon::{ThreadPool, ThreadPoolBuilder};
+use rayon::ThreadPool;
 use scenario::Pose;
 
 use crate::bench::Bench;
 use crate::parameters::{Parameter, parameters};
 use crate::seen::Drawing;
+use crate::threads;
 use crate::{DriveError, EyePose, Seen, Viewpoint};
 
 /// Size of a picture and its clock.
@@ -33,7 +35,7 @@ pub struct Drive {
     pub(crate) opened: Opened,
     pub(crate) bench: Bench,
     pub(crate) drawing: Drawing,
-    pub(crate) pool: ThreadPool,
+    pub(crate) pool: Arc<ThreadPool>,
     parameters: Vec<Parameter>,
 }
 
@@ -45,11 +47,11 @@ impl Drive {
     /// Every fault of the files and the wishes at once, or of the ground.
     pub fn open(scenario: &Path, wishes: &Wishes, threads: usize) -> Result<Self, DriveError> {
         let file = scenario.display().to_string();
+        let pool = threads::pool(threads);
+        let pool = pool.map_err(|error| DriveError::asked(&file, error.to_string(), "fewer threads"))?;
         let (opened, asked) = asked::record(|| open(scenario, wishes));
         let opened = opened.map_err(|error| DriveError::opening(&file, error))?;
         let parameters = parameters(&opened.inputs.model_values, &asked);
-        let pool = ThreadPoolBuilder::new().num_threads(threads).build();
-        let pool = pool.map_err(|error| DriveError::asked(&file, error.to_string(), "fewer threads"))?;
         let machine = pool.install(|| opened.machine_stage());
         let machine = machine.map_err(|error| DriveError::opening(&file, error))?;
         let bench = Bench::new(&opened, &pool, machine)?;

@@ -33,14 +33,17 @@ mod gtkwave;
 mod header;
 mod held;
 mod json_file;
+#[cfg(not(target_family = "wasm"))]
 mod npz_file;
 mod output;
 mod raw_file;
 mod record;
+#[cfg(not(target_family = "wasm"))]
 mod sigrok_file;
 mod sink;
 mod tree;
 mod vcd_file;
+#[cfg(not(target_family = "wasm"))]
 mod zipped;
 
 pub use error::WaveformError;

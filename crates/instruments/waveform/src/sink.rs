@@ -10,9 +10,11 @@ use crate::encoder::Encoder;
 use crate::error::file_error;
 use crate::fst_file::FstFile;
 use crate::json_file::JsonFile;
+#[cfg(not(target_family = "wasm"))]
 use crate::npz_file::NpzFile;
 use crate::output::{Counter, Destination, Output, Store};
 use crate::raw_file::RawFile;
+#[cfg(not(target_family = "wasm"))]
 use crate::sigrok_file::SigrokFile;
 use crate::vcd_file::VcdFile;
 use crate::{Format, Header, SweepTraces, WaveformError, gtkwave, record};
@@ -90,11 +92,35 @@ fn encoder(
         Format::Csv => Box::new(CsvFile::new(header, output)?),
         Format::Vcd => Box::new(VcdFile::new(header, output)?),
         Format::Fst => Box::new(FstFile::new(header, output)?),
-        Format::Npz => Box::new(NpzFile::new(header, output, store)),
         Format::Json => Box::new(JsonFile::new(header, output)?),
         Format::Raw => Box::new(RawFile::new(header, output)?),
-        Format::Sr => Box::new(SigrokFile::new(header, output)?),
+        Format::Npz | Format::Sr => zipped(format, header, output, store)?,
     })
+}
+
+/// The encoder of a format that is a zip.
+#[cfg(not(target_family = "wasm"))]
+fn zipped(
+    format: Format,
+    header: &Header,
+    output: Box<dyn Output>,
+    store: Box<dyn Store>,
+) -> io::Result<Box<dyn Encoder>> {
+    match format {
+        Format::Npz => Ok(Box::new(NpzFile::new(header, output, store))),
+        _ => Ok(Box::new(SigrokFile::new(header, output)?)),
+    }
+}
+
+/// A page has no file to write a zip to.
+#[cfg(target_family = "wasm")]
+fn zipped(
+    _format: Format,
+    _header: &Header,
+    _output: Box<dyn Output>,
+    _store: Box<dyn Store>,
+) -> io::Result<Box<dyn Encoder>> {
+    Err(io::ErrorKind::Unsupported.into())
 }
 
 /// A sink that writes a file, and what stands beside it.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use control_plane::preview_obstacle;
 use diagnostics::{Problem, Problems, TomlFile};
-use files::make_folder;
+use files::{is_file, is_there, make_folder};
 use generator::{Generator, Row};
 use hardware_model::{Asked, Economy, LoadedModel, Settings, SettingsError};
 use limits::Limit;
@@ -101,7 +101,7 @@ fn expect_tables_of_scenarios(sets: &[(String, String)]) -> Result<(), OpenError
 /// Banks are made and not kept with the scenarios, so a first replay may find none.
 fn expect_bank(path: &Path, scenario: &Scenario, wishes: &Wishes) -> Result<(), OpenError> {
     match &scenario.ground {
-        GroundSource::Bank(bank) if wishes.bank.is_none() && !bank.exists() => {
+        GroundSource::Bank(bank) if wishes.bank.is_none() && !is_there(bank) => {
             Err(OpenError::Input(format!(
                 "{}: this scenario needs a bank; {}: no such file; `lunoid survey` or `lunoid bank import` makes one \
              (see docs/real-ground.md)",
@@ -235,7 +235,7 @@ fn inputs(
     wishes: &Wishes,
 ) -> Result<Inputs, OpenError> {
     let overlays = overlays::of_generators(wishes)?.into_iter().map(|overlay| overlay.asked);
-    let files = model.files.iter().cloned().chain(overlays.filter(|asked| asked.is_file()));
+    let files = model.files.iter().cloned().chain(overlays.filter(|asked| is_file(asked)));
     Ok(Inputs {
         scenario: Some(FileRecord::of(path)?),
         references: scenario.files().into_iter().map(FileRecord::of).collect::<Result<_, _>>()?,

@@ -28,7 +28,7 @@ impl GeneratorOverlay {
             let file = registry::overlay(row, name, text)?;
             Ok(Some(Self { asked: asked.to_owned(), row, file, text: text.to_owned() }))
         };
-        if asked.is_file() {
+        if files::is_file(asked) {
             let text = files::read_all(asked, Limit::TextBytes)?;
             let parsed = TomlFile::parse_bytes(&name, &text, &Problems::new());
             let row = parsed.as_ref().and_then(registry::overlay_owner);

@@ -131,7 +131,7 @@ impl Scenario {
 fn not_read(path: &FilePath, name: &str, error: &FileError) -> Problem {
     let problem = Problem::of_file(name, error.to_string());
     match similar_file(path) {
-        Some(similar) if !path.exists() => problem.help(format!("did you mean {}?", similar.display())),
+        Some(similar) if !files::is_there(path) => problem.help(format!("did you mean {}?", similar.display())),
         _ => problem,
     }
 }
