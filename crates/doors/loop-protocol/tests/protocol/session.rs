@@ -136,7 +136,7 @@ fn a_picture_has_lines_before_columns() {
         ask(&mut session, json!({ "do": "frame", "frame": 0, "planes": ["picture", "light", "range"] }));
     done(&frame);
     for plane in &frame.planes {
-        assert_eq!(plane.shape(), [40, 30], "{}", plane.name());
+        assert_eq!(plane.shape(), [17, 30], "{}", plane.name());
     }
 }
 
@@ -176,10 +176,10 @@ fn the_last_frame_is_looked_at() {
     for _ in 0..2 {
         ok(&mut session, json!({ "do": "step", "pose": pose_json(&pose), "planes": ["range"] }));
     }
-    let explained = ok(&mut session, json!({ "do": "explain", "column": 20, "line": 30 }));
+    let explained = ok(&mut session, json!({ "do": "explain", "column": 20, "line": 20 }));
     assert_eq!(
         (explained["document"]["frame"].as_u64(), explained["document"]["pixel"].clone()),
-        (Some(1), json!([20, 30]))
+        (Some(1), json!([20, 20]))
     );
     assert!(explained["text"].as_str().unwrap().contains("frame 1"), "{}", explained["text"]);
     let probe = ask(&mut session, json!({ "do": "probe", "signals": ["mu.height"], "sweeps": [3, 5] }));
