@@ -2,6 +2,7 @@
 
 mod home;
 mod hostile;
+mod page;
 mod session;
 mod states;
 mod wire;
