@@ -40,7 +40,7 @@ fn the_bytes_are_those_of_a_request() {
 
 #[test]
 fn the_examples_are_answered() {
-    let mut session = loop_protocol::Session::new(Scene::by("pra-nominal"));
+    let mut session = loop_protocol::Session::new(Scene::by("ideal"));
     let mut state: Vec<Plane> = Vec::new();
     for request in requests() {
         let word = request["do"].as_str().unwrap().to_owned();
