@@ -3,6 +3,7 @@
 mod home;
 mod hostile;
 mod page;
+mod parts;
 mod session;
 mod states;
 mod wire;

@@ -1,7 +1,7 @@
 //! The page of the protocol: every request has an example, and a session answers all of them in their order.
 
 use loop_protocol::{Message, Plane, REQUESTS};
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use crate::home::{Scene, done};
 
@@ -59,4 +59,12 @@ fn the_examples_are_answered() {
             _ => assert!(names.is_empty(), "{word}: {names:?}"),
         }
     }
+}
+
+#[test]
+fn the_refusal_is_that_of_a_session() {
+    let mut session = Scene::by("ideal").session();
+    let request = Message::new(json!({ "id": 7, "do": "frame", "frame": 0, "plane": [] }));
+    let shown: Value = serde_json::from_str(blocks("text")[0]).unwrap();
+    assert_eq!(Value::Object(session.answer(&request).header), shown);
 }
