@@ -16,7 +16,7 @@
 //! - The host of a session is its [`Home`]: it decides which scenarios are opened and where records are kept.
 //!
 //! # See also
-//! `docs/loop-protocol.md`: every request with an example. `lunoid serve`: the protocol over pipes and sockets. `drive`: what is answered.
+//! `docs/loop-protocol.md`: every request with an example. `browser`: the module that hosts a session in a page. `drive`: what is answered.
 
 mod digital;
 mod keeping;

@@ -1,0 +1,129 @@
+//! A home with a tiny scene, and what its session answers.
+
+use std::fs;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use drive::{Drive, DriveError, EyePose, Wishes};
+use loop_protocol::{Home, Message, Opening, Plane, Session};
+use serde_json::{Value, json};
+use tempfile::TempDir;
+
+const SCENARIO: &str = r#"
+format = 1
+title = "A bump ahead"
+shows = "Nothing but a test."
+frames = 4
+
+[landscape.generated]
+seed = 3
+extent_m = [400, 400]
+region_size_m = 50
+[landscape.generated.undulation]
+rms_height_m = 2
+hurst = 0.9
+longest_m = 300
+shortest_m = 160
+waves = 20
+
+[sun]
+azimuth_deg = 100
+elevation_deg = 15
+
+[path]
+keyframes = [
+  { t_s = 0, x_m = 100, y_m = 200 },
+  { t_s = 5, x_m = 108, y_m = 205 },
+]
+
+[raster]
+sweeps = 40
+samples_per_sweep = 80
+update_hz = 10
+refresh_hz = 30
+
+[range]
+programme = "geometric"
+start_m = 2
+end_m = 300
+"#;
+
+/// Opens one scenario, whatever is asked for.
+pub struct Scene {
+    folder: Arc<TempDir>,
+    base: Wishes,
+}
+
+impl Scene {
+    /// The scene drawn by `machine`.
+    pub fn by(machine: &str) -> Self {
+        let folder = Arc::new(tempfile::tempdir().unwrap());
+        let base = Wishes { machine: Some(machine.into()), ..Wishes::default() };
+        fs::write(folder.path().join("scene.toml"), SCENARIO).unwrap();
+        Self { folder, base }
+    }
+
+    /// A session that has opened it.
+    pub fn session(self) -> Session<Self> {
+        let mut session = Session::new(self);
+        ok(&mut session, json!({ "do": "open" }));
+        session
+    }
+
+    /// The same drive without a session.
+    pub fn drive(&self) -> Arc<Drive> {
+        Arc::new(Drive::open(&self.path(), &self.base, 1).unwrap())
+    }
+
+    fn path(&self) -> PathBuf {
+        self.folder.path().join("scene.toml")
+    }
+}
+
+impl Home for Scene {
+    fn open(&mut self, asked: &Opening) -> Result<Drive, DriveError> {
+        Drive::open(&self.path(), &asked.over(&self.base), 1)
+    }
+}
+
+/// The answer to a request that is given number 7.
+pub fn ask(session: &mut Session<Scene>, request: Value) -> Message {
+    ask_with(session, request, Vec::new())
+}
+
+/// The same with planes.
+pub fn ask_with(session: &mut Session<Scene>, mut request: Value, planes: Vec<Plane>) -> Message {
+    request["id"] = json!(7);
+    let answer = session.answer(&Message::new(request).with(planes));
+    assert_eq!(answer.header["id"], 7);
+    answer
+}
+
+/// What was done; the request must be right.
+pub fn ok(session: &mut Session<Scene>, request: Value) -> Value {
+    done(&ask(session, request))
+}
+
+/// What an answer says was done.
+pub fn done(answer: &Message) -> Value {
+    assert!(!answer.header.contains_key("error"), "{}", answer.header["error"]);
+    answer.header["ok"].clone()
+}
+
+/// The problems of a request that must be wrong.
+pub fn problems(session: &mut Session<Scene>, request: Value) -> Vec<Value> {
+    problems_of(&ask(session, request))
+}
+
+/// The problems of an answer.
+pub fn problems_of(answer: &Message) -> Vec<Value> {
+    assert!(!answer.header.contains_key("ok"), "{}", answer.header["ok"]);
+    assert!(answer.planes.is_empty());
+    answer.header["error"]["problems"].as_array().unwrap().clone()
+}
+
+/// A pose as a request has it.
+pub fn pose_json(pose: &EyePose) -> Value {
+    let EyePose { eye_m: [x, y, z], heading_deg, pitch_deg, roll_deg, .. } = pose;
+    json!({ "x_m": x, "y_m": y, "z_m": z, "heading_deg": heading_deg, "pitch_deg": pitch_deg, "roll_deg": roll_deg })
+}

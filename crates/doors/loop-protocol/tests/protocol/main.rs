@@ -1,0 +1,9 @@
+//! The protocol: bytes of messages, answers of a session, and hostile input.
+
+mod home;
+mod hostile;
+mod page;
+mod parts;
+mod session;
+mod states;
+mod wire;
