@@ -24,7 +24,7 @@ const DRIVEN: &str = "driven.csv";
 pub struct SavedFile {
     /// Path inside the folder, with `/`.
     pub name: String,
-    /// The whole file.
+    /// All bytes of the file.
     pub bytes: Vec<u8>,
 }
 

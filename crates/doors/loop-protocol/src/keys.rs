@@ -83,7 +83,7 @@ impl<'a> Keys<'a> {
         self.optional(key, "a number", Value::as_f64).unwrap_or(0.0)
     }
 
-    /// A text.
+    /// A value that is text.
     pub fn text(&self, key: &str) -> Option<String> {
         self.optional(key, "a text", |value| value.as_str().map(str::to_owned))
     }

@@ -5,9 +5,9 @@ use serde_json::{Value, json};
 /// A kind of request.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct RequestRow {
-    /// Word under `do`.
+    /// Word of the key `do`.
     pub name: &'static str,
-    /// What it does.
+    /// What the request does, in a sentence.
     pub about: &'static str,
     /// Keys beside `id` and `do`.
     pub keys: &'static [&'static str],

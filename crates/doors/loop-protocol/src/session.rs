@@ -20,7 +20,7 @@ pub struct Session<H> {
     pub(crate) held: Option<Held>,
 }
 
-/// What is opened.
+/// The drive that is opened, with its loop.
 pub(crate) struct Held {
     pub drive: Arc<Drive>,
     pub driven: Loop,
@@ -102,7 +102,7 @@ impl<H: Home> Session<H> {
         }
     }
 
-    /// What is opened.
+    /// The drive that is opened, or why there is none.
     pub(crate) fn held(&mut self) -> Result<&mut Held, DriveError> {
         let problem = || {
             let problem = Problem::of_file(NAME, "nothing is opened").expected("a request `open` before");

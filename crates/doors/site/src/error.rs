@@ -17,7 +17,7 @@ pub enum SiteError {
     /// A failure of the system.
     #[error("{path}: cannot {doing}: {source}")]
     System {
-        /// File or folder.
+        /// File or folder that it happened to.
         path: PathBuf,
         /// What was tried, as words after `cannot`.
         doing: &'static str,

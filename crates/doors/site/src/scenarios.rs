@@ -23,7 +23,7 @@ pub struct Shipped {
 }
 
 impl Shipped {
-    /// What `scenarios.json` has.
+    /// The document `scenarios.json`: a row a scenario.
     pub fn json(&self) -> Value {
         json!({ "schema": "lunoid.site.scenarios/1", "scenarios": self.rows })
     }

@@ -13,7 +13,7 @@ pub enum Lie {
     Plane,
     /// Seconds of arc on a body: a metre to the north or to the east is the same angle everywhere, that of the reference.
     Degrees {
-        /// The body.
+        /// Body whose surface the posts lie on.
         body: Ellipsoid,
         /// Latitude and longitude (rad) of the reference.
         reference: [f64; 2],

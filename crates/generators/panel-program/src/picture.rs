@@ -18,14 +18,14 @@ pub struct Picture {
     pub writes: Vec<u16>,
     /// What became of the panels.
     pub counts: Counts,
-    /// What filling cost.
+    /// What filling the panels has cost.
     pub work: FillWork,
 }
 
 /// What became of the panels of a frame. Each panel is in one of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Counts {
-    /// Filled.
+    /// Panels that were filled.
     pub filled: u64,
     /// Left out because a corner lies beyond the screen, or has no image.
     pub discarded: u64,

@@ -31,7 +31,7 @@ pub struct Settings {
 pub struct Panel {
     /// Numbers of its posts.
     pub posts: [usize; 3],
-    /// Its grey.
+    /// Grey of the whole panel.
     pub grey: Grey,
     /// Whether one of its posts was void.
     pub touches_void: bool,
@@ -43,7 +43,7 @@ pub struct Program {
     settings: Settings,
     lie: Lie,
     size: [usize; 2],
-    /// Posts (m), georectangular.
+    /// Places of the posts (m), georectangular.
     points: Vec<DVec3>,
     panels: Vec<Panel>,
 }

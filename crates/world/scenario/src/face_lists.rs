@@ -17,7 +17,7 @@ pub enum FaceKind {
     Level,
     /// Foam that stands up.
     Wake,
-    /// A ship.
+    /// The hull of a ship.
     Ship,
     /// An effect of a file, or dust.
     Effect,
@@ -43,7 +43,7 @@ pub struct FaceList {
 /// Who draws a list of faces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DrawnBy {
-    /// Machines and `exact`.
+    /// Drawn by machines and by `exact`.
     All,
     /// Machines alone: a hull that ends at the water, a box around a hull.
     Machines,

@@ -24,8 +24,19 @@ use pages::{Kind, Written, root};
 use workspace::Workspace;
 
 /// Commands of others that stand in blocks of a shell.
-const OTHERS: [&str; 9] =
-    [".ci/doors", "alias", "cp", "ffmpeg", "gtkwave", "ngspice", "rustup", "tests/fuzz/run", "xdg-open"];
+const OTHERS: [&str; 11] = [
+    ".ci/doors",
+    ".ci/site",
+    "alias",
+    "cp",
+    "ffmpeg",
+    "gtkwave",
+    "ngspice",
+    "python3",
+    "rustup",
+    "tests/fuzz/run",
+    "xdg-open",
+];
 /// Folders of the repository that commands name files in.
 const FOLDERS: [&str; 5] = ["scenarios/", "hardware-models/", "tests/", "crates/", "docs/"];
 

@@ -28,8 +28,9 @@ fn sources(folder: &Path, found: &mut Vec<(String, String)>) {
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         let name = path.strip_prefix(root()).unwrap().display().to_string();
-        // The measuring programs have options of their own; this folder has those of cargo.
-        if path.is_dir() && !name.ends_with("benchmarks") && !name.ends_with("src/written") {
+        // Measuring programs and the builder of the page have options of their own; this folder has those of cargo.
+        let has_own = ["benchmarks", "doors/site", "src/written"].iter().any(|end| name.ends_with(end));
+        if path.is_dir() && !has_own {
             sources(&path, found);
         } else if name.ends_with(".rs") && name.contains("/src/") {
             found.push((name, fs::read_to_string(&path).unwrap()));

@@ -25,7 +25,7 @@ pub struct Listed {
 
 /// A frame that is gathered.
 pub struct Gather<'a> {
-    /// What there is.
+    /// The scene that is drawn.
     pub stage: &'a Stage,
     /// The ground around the eye.
     pub outlook: &'a Outlook<'a>,

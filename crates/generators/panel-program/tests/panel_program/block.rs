@@ -126,7 +126,7 @@ pub fn view([latitude, longitude]: [f64; 2], height: f64) -> View {
     }
 }
 
-/// The three observers.
+/// The three observers of the thesis.
 pub fn observer(number: usize) -> View {
     let longitude = -angle(122.0, 1.0, 59.0);
     match number {
