@@ -4,8 +4,8 @@ use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::commands::{
     augment, bank, beam, cartridge, check, compare, completions, explain, info, list, lockstep, man, merge,
-    model, netlist, page, photo, probe, replay, schema, sight, sizing, state, study, sun, survey, terrain,
-    timing, trace, trigger,
+    model, netlist, page, photo, probe, replay, schema, serve, sight, sizing, state, study, sun, survey,
+    terrain, timing, trace, trigger,
 };
 use crate::output::Colour;
 
@@ -85,6 +85,8 @@ pub enum Command {
     Probe(probe::ProbeCommand),
     /// List the signals that can be probed.
     Signals(list::Signals),
+    /// Answer requests of another program: pictures of poses, signals, explanations, one step after another.
+    Serve(serve::ServeCommand),
     /// Explain a pixel: the sweep and sample that made it, and every block there.
     Explain(explain::Explain),
     /// List the light points of a frame that a beam draws.

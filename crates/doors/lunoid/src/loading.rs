@@ -165,6 +165,11 @@ fn threads(text: &str) -> Result<u16, String> {
 }
 
 impl Threads {
+    /// Number of threads that are asked for; 0 for as many as there are processors.
+    pub fn count(&self) -> Result<usize, Failure> {
+        Ok(self.asked()?.map_or(0, usize::from))
+    }
+
     /// The one pool of a command.
     pub fn pool(&self) -> Result<ThreadPool, Failure> {
         let available = || thread::available_parallelism().map_or(1, usize::from);

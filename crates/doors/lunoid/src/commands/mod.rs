@@ -25,6 +25,7 @@ pub mod probe;
 pub mod replay;
 pub mod schema;
 mod scope;
+pub mod serve;
 pub mod sight;
 pub mod sizing;
 pub mod state;
@@ -59,6 +60,7 @@ pub fn run(cli: &Cli, start: Instant) -> Result<Verdict, Failure> {
         Command::Probe(probe) => probe.run(),
         Command::Signals(signals) => signals.run(),
         Command::Explain(explain) => explain.run(),
+        Command::Serve(serve) => serve.run(),
         Command::Beam(beam) => beam.run(),
         Command::Trigger(trigger) => trigger.run(),
         Command::Trace(trace) => trace.run(),

@@ -22,6 +22,7 @@ mod photo;
 mod refusals;
 mod replays;
 mod scene;
+mod serve;
 mod shadow;
 mod shard_files;
 mod shards;

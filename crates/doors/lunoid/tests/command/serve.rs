@@ -1,0 +1,148 @@
+//! `lunoid serve`: clients in other languages, what was driven replayed, and clients that send rubbish.
+
+use std::fs;
+use std::io::{Read, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+
+use tempfile::tempdir;
+
+const SMALL: [&str; 8] = [
+    "--set",
+    "scenario.raster.columns=60",
+    "--set",
+    "scenario.raster.lines=40",
+    "--sweeps",
+    "60",
+    "--samples",
+    "120",
+];
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..")
+}
+
+fn lunoid() -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_lunoid"));
+    command.current_dir(root());
+    command
+}
+
+fn has_python() -> bool {
+    let found = Command::new("python3").arg("--version").output().is_ok_and(|output| output.status.success());
+    if !found {
+        eprintln!("SKIPPED: python3 is missing; a client in Python is not run");
+    }
+    found
+}
+
+/// The hashes of the frames of a run.
+fn hashes(run: &Path) -> Vec<String> {
+    let record: serde_json::Value =
+        serde_json::from_str(&fs::read_to_string(run.join("run.json")).unwrap()).unwrap();
+    let frames = record["frames"].as_array().expect("frames of a run");
+    frames.iter().map(|frame| frame["pixels_blake3"].as_str().expect("a hash").to_owned()).collect()
+}
+
+#[test]
+fn a_client_in_python_drives_and_the_replay_is_equal() {
+    if !has_python() {
+        return;
+    }
+    let folder = tempdir().unwrap();
+    let record = folder.path().join("driven");
+    for machine in ["ideal", "pra-nominal"] {
+        let mut client = Command::new("python3");
+        client.current_dir(root()).args([
+            "docs/clients/drive.py",
+            "6",
+            env!("CARGO_BIN_EXE_lunoid"),
+            "serve",
+        ]);
+        client.args(["scenarios/first-light.toml", "--machine", machine]).args(SMALL);
+        let output = client.arg("--record").arg(&record).output().unwrap();
+        let said = String::from_utf8_lossy(&output.stdout).into_owned();
+        assert!(output.status.success(), "{said}{}", String::from_utf8_lossy(&output.stderr));
+        let seen: Vec<String> = said
+            .lines()
+            .filter_map(|line| line.split(' ').next())
+            .filter(|word| word.len() == 64)
+            .map(str::to_owned)
+            .collect();
+        assert_eq!(seen.len(), 6, "{said}");
+        let out = folder.path().join(machine);
+        let mut replay = lunoid();
+        replay.arg("replay").arg(record.join("drive/scenario.toml")).args(["--machine", machine]).args(SMALL);
+        let output = replay.arg("--out").arg(&out).output().unwrap();
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        assert_eq!(hashes(&out), seen, "{machine}");
+        fs::remove_dir_all(&record).unwrap();
+    }
+}
+
+fn serving(arguments: &[&str]) -> Child {
+    let mut command = lunoid();
+    command.args(["serve", "scenarios/first-light.toml"]).args(SMALL).args(arguments);
+    command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap()
+}
+
+/// The bytes of a request without planes.
+fn request(header: &str) -> Vec<u8> {
+    let mut bytes = b"lunoid.1".to_vec();
+    bytes.extend((header.len() as u64).to_le_bytes());
+    bytes.extend(0_u64.to_le_bytes());
+    bytes.extend(header.as_bytes());
+    bytes
+}
+
+#[test]
+fn the_same_requests_have_the_same_bytes_and_rubbish_is_one_error() {
+    let asked = [r#"{"id":1,"do":"hello"}"#, r#"{"id":2,"do":"frame","frame":3}"#, r#"{"id":3,"do":"fly"}"#];
+    let asked: Vec<u8> = asked.iter().flat_map(|header| request(header)).collect();
+    let answered = |more: &[u8]| {
+        let mut child = serving(&[]);
+        child.stdin.take().unwrap().write_all(&[&asked[..], more].concat()).unwrap();
+        child.wait_with_output().unwrap()
+    };
+    let [first, second] = [answered(b""), answered(b"")];
+    assert!(first.status.success(), "{}", String::from_utf8_lossy(&first.stderr));
+    assert!(first.stdout == second.stdout && first.stdout.len() > 60 * 40);
+    let rubbish = answered(b"GET / HTTP/1.1\r\nHost: here\r\n\r\n");
+    assert_eq!(rubbish.status.code(), Some(3));
+    let last = String::from_utf8_lossy(&rubbish.stdout[first.stdout.len()..]).into_owned();
+    assert!(last.contains(r#""error""#), "{last}");
+    assert!(rubbish.stdout.starts_with(&first.stdout), "what was asked before is answered");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_socket_serves_one_client_after_another() {
+    use std::io::{BufRead, BufReader};
+    use std::os::unix::net::UnixStream;
+
+    let folder = tempdir().unwrap();
+    let socket = folder.path().join("loop.sock");
+    let mut child = serving(&["--socket", socket.to_str().unwrap()]);
+    let mut told = String::new();
+    BufReader::new(child.stderr.take().unwrap()).read_line(&mut told).unwrap();
+    assert!(told.starts_with("listening on"), "{told}");
+    let spoken = |bytes: &[u8]| {
+        let mut stream = UnixStream::connect(&socket).unwrap();
+        stream.write_all(bytes).unwrap();
+        stream.shutdown(std::net::Shutdown::Write).unwrap();
+        let mut reply = Vec::new();
+        stream.read_to_end(&mut reply).unwrap();
+        reply
+    };
+    let hello = request(r#"{"id":7,"do":"hello"}"#);
+    let first = spoken(&hello);
+    assert!(first.starts_with(b"lunoid.1"));
+    assert!(String::from_utf8_lossy(&spoken(b"rubbish, and much more of it")).contains(r#""error""#));
+    drop(UnixStream::connect(&socket).unwrap());
+    assert!(spoken(&hello) == first, "the next client is served as the first one was");
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let taken = serving(&["--socket", socket.to_str().unwrap()]).wait_with_output().unwrap();
+    let said = String::from_utf8_lossy(&taken.stderr).into_owned();
+    assert!(taken.status.code() == Some(4) && said.contains("name another path"), "{said}");
+}
