@@ -35,7 +35,17 @@
 //! | `panels.outside` | 0 to 1 | 0 | light of ground beside the photographs |
 //! | `panels.relight` | true, false | false | the scenario's sun on albedo, in place of the photograph's own light |
 //! | `panels.restrictions` | true, false | false | all findings of the listing; `panel-program` draws |
-//! | `panels.quadrant` and ten more | true, false | `restrictions` | one finding: [`panel_program::Restrictions`] |
+//! | `panels.quadrant` | true, false | `restrictions` | the lower left quadrant of the field fills the screen ([`panel_program::Restrictions`]) |
+//! | `panels.real4` | true, false | `restrictions` | coordinates, axes and distances have 24 bits ([`panel_program::Restrictions`]) |
+//! | `panels.signed_bytes` | true, false | `restrictions` | greys are signed bytes ([`panel_program::Restrictions`]) |
+//! | `panels.box_average` | true, false | `restrictions` | greys are averaged over a box ([`panel_program::Restrictions`]) |
+//! | `panels.skewed_axes` | true, false | `restrictions` | axes come from two posts and the middle of the body ([`panel_program::Restrictions`]) |
+//! | `panels.linear_depth` | true, false | `restrictions` | depth is linear on the screen ([`panel_program::Restrictions`]) |
+//! | `panels.mirror_behind` | true, false | `restrictions` | ground behind the eye is projected ([`panel_program::Restrictions`]) |
+//! | `panels.mean_void` | true, false | `restrictions` | voids have the mean of all posts ([`panel_program::Restrictions`]) |
+//! | `panels.discard_partial` | true, false | `restrictions` | a panel with a corner beyond the screen is left out ([`panel_program::Restrictions`]) |
+//! | `panels.both_ends` | true, false | `restrictions` | a span has both its ends ([`panel_program::Restrictions`]) |
+//! | `panels.limits` | true, false | `restrictions` | at most 50 x 50 posts, 512 panels and 512 x 512 pixels ([`panel_program::Restrictions`]) |
 //! | `panels.fill` | `edge-buffer`, `fence`, `seed`, `span`, `rasteriser` | none | `panel-program` draws, and fills panels in this way |
 //! | `panels.posts` | a table | none | `panel-program` draws posts of its own, a second of arc apart: [`PostTable`] |
 //! | `panels.pattern` | `1`, `4`, `8`, `16`, `grid16`, `lattice32`, `off-centre16` | `4` | sampling points of a pixel |
