@@ -14,11 +14,13 @@ class Machine:
     """A `lunoid serve` of its own, over a pipe."""
 
     def __init__(self, command):
+        self.asked = 0
         self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
 
     def ask(self, do, **keys):
         """The answer to a request, and its planes by name: shape, type and bytes."""
-        header = json.dumps({"do": do, **keys}).encode()
+        self.asked += 1
+        header = json.dumps({"id": self.asked, "do": do, **keys}).encode()
         self.process.stdin.write(MAGIC + struct.pack("<QQ", len(header), 0) + header)
         self.process.stdin.flush()
         prefix = self.process.stdout.read(24)

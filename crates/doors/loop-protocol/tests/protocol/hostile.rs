@@ -8,7 +8,7 @@ use serde_json::json;
 
 use drive::{Drive, DriveError, Wishes};
 
-/// Opens nothing.
+/// A home that opens nothing.
 struct Nobody;
 
 impl Home for Nobody {
