@@ -55,7 +55,7 @@ fn parameter(effective: &EffectiveValue, shape: Option<&Shape>) -> Parameter {
     }
 }
 
-/// A value as written in TOML; text where it stands for itself.
+/// The value that a text of TOML means; the text itself if it means none.
 fn read(text: &str) -> Value {
     let table = format!("value = {text}").parse::<Table>().ok();
     let value = table.and_then(|mut table| table.remove("value"));

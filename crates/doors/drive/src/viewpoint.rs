@@ -25,7 +25,7 @@ impl Viewpoint<'_> {
         EyePose::of(&self.pose, self.drive.opened.scenario.channel.as_ref())
     }
 
-    /// Draws the frame.
+    /// Draws the frame as the generator shows it.
     ///
     /// # Errors
     /// If it cannot be drawn.

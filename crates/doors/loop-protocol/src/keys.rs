@@ -11,7 +11,7 @@ use crate::requests::COMMON;
 use crate::wire::kind;
 use crate::{Message, RequestRow};
 
-/// Name of a request where a problem of its keys is told.
+/// What a problem of a request names as its file.
 pub(crate) const NAME: &str = "request";
 
 /// Keys of a pose: those that it must have, and those that it may have.

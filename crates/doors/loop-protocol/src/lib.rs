@@ -12,7 +12,8 @@
 //!   limits `header-bytes` and `plane-bytes`. Memory grows with the bytes that come, not with the lengths that are claimed.
 //! - A [`Session`] answers one request after the other. It has no clock and no thread, and does no input or output but what `drive` does. The same
 //!   requests have the same answers, to the byte.
-//! - A request that cannot be done changes nothing. Its answer has all faults at once.
+//! - A request that cannot be done changes nothing. Its answer has all faults at once. Two remain: files that came with an `open` stay with the
+//!   host, and a `step` is driven although a plane of truth that it asks for fails.
 //! - The host of a session is its [`Home`]: it decides which scenarios are opened and where records are kept.
 //!
 //! # See also

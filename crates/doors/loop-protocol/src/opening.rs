@@ -63,8 +63,8 @@ impl Opening {
 
 /// Where a session lives: who opens scenarios and keeps records for it.
 pub trait Home {
-    /// Takes the files that a request `open` has as planes: name and bytes of each. They stay for later openings. Refuses any, unless the host
-    /// knows better.
+    /// Takes the files that a request `open` has as planes: name and bytes of each. They stay for later openings. A host that does not say
+    /// otherwise refuses them.
     ///
     /// # Errors
     /// If the host takes no such files.

@@ -10,7 +10,7 @@ use crate::listing::{Listed, listed};
 use crate::message::{MAGIC, PREFIX};
 use crate::{Message, Plane};
 
-/// Name of a message where a problem of its bytes is told.
+/// What a problem of the bytes of a message names as its file.
 const NAME: &str = "message";
 
 /// Bytes that are taken up at most before as many have come.

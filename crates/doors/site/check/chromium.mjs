@@ -11,6 +11,7 @@ export class Chromium {
     const chromium = new Chromium();
     chromium.driver = driver;
     const port = await new Promise((resolve, reject) => {
+      driver.on("exit", (code) => reject(new Error(`chromedriver ended with ${code} before it named a port`)));
       driver.on("error", () => reject(new Error("chromedriver is missing: install chromium and chromium-driver")));
       createInterface({ input: driver.stdout }).on("line", (line) => {
         const found = line.match(/successfully on port (\d+)/);
@@ -19,7 +20,11 @@ export class Chromium {
     });
     chromium.base = `http://127.0.0.1:${port}`;
     const wishes = { "goog:chromeOptions": { args: ARGUMENTS }, "goog:loggingPrefs": { browser: "ALL" } };
-    const { sessionId, capabilities } = await chromium.ask("POST", "/session", { capabilities: { alwaysMatch: wishes } });
+    const opened = chromium.ask("POST", "/session", { capabilities: { alwaysMatch: wishes } });
+    const { sessionId, capabilities } = await opened.catch((error) => {
+      driver.kill();
+      throw error;
+    });
     chromium.version = capabilities.browserVersion;
     chromium.base += `/session/${sessionId}`;
     await chromium.ask("POST", "/timeouts", { script: 600_000 });

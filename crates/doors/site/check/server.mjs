@@ -22,6 +22,7 @@ export async function serve(folder, path) {
     try {
       if (!name.startsWith(path)) throw new Error("another path");
       const file = normalize(join(folder, name.slice(path.length) || "index.html"));
+      if (!file.startsWith(join(folder, "/"))) throw new Error("outside the folder");
       const bytes = await readFile(file);
       response.writeHead(200, { "content-type": TYPES[extname(file)] ?? "application/octet-stream", "content-length": bytes.length });
       response.end(bytes);

@@ -9,7 +9,7 @@ import { contents, scenarios } from "./shipped.js";
 import { Tube } from "./tube.js";
 import { ViewModel } from "./view-model.js";
 
-/** Largest file that is read (bytes). */
+/** Most bytes of files that are read at a time. */
 const MOST_BYTES = 256 * 2 ** 20;
 const MACHINES = ["", "ideal", "pra-nominal", "pra-parts", "pra-wires", "exact", "sampled", "smooth-faces", "lod-mesh"];
 const START = { scenario: "scenarios/first-light.toml", frame: 60, wires: "mu.height,sweep.x", set: { "loader.access_ns": 90 }, faults: [] };
@@ -164,9 +164,8 @@ async function record() {
 
 /** Opens files of the reader: a scenario among them is shown, and finds the others beside it. */
 async function take(files) {
-  for (const file of files) {
-    if (file.size > MOST_BYTES) throw new Error(`${file.name}: ${file.size} bytes; expected at most ${MOST_BYTES}`);
-  }
+  const bytes = [...files].reduce((sum, { size }) => sum + size, 0);
+  if (bytes > MOST_BYTES) throw new Error(`${[...files].map(({ name }) => name).join(", ")}: ${bytes} bytes; expected at most ${MOST_BYTES}`);
   for (const file of files) own.set(`scenarios/${file.name}`, new Uint8Array(await file.arrayBuffer()));
   const scenario = [...files].find(({ name }) => name.endsWith(".toml"));
   if (!scenario) throw new Error("no scenario among the files; expected one whose name ends in .toml");

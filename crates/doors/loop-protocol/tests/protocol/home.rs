@@ -9,44 +9,8 @@ use loop_protocol::{Home, Message, Opening, Plane, Session};
 use serde_json::{Value, json};
 use tempfile::TempDir;
 
-const SCENARIO: &str = r#"
-format = 1
-title = "A bump ahead"
-shows = "Nothing but a test."
-frames = 4
-
-[landscape.generated]
-seed = 3
-extent_m = [400, 400]
-region_size_m = 50
-[landscape.generated.undulation]
-rms_height_m = 2
-hurst = 0.9
-longest_m = 300
-shortest_m = 160
-waves = 20
-
-[sun]
-azimuth_deg = 100
-elevation_deg = 15
-
-[path]
-keyframes = [
-  { t_s = 0, x_m = 100, y_m = 200 },
-  { t_s = 5, x_m = 108, y_m = 205 },
-]
-
-[raster]
-sweeps = 40
-samples_per_sweep = 80
-update_hz = 10
-refresh_hz = 30
-
-[range]
-programme = "geometric"
-start_m = 2
-end_m = 300
-"#;
+/// The scene that the tests of `drive` have.
+const SCENARIO: &str = include_str!("../../../drive/tests/scene.toml");
 
 /// Opens one scenario, whatever is asked for.
 pub struct Scene {

@@ -166,7 +166,7 @@ fn steps_are_those_of_a_loop() {
     }
 }
 
-/// Of a machine with memory, what is told of the last frame is told of the frame that was driven.
+/// A machine with memory explains and probes the last frame as it was driven.
 #[test]
 fn the_last_frame_is_looked_at() {
     let scene = Scene::by("pra-nominal");

@@ -97,7 +97,12 @@ fn request(header: &str) -> Vec<u8> {
 
 #[test]
 fn the_same_requests_have_the_same_bytes_and_rubbish_is_one_error() {
-    let asked = [r#"{"id":1,"do":"hello"}"#, r#"{"id":2,"do":"frame","frame":3}"#, r#"{"id":3,"do":"fly"}"#];
+    let asked = [
+        r#"{"id":1,"do":"hello"}"#,
+        r#"{"id":2,"do":"frame","frame":3}"#,
+        r#"{"id":3,"do":"fly"}"#,
+        r#"{"id":4,"do":"open","scenario":"scenarios/profile.toml"}"#,
+    ];
     let asked: Vec<u8> = asked.iter().flat_map(|header| request(header)).collect();
     let answered = |more: &[u8]| {
         let mut child = serving(&[]);
@@ -107,6 +112,11 @@ fn the_same_requests_have_the_same_bytes_and_rubbish_is_one_error() {
     let [first, second] = [answered(b""), answered(b"")];
     assert!(first.status.success(), "{}", String::from_utf8_lossy(&first.stderr));
     assert!(first.stdout == second.stdout && first.stdout.len() > 60 * 40);
+    let said = String::from_utf8_lossy(&first.stdout).into_owned();
+    assert!(
+        said.contains("no request `fly`") && said.contains("another scenario is not opened here"),
+        "{said}"
+    );
     let rubbish = answered(b"GET / HTTP/1.1\r\nHost: here\r\n\r\n");
     assert_eq!(rubbish.status.code(), Some(3));
     let last = String::from_utf8_lossy(&rubbish.stdout[first.stdout.len()..]).into_owned();
