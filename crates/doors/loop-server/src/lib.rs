@@ -1,0 +1,40 @@
+//! Servers of the protocol `lunoid.loop/1`: they carry messages between a client and a [`Session`](loop_protocol::Session).
+//!
+//! ```text
+//! standard input and output ─▶ serve ──────────┐
+//! Unix socket ─▶ on_unix_socket ───────────────┼─▶ Session
+//! TCP ─▶ TcpServer ─▶ token ─▶ serve ──────────┤
+//! browser ─▶ PageServer ─▶ cookie, files, WebSocket ─┘
+//! ```
+//!
+//! # Law
+//! - Each reply goes out before the next request of that client is read.
+//! - A client whose bytes are no message gets one error and is let go; the next one is served. On a WebSocket a message has its own end, so the
+//!   client goes on after the error.
+//! - A Unix socket is guarded by the rights of its file. TCP asks each client for a [`Token`] in its first request. A page is served to
+//!   whoever brings the token once, and then to that browser alone.
+//! - Nothing is taken up for a client that has not been admitted but a bounded first request, within [`PATIENCE`].
+//!
+//! # See also
+//! `docs/loop-protocol.md`: the messages and how a client is admitted. `loop-protocol`: who answers.
+
+mod error;
+mod page;
+mod stream;
+mod tcp;
+mod token;
+#[cfg(unix)]
+mod unix;
+
+use std::time::Duration;
+
+pub use error::ServerError;
+pub use page::{PageFiles, PageServer};
+pub use stream::serve;
+pub use tcp::TcpServer;
+pub use token::{SHORTEST_TOKEN, Token};
+#[cfg(unix)]
+pub use unix::on_unix_socket;
+
+/// Longest wait for the first request of a client that has not been admitted (chosen).
+pub const PATIENCE: Duration = Duration::from_secs(10);

@@ -1,0 +1,33 @@
+//! A Unix socket: one client after another.
+
+use std::net::Shutdown;
+use std::os::unix::net::UnixStream;
+use std::sync::mpsc;
+use std::thread;
+
+use loop_server::on_unix_socket;
+
+use crate::home::{fault, hello, said, session};
+
+#[test]
+fn rubbish_lets_one_client_go_and_the_next_is_served() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("loop.sock");
+    let (hear, heard) = mpsc::channel();
+    let own = path.clone();
+    thread::spawn(move || on_unix_socket(&own, session, |said| hear.send(said.to_owned()).unwrap()));
+    assert!(heard.recv().unwrap().starts_with("listening on "));
+    let spoken = |bytes: &[u8]| {
+        let stream = UnixStream::connect(&path).unwrap();
+        let other = stream.try_clone().unwrap();
+        said(stream, || other.shutdown(Shutdown::Write).unwrap(), bytes)
+    };
+    let first = spoken(&hello());
+    let bad = spoken(b"rubbish, and much more of it");
+    assert_eq!((bad.len(), fault(&bad[0])), (1, "the bytes are no message of lunoid.loop/1"));
+    assert!(heard.recv().unwrap().starts_with("warning: a client was let go: "));
+    drop(UnixStream::connect(&path).unwrap());
+    assert!(first.len() == 1 && spoken(&hello()) == first);
+    let taken = on_unix_socket(&path, session, |_| ()).unwrap_err().to_string();
+    assert!(taken.ends_with("or name another path"), "{taken}");
+}
