@@ -3,9 +3,9 @@
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::commands::{
-    augment, bank, beam, cartridge, check, compare, completions, explain, info, list, lockstep, man, merge,
-    model, netlist, page, photo, probe, replay, schema, serve, sight, sizing, state, study, sun, survey,
-    terrain, timing, trace, trigger,
+    augment, bank, beam, cartridge, check, compare, completions, drive, explain, info, list, lockstep, man,
+    merge, model, netlist, page, photo, probe, replay, schema, serve, sight, sizing, state, study, sun,
+    survey, terrain, timing, trace, trigger,
 };
 use crate::output::Colour;
 
@@ -87,6 +87,8 @@ pub enum Command {
     Signals(list::Signals),
     /// Answer requests of another program: pictures of poses, signals, explanations, one step after another.
     Serve(serve::ServeCommand),
+    /// Drive the machine in a browser: the instrument as a page, served to this computer alone.
+    Drive(drive::DriveCommand),
     /// Explain a pixel: the sweep and sample that made it, and every block there.
     Explain(explain::Explain),
     /// List the light points of a frame that a beam draws.

@@ -13,6 +13,7 @@ mod output;
 mod program;
 mod progress;
 mod rehearsing;
+mod served;
 mod sharing;
 mod values;
 #[cfg(test)]

@@ -6,7 +6,7 @@ import { join } from "node:path";
 const LATE = "#scenario=scenarios%2Ffirst-light.toml&set=loader.access_ns%3A90&frame=60&colour=red";
 
 /** Waits until the page has drawn what it was asked for. */
-async function drawn(chromium) {
+export async function drawn(chromium) {
   for (let turn = 0; turn < 600; turn += 1) {
     if (await chromium.run(`return document.body.dataset.busy === "false" && document.getElementById("state").textContent !== "The machine draws.";`)) return;
     await new Promise((resolve) => setTimeout(resolve, 100));
@@ -14,8 +14,8 @@ async function drawn(chromium) {
   throw new Error("the page still draws after a minute");
 }
 
-const hash = (chromium) => chromium.run(`return document.getElementById("tube").dataset.hash;`);
-const text = (chromium, id) => chromium.run(`return document.getElementById(values[0]).textContent;`, id);
+export const hash = (chromium) => chromium.run(`return document.getElementById("tube").dataset.hash;`);
+export const text = (chromium, id) => chromium.run(`return document.getElementById(values[0]).textContent;`, id);
 
 /** Sets a field as a reader does, and waits. */
 async function put(chromium, id, value) {

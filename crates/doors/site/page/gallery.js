@@ -1,12 +1,10 @@
 // The gallery: every shipped scenario and every fault, drawn when they come into view, one after another.
 
+import { Here } from "./here.js";
 import { Lunoid } from "./lunoid.js";
 import { written } from "./link.js";
 import { show } from "./picture.js";
 import { contents, scenarios } from "./shipped.js";
-
-/** The scenario on which faults are shown, and its frame. */
-const FAULTY = { scenario: "scenarios/first-light.toml", frame: 60 };
 
 /** Size of a picture here. */
 const SMALL = { "scenario.raster.columns": 320, "scenario.raster.lines": 184 };
@@ -15,7 +13,9 @@ const SMALL = { "scenario.raster.columns": 320, "scenario.raster.lines": 184 };
 const MOST = 20_000;
 
 const rows = await scenarios();
-const machine = new Lunoid();
+/** The scenario on which faults are shown, and its frame. */
+const FAULTY = { scenario: (rows.find(({ name }) => name === "first-light") ?? rows[0]).scenario, frame: 60 };
+const machine = new Lunoid(new Here());
 /** What came into view and is still to be drawn. */
 const waiting = [];
 let draws = false;

@@ -1,6 +1,7 @@
 // The instrument: tube, scope, fault board and time over one view model. The page knows nothing of where the machine runs.
 
-import { Lunoid, WorkerHome } from "./lunoid.js";
+import { FIRST, Here } from "./here.js";
+import { Lunoid } from "./lunoid.js";
 import { showEvents } from "./events-table.js";
 import { showFaults, showNumbers } from "./fault-board.js";
 import { read, setting, written } from "./link.js";
@@ -12,14 +13,14 @@ import { ViewModel } from "./view-model.js";
 /** Most bytes of files that are read at a time. */
 const MOST_BYTES = 256 * 2 ** 20;
 const MACHINES = ["", "ideal", "pra-nominal", "pra-parts", "pra-wires", "exact", "sampled", "smooth-faces", "lod-mesh"];
-const START = { scenario: "scenarios/first-light.toml", frame: 60, wires: "mu.height,sweep.x", set: { "loader.access_ns": 90 }, faults: [] };
 
 const at = (id) => document.getElementById(id);
 const say = (text) => { at("state").textContent = text; };
 
 const own = new Map();
 const rows = await scenarios();
-const machine = new Lunoid(new WorkerHome({ hear }));
+const START = { scenario: rows[0].scenario, ...FIRST };
+const machine = new Lunoid(new Here({ hear }));
 const model = new ViewModel(machine, given);
 const tube = new Tube(at("tube"), (column, line) => model.show({ column, line }));
 const scope = new Scope(at("scope"), (text) => { at("values").textContent = text; });
@@ -154,7 +155,8 @@ function failed(error) {
 }
 
 async function record() {
-  const { planes } = await model.record();
+  const { folder, planes } = await model.record();
+  if (folder) return say(`What was driven lies in ${folder}.`);
   for (const { name, values } of Object.values(planes)) {
     const link = Object.assign(document.createElement("a"), { href: URL.createObjectURL(new Blob([values])), download: name.split("/").at(-1) });
     link.click();

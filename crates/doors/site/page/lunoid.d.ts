@@ -40,12 +40,12 @@ export interface Pose {
   yoke_deg?: number;
 }
 
-/** What a home does. Milliseconds of a request are those of the page's clock; memory is in bytes. */
+/** What a home does. Milliseconds of a request are those of the page's clock; memory is in bytes, null where the home does not know it. */
 export type Progress =
   | { phase: "loading"; bytes: number; total: number | null }
   | { phase: "compiled" | "ready" }
   | { phase: "working" | "restoring"; do: string }
-  | { phase: "idle"; do: string; milliseconds: number; memory: number }
+  | { phase: "idle"; do: string; milliseconds: number; memory: number | null }
   | { phase: "ended"; reason: string };
 
 export interface RequestOptions {
@@ -68,13 +68,20 @@ export class WorkerHome implements Home {
   fail(): Promise<never>;
 }
 
+/** The home in the program that serves the page. */
+export class SocketHome implements Home {
+  constructor(options?: { address?: URL | string; hear?: (progress: Progress) => void });
+  request(header: object, planes?: SentPlane[], options?: RequestOptions): Promise<{ header: object; planes: Plane[] }>;
+  close(): void;
+}
+
 /** All faults of files or of a request, at once. The machine is as it was before. */
 export class LunoidError extends Error {
   constructor(problems: Problem[]);
   readonly problems: Problem[];
 }
 
-/** The module ended; a new one has the state before the request. */
+/** Whoever answered has ended; the next one has the state before the request. */
 export class EndedError extends Error {}
 
 /** What is known of an opened scenario without drawing. */

@@ -2,7 +2,9 @@
 
 import { WorkerHome } from "./worker-home.js";
 
-export { EndedError, WorkerHome } from "./worker-home.js";
+export { EndedError } from "./home.js";
+export { SocketHome } from "./socket-home.js";
+export { WorkerHome } from "./worker-home.js";
 
 /** The faults of files or of a request. `problems` has file, line, column, key, title, found, expected and help of each. */
 export class LunoidError extends Error {

@@ -5,16 +5,11 @@ use std::path::{Path, PathBuf};
 
 use files::{make_folder, read_all, rename, write_atomic};
 use limits::Limit;
+use site::{LIST, PAGE, list};
 
 use crate::error::SiteError;
 use crate::module;
 use crate::scenarios::{Shipped, shipped};
-
-/// Folder of the page's files, from the workspace on.
-const PAGE: &str = "crates/doors/site/page";
-
-/// File by which a site is known.
-const LIST: &str = "scenarios.json";
 
 /// Name of the module in the site.
 const MODULE: &str = "lunoid.wasm";
@@ -44,25 +39,17 @@ fn expect_free(out: &Path) -> Result<(), SiteError> {
 /// Writes everything into `half`; returns the bytes of the module.
 fn write(half: &Path, workspace: &Path, module: &Path, shipped: &Shipped) -> Result<u64, SiteError> {
     make_folder(half)?;
-    let page = workspace.join(PAGE);
-    for name in names(&page)? {
-        copy(&page.join(&name), &half.join(&name))?;
+    for (name, bytes) in PAGE {
+        write_atomic(half.join(name), |out| out.write_all(bytes))?;
     }
     for file in &shipped.files {
         let to = half.join(file);
         make_folder(to.parent().unwrap_or(half))?;
         copy(&workspace.join(file), &to)?;
     }
-    let list = format!("{:#}\n", shipped.json());
+    let list = format!("{:#}\n", list(&shipped.rows));
     write_atomic(half.join(LIST), |out| out.write_all(list.as_bytes()))?;
     copy(module, &half.join(MODULE))
-}
-
-fn names(folder: &Path) -> Result<Vec<String>, SiteError> {
-    let failed = |source| SiteError::System { path: folder.to_owned(), doing: "list the folder", source };
-    // The names alone would hide that there is no folder.
-    fs::read_dir(folder).map_err(failed)?;
-    Ok(files::names_in(folder))
 }
 
 fn copy(from: &Path, to: &Path) -> Result<u64, SiteError> {

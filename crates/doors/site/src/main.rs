@@ -1,18 +1,4 @@
-//! The page with the machine in it, as a folder for any static host.
-//!
-//! ```text
-//! crate browser ─▶ cargo ─▶ lunoid.wasm ─┐
-//! crates/doors/site/page ────────────────┼─▶ site/
-//! scenarios, and the files they name ────┘
-//! ```
-//!
-//! # Law
-//! - The same inputs give the same bytes: no date and no machine stands in the folder.
-//! - The folder is whole or not there. A folder that is no site is never replaced.
-//! - A page of the folder loads from its own origin alone, and from any path below it.
-//!
-//! # See also
-//! `docs/browser.md`: how to build the folder and use its script. `browser`: the module.
+//! `site build`: the page with the machine in it, as a folder for any static host.
 
 mod building;
 mod error;

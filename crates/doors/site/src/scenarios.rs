@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use front_door::{Opened, Wishes, open};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use crate::error::SiteError;
 
@@ -20,13 +20,6 @@ pub struct Shipped {
     pub rows: Vec<Value>,
     /// Names of those that are left out, each with the reason.
     pub left_out: Vec<(String, String)>,
-}
-
-impl Shipped {
-    /// The document `scenarios.json`: a row a scenario.
-    pub fn json(&self) -> Value {
-        json!({ "schema": "lunoid.site.scenarios/1", "scenarios": self.rows })
-    }
 }
 
 /// The scenarios of `workspace`, by name. Those that need a file that does not ship are left out.
@@ -63,16 +56,7 @@ impl Shipped {
         files.sort();
         files.dedup();
         let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
-        let scenario = &opened.scenario;
-        self.rows.push(json!({
-            "name": name,
-            "title": scenario.title,
-            "shows": scenario.shows,
-            "machine": scenario.machine,
-            "frames": opened.frames(),
-            "scenario": format!("{FOLDER}/{name}.toml"),
-            "files": names,
-        }));
+        self.rows.push(site::row(name, &format!("{FOLDER}/{name}.toml"), opened, &names));
         self.files.extend(files);
     }
 }

@@ -9,6 +9,7 @@ mod changed;
 pub mod check;
 pub mod compare;
 pub mod completions;
+pub mod drive;
 mod elevation;
 pub mod explain;
 pub mod info;
@@ -61,6 +62,7 @@ pub fn run(cli: &Cli, start: Instant) -> Result<Verdict, Failure> {
         Command::Signals(signals) => signals.run(),
         Command::Explain(explain) => explain.run(),
         Command::Serve(serve) => serve.run(),
+        Command::Drive(drive) => drive.run(),
         Command::Beam(beam) => beam.run(),
         Command::Trigger(trigger) => trigger.run(),
         Command::Trace(trace) => trace.run(),

@@ -1,0 +1,128 @@
+// The page of a program in headless Chromium: node program.mjs LUNOID NATIVE FOLDER
+// LUNOID is the command, NATIVE the file of crates/doors/browser/examples/native.rs on cases.json, FOLDER a folder for what is driven.
+
+import { execFileSync, spawn } from "node:child_process";
+import { readFile, rm } from "node:fs/promises";
+import { join } from "node:path";
+import { createInterface } from "node:readline";
+import { Chromium } from "./chromium.mjs";
+import { drawn, hash, text } from "./instrument.mjs";
+
+const [lunoid, nativeFile, folder] = process.argv.slice(2);
+const [healed, torn] = JSON.parse(await readFile(nativeFile, "utf8"));
+const SCENARIO = "scenarios/first-light.toml";
+const faults = [];
+
+function expect(is, what) {
+  console.log(`${is ? "ok  " : "FAIL"} ${what}`);
+  if (!is) faults.push(what);
+}
+
+/** A program that serves its page: its address, and how to end it. */
+async function program(...words) {
+  const child = spawn(lunoid, ["drive", SCENARIO, "--no-open", ...words], { stdio: ["ignore", "pipe", "inherit"] });
+  const address = await new Promise((resolve, reject) => {
+    child.on("exit", (code) => reject(new Error(`${lunoid} drive ended with ${code}`)));
+    createInterface({ input: child.stdout }).once("line", resolve);
+  });
+  return { address, end: () => child.kill("SIGKILL") };
+}
+
+async function pictures(chromium, { origin }) {
+  await chromium.go(`${origin}/instrument.html#frame=60`);
+  await drawn(chromium);
+  expect((await hash(chromium)) === healed.hash, `the program draws the healed mountain: ${await text(chromium, "state")}`);
+  await chromium.go("about:blank");
+  await chromium.go(`${origin}/instrument.html#frame=60&set=loader.access_ns%3A90&column=500&line=200`);
+  await drawn(chromium);
+  expect((await hash(chromium)) === torn.hash, "a setting of the page reaches the program");
+  expect((await text(chromium, "pixel")).includes("late word: tg.green"), `a pixel tells its cause: ${await text(chromium, "pixel")}`);
+  const asked = await chromium.run(`return performance.getEntriesByType("resource").map(({ name }) => name);`);
+  expect(asked.every((name) => name.startsWith(origin) && !name.endsWith(".wasm")), "the page loads from its program alone, and no module");
+}
+
+/** Frames driven from the page's own buttons, recorded, and drawn again by the command. */
+async function driven(chromium, { origin }) {
+  await chromium.go("about:blank");
+  await chromium.go(`${origin}/instrument.html#frame=0`);
+  await drawn(chromium);
+  const seen = await chromium.run(`
+    const seen = [];
+    const tube = document.getElementById("tube");
+    const says = document.getElementById("driven");
+    document.getElementById("drive").click();
+    while (!/^[5-9] frames|^\\d\\d/.test(says.textContent)) await new Promise((resolve) => setTimeout(resolve, 5));
+    document.getElementById("drive").click();
+    await new Promise((resolve) => setTimeout(resolve, 1000));
+    document.getElementById("record").click();
+    await new Promise((resolve) => setTimeout(resolve, 1000));
+    return { hash: tube.dataset.hash, says: document.getElementById("state").textContent, driven: says.textContent };`);
+  const place = join(folder, "record", "driven");
+  expect(seen.says.includes(place), `the page says where the record lies: ${seen.says}`);
+  const run = join(folder, "replayed");
+  await rm(run, { recursive: true, force: true });
+  execFileSync(lunoid, ["replay", join(place, "scenario.toml"), "--out", run], { stdio: "ignore" });
+  const { frames } = JSON.parse(await readFile(join(run, "run.json"), "utf8"));
+  expect(frames.length >= 5 && `${frames.length} frames driven` === seen.driven, `as many frames are drawn again: ${frames.length}`);
+  expect(frames.at(-1).pixels_blake3 === seen.hash, "the last frame on the screen is that of the replay");
+}
+
+/** Pictures a second in the page, every panel closed, against `lunoid replay` of the same frames. */
+async function rates(chromium, { origin }) {
+  await chromium.go("about:blank");
+  await chromium.go(`${origin}/instrument.html#frame=0&wires=`);
+  await drawn(chromium);
+  const [frames, milliseconds] = await chromium.run(`
+    const lunoid = await import(new URL("lunoid.js", document.baseURI));
+    const machine = new lunoid.Lunoid(new lunoid.SocketHome());
+    const { frames } = await machine.open(values[0]);
+    await machine.frame(0);
+    const begun = performance.now();
+    for (let frame = 0; frame < frames; frame += 1) await machine.frame(frame);
+    const milliseconds = performance.now() - begun;
+    machine.close();
+    return [frames, milliseconds];`, SCENARIO);
+  console.log(`     ${frames} frames through the socket: ${(milliseconds / frames).toFixed(1)} ms each`);
+}
+
+async function strangers({ address, origin }) {
+  const other = await Chromium.open();
+  await other.go(address);
+  const said = await other.ask("GET", "/source");
+  expect(said.includes("used by another browser"), "another browser is refused though it has the address");
+  await other.go(`${origin}/instrument.html`);
+  expect((await other.ask("GET", "/source")).includes("not admitted"), "a browser without a token is refused");
+  await other.close();
+}
+
+async function ended(chromium, served) {
+  served.end();
+  await chromium.run(`document.getElementById("on").click();`);
+  await drawn(chromium);
+  const said = await text(chromium, "state");
+  expect(said.includes("program"), `the page says that its program has ended: ${said}`);
+}
+
+await rm(join(folder, "record"), { recursive: true, force: true });
+const served = await program("--record", join(folder, "record"));
+served.origin = new URL(served.address).origin;
+const chromium = await Chromium.open();
+try {
+  await chromium.go(served.address);
+  await drawn(chromium);
+  expect((await chromium.run("return location.pathname;")) === "/instrument.html", "the address opens the instrument");
+  await pictures(chromium, served);
+  await driven(chromium, served);
+  await rates(chromium, served);
+  await strangers(served);
+  const console = await chromium.console();
+  expect(console.length === 0, `the console is empty: ${JSON.stringify(console)}`);
+  await ended(chromium, served);
+} finally {
+  await chromium.close();
+  served.end();
+}
+if (faults.length) {
+  console.error(`${faults.length} faults`);
+  process.exit(1);
+}

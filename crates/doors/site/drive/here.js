@@ -1,0 +1,6 @@
+// Where the machine of this page is: in the program that serves it.
+
+export { SocketHome as Here } from "./socket-home.js";
+
+/** What the instrument shows where its address says nothing: the path's first frame of the program's scenario. */
+export const FIRST = { frame: 0, wires: "mu.height,sweep.x", set: {}, faults: [] };

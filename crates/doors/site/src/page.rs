@@ -1,0 +1,68 @@
+//! The files of the page.
+
+/// Name and bytes of a file of a folder of this crate.
+macro_rules! file {
+    ($folder:literal, $name:literal) => {
+        ($name, include_bytes!(concat!("../", $folder, "/", $name)).as_slice())
+    };
+}
+
+macro_rules! page {
+    ($name:literal) => {
+        file!("page", $name)
+    };
+}
+
+/// A file by its name.
+type File = (&'static str, &'static [u8]);
+
+/// All files of the page, whose machine is in a worker of its own.
+pub const PAGE: [File; 29] = [
+    page!("curve.js"),
+    page!("events-table.js"),
+    page!("fault-board.js"),
+    page!("first.js"),
+    page!("gallery.css"),
+    page!("gallery.html"),
+    page!("gallery.js"),
+    page!("here.js"),
+    page!("home.js"),
+    page!("icon.svg"),
+    page!("index.html"),
+    page!("instrument.css"),
+    page!("instrument.html"),
+    page!("instrument.js"),
+    page!("journal.js"),
+    page!("link.js"),
+    page!("lunoid.d.ts"),
+    page!("lunoid.js"),
+    page!("message.js"),
+    page!("module.js"),
+    page!("picture.js"),
+    page!("scope.js"),
+    page!("shipped.js"),
+    page!("socket-home.js"),
+    page!("style.css"),
+    page!("tube.js"),
+    page!("view-model.js"),
+    page!("worker-home.js"),
+    page!("worker.js"),
+];
+
+/// The files that a program serves in place of those of [`PAGE`], so that the page reaches the program.
+pub const OF_A_PROGRAM: [File; 1] = [file!("drive", "here.js")];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_file_of_the_folders_is_in_the_lists() {
+        let listed = |files: &[File]| files.iter().map(|(name, _)| (*name).to_owned()).collect::<Vec<_>>();
+        for (folder, files) in [("page", &PAGE[..]), ("drive", &OF_A_PROGRAM)] {
+            let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+            assert_eq!(files::names_in(&path), listed(files), "{folder}");
+        }
+        assert!(listed(&PAGE).contains(&"here.js".to_owned()), "the program's file replaces one of the page");
+    }
+}
