@@ -73,7 +73,6 @@ async function rates(chromium, { origin }) {
   await chromium.go(`${origin}/instrument.html#frame=0&wires=`);
   await drawn(chromium);
   const [frames, milliseconds] = await chromium.run(`
-    const lunoid = await import(new URL("lunoid.js", document.baseURI));
     const machine = new lunoid.Lunoid(new lunoid.SocketHome());
     const { frames } = await machine.open(values[0]);
     await machine.frame(0);
@@ -82,7 +81,12 @@ async function rates(chromium, { origin }) {
     const milliseconds = performance.now() - begun;
     machine.close();
     return [frames, milliseconds];`, SCENARIO);
-  console.log(`     ${frames} frames through the socket: ${(milliseconds / frames).toFixed(1)} ms each`);
+  const run = join(folder, "rate");
+  await rm(run, { recursive: true, force: true });
+  const begun = performance.now();
+  execFileSync(lunoid, ["replay", SCENARIO, "--out", run], { stdio: "ignore" });
+  const replayed = performance.now() - begun;
+  console.log(`     ${frames} frames through the socket: ${(milliseconds / frames).toFixed(1)} ms each; replay: ${(replayed / frames).toFixed(1)} ms each`);
 }
 
 async function strangers({ address, origin }) {
