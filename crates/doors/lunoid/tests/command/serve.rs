@@ -156,3 +156,33 @@ fn a_socket_serves_one_client_after_another() {
     let said = String::from_utf8_lossy(&taken.stderr).into_owned();
     assert!(taken.status.code() == Some(4) && said.contains("name another path"), "{said}");
 }
+
+#[test]
+fn tcp_serves_whoever_has_the_token() {
+    use std::io::{BufRead, BufReader};
+    use std::net::{Shutdown, TcpStream};
+
+    let mut child = serving(&["--tcp", "0", "--token", "a-word-of-this-test"]);
+    let mut told = String::new();
+    BufReader::new(child.stderr.take().unwrap()).read_line(&mut told).unwrap();
+    let address = told.trim().strip_prefix("listening on ").expect(&told).to_owned();
+    assert!(address.starts_with("127.0.0.1:"), "only this computer: {told}");
+    let spoken = |header: &str| {
+        let mut stream = TcpStream::connect(&address).unwrap();
+        stream.write_all(&request(header)).unwrap();
+        stream.shutdown(Shutdown::Write).unwrap();
+        let mut reply = Vec::new();
+        stream.read_to_end(&mut reply).unwrap();
+        String::from_utf8_lossy(&reply).into_owned()
+    };
+    let hello = spoken(r#"{"id":7,"do":"hello","token":"a-word-of-this-test"}"#);
+    assert!(hello.contains(r#""id":7"#) && hello.contains("lunoid.loop/1"), "{hello}");
+    assert!(spoken(r#"{"id":7,"do":"hello"}"#).contains("a client without a token"));
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let short = serving(&["--tcp", "0", "--token", "short"]).wait_with_output().unwrap();
+    let said = String::from_utf8_lossy(&short.stderr).into_owned();
+    assert!(!short.status.success() && said.contains("at least 16"), "{said}");
+    let both = serving(&["--tcp", "0", "--socket", "x"]).wait_with_output().unwrap();
+    assert_eq!(both.status.code(), Some(2));
+}
