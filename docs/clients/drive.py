@@ -17,11 +17,13 @@ class Machine:
         self.asked = 0
         self.process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
 
-    def ask(self, do, **keys):
-        """The answer to a request, and its planes by name: shape, type and bytes."""
+    def ask(self, do, planes={}, **keys):
+        """The answer to a request, and its planes by name: shape, type and bytes. Planes of the request are bytes by name."""
         self.asked += 1
-        header = json.dumps({"id": self.asked, "do": do, **keys}).encode()
-        self.process.stdin.write(MAGIC + struct.pack("<QQ", len(header), 0) + header)
+        if planes:
+            keys["planes"] = [{"name": name, "dtype": "u8", "shape": [len(data)]} for name, data in planes.items()]
+        header, data = json.dumps({"id": self.asked, "do": do, **keys}).encode(), b"".join(planes.values())
+        self.process.stdin.write(MAGIC + struct.pack("<QQ", len(header), len(data)) + header + data)
         self.process.stdin.flush()
         prefix = self.process.stdout.read(24)
         if len(prefix) < 24:

@@ -28,10 +28,11 @@ fn lunoid() -> Command {
     command
 }
 
-fn has_python() -> bool {
-    let found = Command::new("python3").arg("--version").output().is_ok_and(|output| output.status.success());
+/// Whether a program is there; says what is skipped where it is not.
+fn has(program: &str) -> bool {
+    let found = Command::new(program).arg("--version").output().is_ok_and(|output| output.status.success());
     if !found {
-        eprintln!("SKIPPED: python3 is missing; a client in Python is not run");
+        eprintln!("SKIPPED: {program} is missing; a client that needs it is not run");
     }
     found
 }
@@ -44,40 +45,74 @@ fn hashes(run: &Path) -> Vec<String> {
     frames.iter().map(|frame| frame["pixels_blake3"].as_str().expect("a hash").to_owned()).collect()
 }
 
+/// The hashes that a client has printed, one a line before other words.
+fn printed(client: &mut Command) -> Vec<String> {
+    let output = client.output().unwrap();
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(output.status.success(), "{said}{}", String::from_utf8_lossy(&output.stderr));
+    let words = said.lines().filter_map(|line| line.split(' ').next());
+    words.filter(|word| word.len() == 64).map(str::to_owned).collect()
+}
+
+/// What `lunoid replay` draws of what was driven.
+fn replayed(driven: &Path, machine: &str) -> Vec<String> {
+    let out = driven.with_extension("replayed");
+    let mut replay = lunoid();
+    replay.arg("replay").arg(driven.join("drive/scenario.toml")).args(["--machine", machine]).args(SMALL);
+    let output = replay.arg("--out").arg(&out).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    hashes(&out)
+}
+
+/// The client `words`, whose `lunoid serve` of its own records into `record`.
+fn on_a_pipe(words: &[&str], machine: &str, record: &Path) -> Vec<String> {
+    let mut client = Command::new(words[0]);
+    client.current_dir(root()).args(&words[1..]).args(["6", env!("CARGO_BIN_EXE_lunoid"), "serve"]);
+    client.args(["scenarios/first-light.toml", "--machine", machine]).args(SMALL).arg("--record").arg(record);
+    printed(&mut client)
+}
+
 #[test]
-fn a_client_in_python_drives_and_the_replay_is_equal() {
-    if !has_python() {
+fn clients_on_a_pipe_drive_and_the_replay_is_equal() {
+    let folder = tempdir().unwrap();
+    for words in
+        [["python3", "-B", "docs/clients/drive.py"], ["octave-cli", "--norc", "docs/clients/drive.m"]]
+    {
+        if !has(words[0]) {
+            continue;
+        }
+        for machine in ["ideal", "pra-nominal"] {
+            let record = folder.path().join(format!("{}-{machine}", words[0]));
+            let seen = on_a_pipe(&words, machine, &record);
+            assert_eq!(seen.len(), 6, "{words:?}");
+            assert_eq!(replayed(&record, machine), seen, "{words:?}, {machine}");
+        }
+    }
+}
+
+#[test]
+fn a_client_in_c_drives_over_tcp_and_the_replay_is_equal() {
+    if !has("cc") {
         return;
     }
     let folder = tempdir().unwrap();
+    let client = folder.path().join("drive");
+    let compiled = Command::new("cc")
+        .current_dir(root())
+        .args(["-Wall", "-Wextra", "-Werror", "-o"])
+        .arg(&client)
+        .arg("docs/clients/drive.c")
+        .output()
+        .unwrap();
+    assert!(compiled.status.success(), "{}", String::from_utf8_lossy(&compiled.stderr));
     let record = folder.path().join("driven");
-    for machine in ["ideal", "pra-nominal"] {
-        let mut client = Command::new("python3");
-        client.current_dir(root()).args([
-            "docs/clients/drive.py",
-            "6",
-            env!("CARGO_BIN_EXE_lunoid"),
-            "serve",
-        ]);
-        client.args(["scenarios/first-light.toml", "--machine", machine]).args(SMALL);
-        let output = client.arg("--record").arg(&record).output().unwrap();
-        let said = String::from_utf8_lossy(&output.stdout).into_owned();
-        assert!(output.status.success(), "{said}{}", String::from_utf8_lossy(&output.stderr));
-        let seen: Vec<String> = said
-            .lines()
-            .filter_map(|line| line.split(' ').next())
-            .filter(|word| word.len() == 64)
-            .map(str::to_owned)
-            .collect();
-        assert_eq!(seen.len(), 6, "{said}");
-        let out = folder.path().join(machine);
-        let mut replay = lunoid();
-        replay.arg("replay").arg(record.join("drive/scenario.toml")).args(["--machine", machine]).args(SMALL);
-        let output = replay.arg("--out").arg(&out).output().unwrap();
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        assert_eq!(hashes(&out), seen, "{machine}");
-        fs::remove_dir_all(&record).unwrap();
-    }
+    let (mut child, address) = on_tcp(&["--record", record.to_str().unwrap()]);
+    let port = address.rsplit(':').next().unwrap();
+    let seen = printed(Command::new(&client).args(["6", port]).env("LUNOID_TOKEN", WORD));
+    child.kill().unwrap();
+    child.wait().unwrap();
+    assert_eq!(seen.len(), 6);
+    assert_eq!(replayed(&record, "ideal"), seen);
 }
 
 fn serving(arguments: &[&str]) -> Child {
@@ -157,16 +192,26 @@ fn a_socket_serves_one_client_after_another() {
     assert!(taken.status.code() == Some(4) && said.contains("name another path"), "{said}");
 }
 
-#[test]
-fn tcp_serves_whoever_has_the_token() {
-    use std::io::{BufRead, BufReader};
-    use std::net::{Shutdown, TcpStream};
+/// The token of the tests.
+const WORD: &str = "a-word-of-this-test";
 
-    let mut child = serving(&["--tcp", "0", "--token", "a-word-of-this-test"]);
+/// A server on TCP, and where it listens.
+fn on_tcp(arguments: &[&str]) -> (Child, String) {
+    use std::io::{BufRead, BufReader};
+
+    let mut child = serving(&[&["--tcp", "0", "--token", WORD], arguments].concat());
     let mut told = String::new();
     BufReader::new(child.stderr.take().unwrap()).read_line(&mut told).unwrap();
     let address = told.trim().strip_prefix("listening on ").expect(&told).to_owned();
-    assert!(address.starts_with("127.0.0.1:"), "only this computer: {told}");
+    (child, address)
+}
+
+#[test]
+fn tcp_serves_whoever_has_the_token() {
+    use std::net::{Shutdown, TcpStream};
+
+    let (mut child, address) = on_tcp(&[]);
+    assert!(address.starts_with("127.0.0.1:"), "only this computer: {address}");
     let spoken = |header: &str| {
         let mut stream = TcpStream::connect(&address).unwrap();
         stream.write_all(&request(header)).unwrap();
