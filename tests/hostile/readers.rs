@@ -4,9 +4,12 @@ use std::fmt::Display;
 use std::fs;
 use std::path::Path;
 
+use diagnostics::Problem;
+use drive::{Drive, DriveError};
 use hardware_model::{HardwareModel, ModelSource};
 use landscape::projection::{Method, Projection};
 use landscape::{Bank, FileCoordinates, Level, MapFrame};
+use loop_protocol::{Home, Message, Opening, Session};
 use photo_camera::Light;
 use photo_camera::voids::Wishes;
 use photo_check::{Ground, fill_voids, read_points};
@@ -36,7 +39,7 @@ pub struct Reader {
 }
 
 /// All readers that are given damaged files.
-pub const READERS: [Reader; 31] = [
+pub const READERS: [Reader; 32] = [
     Reader { name: "scenario", file: "scene.toml", read: |path| said(Scenario::read(path)) },
     Reader {
         name: "path-csv",
@@ -80,6 +83,7 @@ pub const READERS: [Reader; 31] = [
     Reader { name: "camera", file: "camera.json", read: |path| said(Camera::read(path)) },
     Reader { name: "photo-file", file: "photo.json", read: |path| said(PhotoFile::read(path)) },
     Reader { name: "control-points", file: "points.csv", read: control_points },
+    Reader { name: "message", file: "message.loop", read: message },
 ];
 
 /// The reader of a folder of the corpus.
@@ -117,6 +121,24 @@ fn said<T>(result: Result<T, impl Display>) -> Result<(), String> {
 
 fn folder(path: &Path) -> &Path {
     path.parent().expect("a file in a folder")
+}
+
+/// A message of a loop; what can be read is answered by a session that opens nothing.
+fn message(path: &Path) -> Result<(), String> {
+    let bytes = fs::read(path).expect("a file that was written");
+    let request = Message::decode(&bytes).map_err(|error| error.to_string())?;
+    let reply = Session::new(Nowhere).answer(&request);
+    assert!(reply.header.contains_key("ok") != reply.header.contains_key("error"), "one of both");
+    Ok(())
+}
+
+/// A host that opens nothing.
+struct Nowhere;
+
+impl Home for Nowhere {
+    fn open(&mut self, _asked: &Opening) -> Result<Drive, DriveError> {
+        Err(Problem::of_file("request", "nothing is opened here").into())
+    }
 }
 
 fn shape(path: &Path) -> Result<(), String> {

@@ -4,8 +4,10 @@ use std::sync::Arc;
 
 use landscape::{Bank, Georeference};
 use lunoid_tests::{level_of, plane};
+use loop_protocol::{Message, Plane};
 use picture::{Depth, GreyPicture, encode_png};
 use run_record::Program;
+use serde_json::json;
 use state::{Block, BlockKind, Hashes, Head, Identity, Place, State};
 
 use crate::build::{Tiff, doubles, npy};
@@ -134,6 +136,7 @@ pub fn seeds(name: &str) -> Vec<Vec<u8>> {
         "dted" => vec![cell()],
         "pds4" => vec![PDS4.replace("made.dat", "dem.dat").into_bytes()],
         "isis" => vec![cube("BandSequential"), cube("Tile\n    TileSamples = 10\n    TileLines = 7")],
+        "message" => messages(),
         "npy" => vec![
             npy("<f8", "(5, 5)", &doubles(&[1.0; 25])),
             npy("<i2", "(3, 4)", &[7; 24]),
@@ -143,6 +146,19 @@ pub fn seeds(name: &str) -> Vec<Vec<u8>> {
         "png" => [Depth::Eight, Depth::Sixteen].into_iter().map(png).collect(),
         _ => texts.iter().map(|text| text.as_bytes().to_vec()).collect(),
     }
+}
+
+/// Requests with and without planes; one of each kind that has keys of its own.
+fn messages() -> Vec<Vec<u8>> {
+    let headers = [
+        json!({ "id": 1, "do": "open", "scenario": "scenarios/first-light.toml", "machine": "ideal", "set": { "loader.access_ns": 9.5 } }),
+        json!({ "id": 2, "do": "look", "frame": 1, "pose": { "x_m": 1, "y_m": 2, "z_m": 3, "heading_deg": 4, "pitch_deg": 5, "roll_deg": 6 } }),
+        json!({ "id": 3, "do": "probe", "signals": ["mu.*"], "sweeps": [1, 2] }),
+        json!({ "id": 4, "do": "hello" }),
+    ];
+    let planes = vec![Plane::of_file("state", vec![7; 9])];
+    let restore = Message::new(json!({ "id": 5, "do": "restore" })).with(planes);
+    headers.into_iter().map(Message::new).chain([restore]).map(|message| message.encode()).collect()
 }
 
 /// A tetrahedron in metres: its corners, and the corners of each face counter-clockwise.
