@@ -4,7 +4,7 @@ use panel_program::{Fill, Picture, Posts, Program, Restrictions, Settings, View}
 
 use crate::block::{block, lie, observer, posts, usual};
 
-fn as_written() -> Settings {
+pub fn as_written() -> Settings {
     Settings { restrictions: Restrictions::as_written(), fill: Fill::EdgeBuffer, outside: 0.0 }
 }
 
