@@ -71,6 +71,7 @@
 //! Coarser levels of the bank, remote shadow, texture, far silhouettes and vehicle tracks are listed as omissions. So is the scenario's sun, where it differs from
 //! the photographs' by more than 5 degrees and nothing is lit anew.
 
+mod faults;
 mod frame_ground;
 mod greys;
 mod mesh;
@@ -83,8 +84,11 @@ mod program;
 mod relit;
 mod row;
 mod session;
+mod signals;
+mod time;
 
 pub use panels::Panels;
 pub use parameters::{Diagonal, Fineness, Parameters, Shading};
 pub use program::{Block, PostTable, ProgramKeys};
 pub use row::ROW;
+pub use time::{Hardware, REPORTED, tasks};
