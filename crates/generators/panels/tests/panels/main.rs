@@ -10,4 +10,5 @@ mod refused;
 mod rows;
 mod shots;
 mod time;
+mod timed_set;
 mod views;

@@ -54,7 +54,7 @@ fn a_row_of_the_program_is_that_of_its_planes() {
         assert!([i, j].iter().all(|at| (0.0..512.0).contains(&at[column])));
         several += usize::from(writes[column] > 1.0);
     }
-    assert!(several > 10, "{several}");
+    assert!(several > 3, "{several}");
     let seen = panel.iter().position(|panel| *panel >= 0.0).unwrap();
     let told = session.explain(0, &pose, [seen, line as usize]).unwrap();
     assert!(told[0].value.starts_with(&format!("{};", panel[seen])), "{told:?}");
