@@ -23,6 +23,8 @@ pub struct Settings {
     pub fill: Fill,
     /// Light of panels beside the photograph.
     pub outside: f64,
+    /// Whether a panel that touches a void has that light too, in place of its grey.
+    pub marks_voids: bool,
 }
 
 /// A panel with its grey.
@@ -77,8 +79,12 @@ impl Program {
         }
         let grey = |(number, corners): (usize, [usize; 3])| {
             let cell = cell_of(number, posts.size).map(|post| reference.pixel(points[post]));
-            let grey = reference.grey(cell, number % 2 == 0, settings.outside, restrictions);
-            Panel { posts: corners, grey, touches_void: corners.iter().any(|post| was_void[*post]) }
+            let mut grey = reference.grey(cell, number % 2 == 0, settings.outside, restrictions);
+            let touches_void = corners.iter().any(|post| was_void[*post]);
+            if touches_void && settings.marks_voids {
+                grey.light = settings.outside;
+            }
+            Panel { posts: corners, grey, touches_void }
         };
         let panels: Vec<Panel> = posts.panels().enumerate().map(grey).collect();
         let picture = photograph.picture();

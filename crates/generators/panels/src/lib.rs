@@ -48,6 +48,7 @@
 //! | `panels.limits` | true, false | `restrictions` | at most 50 x 50 posts, 512 panels and 512 x 512 pixels ([`panel_program::Restrictions`]) |
 //! | `panels.fill` | `edge-buffer`, `fence`, `seed`, `span`, `rasteriser` | none | `panel-program` draws, and fills panels in this way |
 //! | `panels.posts` | a table | none | `panel-program` draws posts of its own, a second of arc apart: [`PostTable`] |
+//! | `panels.voids` | `fill`, `mark` | `fill` | `mark`: `panel-program` draws, and panels that touch a void have the light `outside` |
 //! | `panels.pattern` | `1`, `4`, `8`, `16`, `grid16`, `lattice32`, `off-centre16` | `4` | sampling points of a pixel |
 //! | `panels.rotate` | true, false | false | the pattern is turned from pixel to pixel |
 //! | `panels.filter` | `box`, `tent`, `gaussian` | `box` | how sampling points make a pixel |

@@ -38,6 +38,7 @@ impl Seen {
             grey: shown.map_or_else(unseen, |shown| shown.light),
             source: shown.map(|shown| shown.pixel),
             writes: 0.0,
+            touches_void: false,
         }
     }
 

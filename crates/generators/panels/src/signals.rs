@@ -1,4 +1,4 @@
-//! Waveforms along a row of the picture: panel, depth, grey, source, writes.
+//! Waveforms along a row of the picture: panel, depth, grey, source, writes, voids.
 
 use generator::{Along, Scan};
 use quantities::Timebase;
@@ -13,8 +13,11 @@ const COLUMN: &str = "panels.column";
 /// How often a pixel was written: only the program of the thesis counts that.
 const WRITES: &str = "panels.writes";
 
+/// Whether a panel touches a void: only the program of the thesis has posts that may be void.
+const VOID: &str = "panels.void";
+
 /// What can be looked at; a row stands for a sweep, its pixels for samples.
-pub static SIGNALS: [Signal; 7] = [
+pub static SIGNALS: [Signal; 8] = [
     Signal::ground(COLUMN, Unit::Number, "column of the pixel, from 0", SOURCE),
     Signal::ground(
         "panels.panel",
@@ -37,6 +40,7 @@ pub static SIGNALS: [Signal; 7] = [
     ),
     Signal::ground("panels.source_j", Unit::Number, "line J in the photograph of the same", SOURCE),
     Signal::ground(WRITES, Unit::Number, "how often the pixel was written", SOURCE),
+    Signal::ground(VOID, Unit::Gate, "high where a post of the panel was void", SOURCE),
 ];
 
 /// What a pixel of a row shows.
@@ -52,11 +56,14 @@ pub struct Sample {
     pub source: Option<[f64; 2]>,
     /// How often it was written.
     pub writes: f64,
+    /// Whether a post of the panel was void.
+    pub touches_void: bool,
 }
 
 impl Sample {
     /// A pixel that shows no panel.
-    pub const NONE: Self = Self { panel: None, depth: 0.0, grey: 0.0, source: None, writes: 0.0 };
+    pub const NONE: Self =
+        Self { panel: None, depth: 0.0, grey: 0.0, source: None, writes: 0.0, touches_void: false };
 
     fn value(&self, name: &str) -> f64 {
         let source = |axis: usize| self.source.map_or(-1.0, |pixel| pixel[axis]);
@@ -66,7 +73,8 @@ impl Sample {
             "panels.grey" => self.grey,
             "panels.source_i" => source(0),
             "panels.source_j" => source(1),
-            _ => self.writes,
+            WRITES => self.writes,
+            _ => f64::from(u8::from(self.touches_void)),
         }
     }
 }
@@ -92,7 +100,7 @@ pub fn wires(view: &View, is_program: bool) -> Vec<Wire> {
 }
 
 fn recorded(is_program: bool) -> impl Iterator<Item = &'static Signal> {
-    SIGNALS.iter().filter(move |signal| is_program || signal.name != WRITES)
+    SIGNALS.iter().filter(move |signal| is_program || ![WRITES, VOID].contains(&signal.name))
 }
 
 /// Records the rows that `probe` wants. `sample` tells what pixel `[column, line]` shows.

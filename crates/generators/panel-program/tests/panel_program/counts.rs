@@ -5,7 +5,12 @@ use panel_program::{Fill, Picture, Posts, Program, Restrictions, Settings, View}
 use crate::block::{block, lie, observer, posts, usual};
 
 pub fn as_written() -> Settings {
-    Settings { restrictions: Restrictions::as_written(), fill: Fill::EdgeBuffer, outside: 0.0 }
+    Settings {
+        restrictions: Restrictions::as_written(),
+        fill: Fill::EdgeBuffer,
+        outside: 0.0,
+        marks_voids: false,
+    }
 }
 
 fn program(posts: &Posts, settings: Settings) -> Program {

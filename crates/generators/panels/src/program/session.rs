@@ -45,6 +45,7 @@ impl ProgramSession {
             restrictions: run.program.restrictions,
             fill: run.program.way(),
             outside: run.outside,
+            marks_voids: run.program.marks_voids,
         };
         let program = Program::new(&posts, lie, photograph, settings);
         let program = program.map_err(|error| refused(&error, remedy(&error)))?;
@@ -75,6 +76,7 @@ impl ProgramSession {
             grey: panel.grey.light,
             source: Some(panel.grey.source),
             writes: f64::from(picture.writes[pixel]),
+            touches_void: panel.touches_void,
         }
     }
 

@@ -107,3 +107,22 @@ fn void_posts_are_filled_and_told() {
     let told: Vec<String> = facts.filter(|fact| fact.what == "void").map(|fact| fact.value).collect();
     assert!(told.iter().any(|value| value == "a post of it was void"), "{told:?}");
 }
+
+#[test]
+fn void_panels_are_marked_to_the_last_picture() {
+    let text = scenario("moffett").replace("height_m = 83", "height_m = \"void\"");
+    let marked = text.replace("restrictions = true", "restrictions = true\nvoids = \"mark\"\noutside = 1");
+    let pose = poses("moffett")[1];
+    let [(filled, usual), (shown, void)] = [text, marked].map(|text| {
+        let mut planes = Planes::new(512, 512, &[PlaneKind::Intensity]);
+        let mut probe = Probe::new(vec!["panels.void".into()], 0..512);
+        session(&text, "frame").frame(0, &pose, &mut planes, &mut probe).unwrap();
+        let gates: Vec<f64> = probe.waveforms.into_iter().flat_map(|wave| wave.values).collect();
+        (planes.get(PlaneKind::Intensity).unwrap().to_vec(), gates)
+    });
+    assert_eq!(usual, void, "the mask does not depend on what is drawn");
+    assert!(void.iter().filter(|gate| **gate == 1.0).count() > 500);
+    for ((filled, shown), gate) in filled.iter().zip(&shown).zip(&void) {
+        if *gate == 1.0 { assert_eq!(*shown, 1.0) } else { assert_eq!(shown, filled) }
+    }
+}
