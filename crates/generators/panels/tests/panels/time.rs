@@ -142,3 +142,20 @@ fn every_value_says_where_it_comes_from() {
         );
     }
 }
+
+/// The data sheet, which has the seconds of the block.
+const SHEET: &str = include_str!("../../../../../docs/blocks/panels.md");
+
+#[test]
+fn the_sheet_has_the_seconds_of_the_block() {
+    let found = frame(&scenario("moffett"), 1);
+    for time in REPORTED {
+        let predicted = seconds(&found.tasks, time.routine);
+        let ratio = predicted / time.seconds;
+        let row = format!("| `{}` | {predicted:.3} | {:.2} | {ratio:.3} |", time.routine, time.seconds);
+        assert!(SHEET.lines().any(|line| line == row), "not in the sheet: {row}");
+    }
+    let covered = pieces(&found.tasks)["fill.boxed"] as f64 / (512.0 * 512.0);
+    let told = format!("The boxes of our block cover {covered:.2} of it");
+    assert!(SHEET.contains(&told), "not in the sheet: {told}");
+}
