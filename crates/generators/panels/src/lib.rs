@@ -63,6 +63,15 @@
 //! | `panels.beam_order` | `near-to-far`, `nearest-neighbour` | `near-to-far` | order in which the beam draws its points |
 //! | `panels.beam_layer` | `both`, `raster`, `beam` | `both` | layers that a picture shows |
 //!
+//! # Signals
+//!
+//! A row of the picture stands for a sweep of the probe: panel, depth, grey, source, and as written writes and voids of each pixel.
+//!
+//! # Timing
+//!
+//! The scene sampler takes no time. The program of the thesis, with both ends of a span, is a batch program: [`tasks`] turns the work that `panel-program`
+//! counts into seconds of a [`Hardware`], beside those that the thesis reports ([`REPORTED`]).
+//!
 //! # Threads
 //!
 //! Posts, panels and sub-areas are functions of their own, put together in their order: the bits do not depend on the number of threads.
