@@ -86,7 +86,7 @@ fn shipped_scenarios_hold_their_baselines() {
 const SAMPLED: [&str; 5] = ["night-landing", "stars", "dust-curtain", "lamp-row", "overloaded-night"];
 
 /// The frames of `baseline` on the generator that the scenario names, timed anew with keys set or none.
-fn of_generator(name: &str, baseline: &TimingRecord, sets: &[(&str, &str)]) -> TimingRecord {
+pub fn of_generator(name: &str, baseline: &TimingRecord, sets: &[(&str, &str)]) -> TimingRecord {
     let set = sets.iter().map(|(key, value)| ((*key).into(), (*value).into())).collect();
     let wishes = Wishes { set, ..Wishes::default() };
     let path = folder().join(format!("{name}.toml"));

@@ -7,6 +7,7 @@ mod drums;
 mod late_sets;
 mod loads;
 mod order;
+mod panels;
 mod processor;
 mod program;
 mod rig;

@@ -21,6 +21,15 @@ pub struct SizedFigure {
     pub law: &'static str,
 }
 
+/// Time of a routine that the source of a generator reports.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ReportedTime {
+    /// Name of the routine. Its tasks have this name, or begin with it and a dot.
+    pub routine: &'static str,
+    /// Time (s) that the source measured.
+    pub seconds: f64,
+}
+
 /// A generator on a stage, as a job that takes time.
 pub trait Timed: Sync {
     /// The clock whose ticks its records count.
@@ -44,6 +53,11 @@ pub trait Timed: Sync {
     /// What `frames`, at least one, took beside what the formulas of the generator say; nothing if it has none.
     fn sizing(&self, _frames: &[FrameTiming]) -> Vec<SizedFigure> {
         Vec::new()
+    }
+
+    /// Times that its source reports for one frame, in the order of its routines; none if it reports none.
+    fn reported(&self) -> &'static [ReportedTime] {
+        &[]
     }
 
     /// A frame as [`frame`](Self::frame) tells it, for totals, which no record keeps: the hash of its events may be left out, and is empty then.

@@ -23,15 +23,17 @@
 //!
 //! The listing stores latitudes and longitudes in 24 bits too, which moves places by up to a metre: the panel counts of the specification are those
 //! without. Arrays of the listing count from 1, and its photograph is read with numbers that count from 0: one pixel beside. A panel of one row of whole-number
-//! corners makes the listing read before its edge list; here it has no pixel. Time: nothing is counted but cells.
+//! corners makes the listing read before its edge list; here it has no pixel. Time: pieces of work are counted ([`Work`]); the crate `panels` gives them seconds.
 //!
 //! # See also
 //!
 //! `tests/panel_program`: check values of the specification, each switch alone, five ways to fill. `examples/fill_cost.rs` counts what they cost.
 
+mod canvas;
 mod depth;
 mod error;
 mod fill;
+mod frame;
 mod lie;
 mod limits;
 mod picture;
@@ -42,9 +44,12 @@ mod reference;
 mod restrictions;
 mod screen;
 mod view;
+mod work;
 
+pub use canvas::Look;
 pub use depth::{DepthPlane, NoDepth};
 pub use error::ProgramError;
+pub use fill::written::WrittenFill;
 pub use fill::{Fill, FillWork, Filler};
 pub use lie::Lie;
 pub use limits::{MOST_PANELS, MOST_ROWS, SIDE};
@@ -54,3 +59,4 @@ pub use program::{Panel, Program, Settings};
 pub use reference::Grey;
 pub use restrictions::{Restrictions, Switch};
 pub use view::View;
+pub use work::{FillPieces, Work};

@@ -1,6 +1,6 @@
 //! What a frame shows, and what became of the panels.
 
-use crate::FillWork;
+use crate::{FillWork, Work};
 
 /// No panel: what [`Picture::panel`] holds where nothing was drawn.
 pub const NO_PANEL: u32 = u32::MAX;
@@ -20,6 +20,8 @@ pub struct Picture {
     pub counts: Counts,
     /// What filling the panels has cost.
     pub work: FillWork,
+    /// What the routines of the listing have done, from its files to this picture.
+    pub listing: Work,
 }
 
 /// What became of the panels of a frame. Each panel is in one of them.
@@ -46,6 +48,14 @@ impl Picture {
             writes: vec![0; pixels],
             counts: Counts::default(),
             work: FillWork::default(),
+            listing: Work::default(),
         }
+    }
+}
+
+impl Counts {
+    /// All panels of the frame.
+    pub fn panels(&self) -> u64 {
+        self.filled + self.discarded + self.unseen + self.edge_on + self.lost
     }
 }

@@ -4,16 +4,15 @@ use glam::DVec3;
 use photograph::Photograph;
 use raster::{LARGEST_SIDE, Screen};
 
-use crate::depth::{DepthBuffer, DepthPlane, NoDepth};
-use crate::fill::written;
+use crate::canvas::Look;
+use crate::frame::Frame;
 use crate::lie::Lie;
-use crate::picture::{Counts, Picture};
+use crate::picture::Picture;
 use crate::posts::Posts;
 use crate::real::Real;
 use crate::reference::{Grey, Reference};
-use crate::screen::{Corners, Shape, depth, shape};
 use crate::view::Camera;
-use crate::{Fill, FillWork, Filler, ProgramError, Restrictions, View, limits};
+use crate::{Fill, ProgramError, Restrictions, View, Work, limits};
 
 /// How the program runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,6 +23,8 @@ pub struct Settings {
     pub fill: Fill,
     /// Light of panels beside the photograph.
     pub outside: f64,
+    /// Whether a panel that touches a void has that light too, in place of its grey.
+    pub marks_voids: bool,
 }
 
 /// A panel with its grey.
@@ -40,12 +41,14 @@ pub struct Panel {
 /// Posts with their panels, ready to be seen from anywhere.
 #[derive(Debug, Clone)]
 pub struct Program {
-    settings: Settings,
+    pub(crate) settings: Settings,
     lie: Lie,
     size: [usize; 2],
     /// Places of the posts (m), georectangular.
-    points: Vec<DVec3>,
-    panels: Vec<Panel>,
+    pub(crate) points: Vec<DVec3>,
+    pub(crate) panels: Vec<Panel>,
+    /// What its routines have done before any picture.
+    pub(crate) before_pictures: Work,
 }
 
 impl Program {
@@ -76,11 +79,21 @@ impl Program {
         }
         let grey = |(number, corners): (usize, [usize; 3])| {
             let cell = cell_of(number, posts.size).map(|post| reference.pixel(points[post]));
-            let grey = reference.grey(cell, number % 2 == 0, settings.outside, restrictions);
-            Panel { posts: corners, grey, touches_void: corners.iter().any(|post| was_void[*post]) }
+            let mut grey = reference.grey(cell, number % 2 == 0, settings.outside, restrictions);
+            let touches_void = corners.iter().any(|post| was_void[*post]);
+            if touches_void && settings.marks_voids {
+                grey.light = settings.outside;
+            }
+            Panel { posts: corners, grey, touches_void }
         };
-        let panels = posts.panels().enumerate().map(grey).collect();
-        Ok(Self { settings, lie, size: posts.size, points, panels })
+        let panels: Vec<Panel> = posts.panels().enumerate().map(grey).collect();
+        let picture = photograph.picture();
+        let before_pictures = Work {
+            averaged: panels.iter().map(|panel| u64::from(panel.grey.pixels)).sum(),
+            panels: panels.len() as u64,
+            ..Work::before_pictures(posts.size, picture.columns() * picture.lines())
+        };
+        Ok(Self { settings, lie, size: posts.size, points, panels, before_pictures })
     }
 
     /// Its panels, two a cell, cells in the order of their south-western posts.
@@ -101,6 +114,19 @@ impl Program {
     /// # Errors
     /// If the listing has no room for the screen.
     pub fn draw(&self, view: &View) -> Result<Picture, ProgramError> {
+        Ok(self.drawn(view, None)?.0)
+    }
+
+    /// The panels that the program finds at pixel `pixel` (column, line) of a view, in their order.
+    ///
+    /// # Errors
+    /// If the listing has no room for the screen.
+    pub fn looks(&self, view: &View, [column, line]: [usize; 2]) -> Result<Vec<Look>, ProgramError> {
+        Ok(self.drawn(view, Some(line * view.size[0] as usize + column))?.1)
+    }
+
+    /// The picture of a view, with the looks of the panels at the pixel `watched`.
+    fn drawn(&self, view: &View, watched: Option<usize>) -> Result<(Picture, Vec<Look>), ProgramError> {
         if self.settings.restrictions.limits {
             limits::check_view(view)?;
         }
@@ -109,17 +135,7 @@ impl Program {
             let [found, most] = [size[0].max(size[1]), raster::LARGEST_RASTER as usize];
             return Err(ProgramError::Limit { what: "pixels along a side of the screen", found, most });
         };
-        let mut frame = Frame {
-            program: self,
-            camera: self.camera(view),
-            screen,
-            filler: Filler::new(self.settings.fill, size),
-            written: FillWork::default(),
-            buffer: DepthBuffer::new(size[0] * size[1], self.settings.restrictions.linear_depth),
-            picture: Picture::new(size[0] * size[1]),
-        };
-        // The listing clears picture and depth buffer.
-        frame.written.cleared += 2 * (size[0] * size[1]) as u64;
+        let mut frame = Frame::new(self, self.camera(view), screen, watched);
         (0..self.panels.len()).for_each(|number| frame.panel(number));
         Ok(frame.finish())
     }
@@ -135,111 +151,4 @@ fn cell_of(panel: usize, [_, columns]: [usize; 2]) -> [usize; 4] {
     let cell = panel / 2;
     let sw = cell / (columns - 1) * columns + cell % (columns - 1);
     [sw, sw + 1, sw + columns, sw + columns + 1]
-}
-
-/// A picture in the making.
-struct Frame<'a> {
-    program: &'a Program,
-    camera: Camera,
-    screen: Screen,
-    filler: Filler,
-    /// Cost of the fill of the listing.
-    written: FillWork,
-    buffer: DepthBuffer,
-    picture: Picture,
-}
-
-impl Frame<'_> {
-    fn panel(&mut self, number: usize) {
-        let restrictions = self.program.settings.restrictions;
-        let points = self.program.panels[number].posts.map(|post| self.program.points[post]);
-        let real = Real::new(restrictions.real4);
-        let corners = Corners {
-            places: points.map(|point| self.camera.place(point)),
-            distances: points.map(|point| real.of(self.camera.distance(point))),
-        };
-        let shape = shape(&corners, &self.camera, &self.screen, restrictions);
-        let depth = depth(&corners, &self.camera, restrictions);
-        let counts = &mut self.picture.counts;
-        match (shape, depth) {
-            (Shape::Discarded, _) => counts.discarded += 1,
-            (Shape::Unseen, _) => counts.unseen += 1,
-            (_, Err(NoDepth::EdgeOn)) => counts.edge_on += 1,
-            (_, Err(NoDepth::Determinant)) => counts.lost += 1,
-            (Shape::Whole(all), Ok(depth)) => {
-                counts.filled += 1;
-                all.into_iter().for_each(|corners| self.whole(number, corners, &depth));
-            }
-            (Shape::Fine(fan), Ok(depth)) => {
-                counts.filled += 1;
-                let columns = self.screen.size()[0] as usize;
-                let (picture, buffer) = (&mut self.picture, &mut self.buffer);
-                let light = self.program.panels[number].grey.light as f32;
-                for corners in fan {
-                    self.filler.fill(corners, |column, row| {
-                        let value = depth.at([column, row].map(|at| at as f64 + 0.5));
-                        write(picture, buffer, row * columns + column, value, (number, light));
-                    });
-                }
-            }
-        }
-    }
-
-    /// Fills whole-number corners as the listing does. Column and row 1 are the first of the screen.
-    fn whole(&mut self, number: usize, corners: [[i64; 2]; 3], depth: &DepthPlane) {
-        let restrictions = self.program.settings.restrictions;
-        let [columns, lines] = self.screen.size().map(|side| side as usize);
-        let light = self.program.panels[number].grey.light as f32;
-        let (picture, buffer) = (&mut self.picture, &mut self.buffer);
-        // A depth that is exact on the ground belongs to the middle of a pixel, that of the listing to its number.
-        let middle = if matches!(depth, DepthPlane::Written { .. }) { 0.0 } else { 0.5 };
-        let real = Real::new(restrictions.real4);
-        written::fill(corners, lines, real, &mut self.written, |column, row| {
-            let value = real.of(depth.at([column, row].map(|at| at as f64 + middle)));
-            let pixel = (row - 1) as usize * columns + (column - 1) as usize;
-            write(picture, buffer, pixel, value, (number, light));
-        });
-    }
-
-    fn finish(mut self) -> Picture {
-        let columns = self.screen.size()[0] as usize;
-        for pixel in 0..self.picture.panel.len() {
-            if self.picture.writes[pixel] > 0 {
-                let value = self.buffer.value(pixel);
-                let place = [pixel % columns, pixel / columns].map(|at| at as f64 + 0.5);
-                let distance = match self.program.settings.restrictions.linear_depth {
-                    true => value,
-                    false => self.camera.stretch(place) / value,
-                };
-                self.picture.distance[pixel] = distance as f32;
-            }
-        }
-        self.picture.work = match self.program.settings.restrictions.both_ends {
-            true => self.written,
-            false => self.filler.work,
-        };
-        self.picture
-    }
-}
-
-/// Writes a panel (its number and light) into a pixel, if it is the nearest there.
-fn write(
-    picture: &mut Picture,
-    buffer: &mut DepthBuffer,
-    pixel: usize,
-    value: f64,
-    (number, light): (usize, f32),
-) {
-    if buffer.keep(pixel, value) {
-        picture.light[pixel] = light;
-        picture.panel[pixel] = number as u32;
-        picture.writes[pixel] = picture.writes[pixel].saturating_add(1);
-    }
-}
-
-impl Counts {
-    /// All panels of the frame.
-    pub fn panels(&self) -> u64 {
-        self.filled + self.discarded + self.unseen + self.edge_on + self.lost
-    }
 }

@@ -32,6 +32,8 @@ pub struct Grey {
     pub light: f64,
     /// Number of pixels in its mean; 0 for a look at its middle, or beside the photograph.
     pub pixels: u32,
+    /// Pixel I, J of the photograph in the middle of the panel: the mean of its corners'.
+    pub source: [f64; 2],
 }
 
 impl<'a> Reference<'a> {
@@ -103,9 +105,9 @@ impl<'a> Reference<'a> {
                 photo_drape::triangle_pixels(corners, size, |column, line| mean.add(column, line));
             }
         }
-        let middle = [0, 1].map(|axis| corners.iter().map(|corner| corner[axis]).sum::<f64>() / 3.0);
-        let look = || self.photograph.light(middle).unwrap_or(outside);
-        Grey { light: mean.light().unwrap_or_else(look), pixels: mean.count }
+        let source = [0, 1].map(|axis| corners.iter().map(|corner| corner[axis]).sum::<f64>() / 3.0);
+        let look = || self.photograph.light(source).unwrap_or(outside);
+        Grey { light: mean.light().unwrap_or_else(look), pixels: mean.count, source }
     }
 
     /// Calls `each` for the pixels of half a box: columns from the south-eastern to the south-western post, lines from the south-eastern to the

@@ -48,6 +48,7 @@
 //! | `panels.limits` | true, false | `restrictions` | at most 50 x 50 posts, 512 panels and 512 x 512 pixels ([`panel_program::Restrictions`]) |
 //! | `panels.fill` | `edge-buffer`, `fence`, `seed`, `span`, `rasteriser` | none | `panel-program` draws, and fills panels in this way |
 //! | `panels.posts` | a table | none | `panel-program` draws posts of its own, a second of arc apart: [`PostTable`] |
+//! | `panels.voids` | `fill`, `mark` | `fill` | `mark`: `panel-program` draws, and panels that touch a void have the light `outside` |
 //! | `panels.pattern` | `1`, `4`, `8`, `16`, `grid16`, `lattice32`, `off-centre16` | `4` | sampling points of a pixel |
 //! | `panels.rotate` | true, false | false | the pattern is turned from pixel to pixel |
 //! | `panels.filter` | `box`, `tent`, `gaussian` | `box` | how sampling points make a pixel |
@@ -62,6 +63,15 @@
 //! | `panels.beam_order` | `near-to-far`, `nearest-neighbour` | `near-to-far` | order in which the beam draws its points |
 //! | `panels.beam_layer` | `both`, `raster`, `beam` | `both` | layers that a picture shows |
 //!
+//! # Signals
+//!
+//! A row of the picture stands for a sweep of the probe: panel, depth, grey, source, and as written writes and voids of each pixel.
+//!
+//! # Timing
+//!
+//! The scene sampler takes no time. The program of the thesis, with both ends of a span, is a batch program: [`tasks`] turns the work that `panel-program`
+//! counts into seconds of a [`Hardware`], beside those that the thesis reports ([`REPORTED`]).
+//!
 //! # Threads
 //!
 //! Posts, panels and sub-areas are functions of their own, put together in their order: the bits do not depend on the number of threads.
@@ -71,6 +81,7 @@
 //! Coarser levels of the bank, remote shadow, texture, far silhouettes and vehicle tracks are listed as omissions. So is the scenario's sun, where it differs from
 //! the photographs' by more than 5 degrees and nothing is lit anew.
 
+mod faults;
 mod frame_ground;
 mod greys;
 mod mesh;
@@ -83,8 +94,11 @@ mod program;
 mod relit;
 mod row;
 mod session;
+mod signals;
+mod time;
 
 pub use panels::Panels;
 pub use parameters::{Diagonal, Fineness, Parameters, Shading};
 pub use program::{Block, PostTable, ProgramKeys};
 pub use row::ROW;
+pub use time::{Hardware, REPORTED, tasks};

@@ -7,18 +7,45 @@ use scene_sampler::Camera;
 
 use crate::greys::{Grey, Source, grey};
 use crate::prepared::Prepared;
+use crate::signals::Sample;
 
 /// A place of the ground that a pixel shows.
 pub struct Seen {
     /// Place: north, east, up (m), on the map.
     place: DVec3,
+    /// Distance (m) from the eye.
+    distance: f64,
 }
 
 impl Seen {
     /// What pixel `pixel` shows of a surface that is as near as `q` (1/m).
     pub fn new(camera: &Camera, pixel: [usize; 2], q: f64) -> Self {
-        let seen = camera.eye + camera.ray(pixel.map(|at| at as f64 + 0.5)) / q;
-        Self { place: seen + DVec3::Z * camera.drop_at(seen) }
+        let to = camera.ray(pixel.map(|at| at as f64 + 0.5)) / q;
+        let seen = camera.eye + to;
+        Self { place: seen + DVec3::Z * camera.drop_at(seen), distance: to.length() }
+    }
+
+    /// Panel, distance, light and photograph's pixel at the place.
+    pub fn sample(&self, prepared: &Prepared, camera: &Camera) -> Sample {
+        let on_map = [self.place.x, self.place.y];
+        let ground = prepared.drape.ground();
+        let (cell, shares) = ground.cell(on_map);
+        let shown = prepared.drape.at(self.place, &self.footprint(prepared, camera));
+        let unseen = || ground.between(on_map, |post| [f64::from(prepared.unseen[post])])[0];
+        Sample {
+            panel: Some(prepared.mesh.panel_at(cell, shares) as u32),
+            depth: self.distance,
+            grey: shown.map_or_else(unseen, |shown| shown.light),
+            source: shown.map(|shown| shown.pixel),
+            writes: 0.0,
+            touches_void: false,
+        }
+    }
+
+    /// What the pixel covers of the ground.
+    fn footprint(&self, prepared: &Prepared, camera: &Camera) -> Footprint {
+        let normal = prepared.drape.ground().normal([self.place.x, self.place.y]);
+        Footprint::seen(self.place, normal, camera.eye, 0.5 / camera.focal())
     }
 
     /// Panel, posts, photograph, pixels and light at the place.
@@ -38,9 +65,7 @@ impl Seen {
             ),
             Fact::new("light of the panel", format!("{light:.4}, {}", told(source))),
         ];
-        let normal = ground.normal(on_map);
-        let footprint = Footprint::seen(self.place, normal, camera.eye, 0.5 / camera.focal());
-        facts.push(match prepared.drape.at(self.place, &footprint) {
+        facts.push(match prepared.drape.at(self.place, &self.footprint(prepared, camera)) {
             None => Fact::new("photographs", "none sees this place"),
             Some(shown) => Fact::new(
                 "photographs",

@@ -3,10 +3,13 @@
 use std::sync::Arc;
 
 use diagnostics::Reader;
-use generator::{Against, ErrorLadder, Generator, Role, Row};
+use generator::{Against, ErrorLadder, Gear, Generator, Role, Row};
 
+use crate::faults::FAULTS;
 use crate::name::NAME;
-use crate::{Panels, Parameters};
+use crate::signals::SIGNALS;
+use crate::time::SHIPPED;
+use crate::{Hardware, Panels, Parameters};
 
 /// Table of its run parameters.
 const TABLE: &str = "panels";
@@ -16,10 +19,15 @@ pub static ROW: Row = Row {
     name: NAME,
     about: "photographs over panels of ground, seen from anywhere (a thesis of the Naval Postgraduate School, repaired)",
     role: Role::Guest,
-    signals: &[],
-    timed: false,
+    signals: &SIGNALS,
+    timed: true,
     parameters: Some(TABLE),
-    gear: None,
+    gear: Some(Gear {
+        tables: &["minicomputer"],
+        file: "built-in programs/panels.toml",
+        text: SHIPPED,
+        faults: &FAULTS,
+    }),
     ladders: &LADDERS,
     details: &[],
     configure,
@@ -37,6 +45,7 @@ const LADDERS: [ErrorLadder; 1] = [ErrorLadder {
 }];
 
 fn configure(root: &Reader) -> Option<Arc<dyn Generator>> {
-    let parameters = Parameters::read(&root.table_or_empty(TABLE))?;
-    Some(Arc::new(Panels { parameters }))
+    let parameters = Parameters::read(&root.table_or_empty(TABLE));
+    let hardware = Hardware::read(root);
+    Some(Arc::new(Panels { parameters: parameters?, hardware: hardware? }))
 }

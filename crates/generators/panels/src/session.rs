@@ -1,8 +1,8 @@
 //! The generator made ready for a stage.
 
 use generator::{
-    FaceScene, Fact, FrameCounts, FrameError, Omission, Planes, PrepareError, Session as GeneratorSession,
-    Stage, Weight, check_free_eye, face_lists_beside,
+    FaceScene, Fact, FrameCounts, FrameError, Label, Omission, Planes, PrepareError,
+    Session as GeneratorSession, Stage, Weight, check_free_eye, face_lists_beside,
 };
 use glam::DVec3;
 use quantities::degrees;
@@ -10,13 +10,14 @@ use raster::Screen;
 use scenario::Pose;
 use scene_sampler::{Camera, Filled, Scene, judged_faces};
 use serde_json::Value;
-use signal::Probe;
+use signal::{Probe, Wire};
 
 use crate::frame_ground::{Own, ground};
 use crate::name::NAME;
 use crate::parameters::Parameters;
 use crate::place::Seen;
 use crate::prepared::Prepared;
+use crate::signals::{self, Sample};
 
 /// Angle (degrees) between two suns from which a drape is said to be lit by the wrong one. Chosen by the specification.
 const SUNS_APART_DEG: f64 = 5.0;
@@ -77,12 +78,20 @@ impl GeneratorSession for Session {
         frame: u64,
         pose: &Pose,
         planes: &mut Planes,
-        _: &mut Probe,
+        probe: &mut Probe,
     ) -> Result<FrameCounts, FrameError> {
         let scene = self.scene(frame, pose)?;
         let run = &self.prepared.run.sampling;
         let view = &self.prepared.stage.view;
         let picture = scene_sampler::draw_untimed(&scene, &self.screen, run, (view, frame), planes)?;
+        signals::record((frame, view), false, probe, |pixel| {
+            let (q, label) = picture.surfaces[pixel[1] * view.columns as usize + pixel[0]];
+            let is_ground = q > 0.0 && label == Label::Terrain;
+            if !is_ground {
+                return Sample::NONE;
+            }
+            Seen::new(&scene.camera, pixel, f64::from(q)).sample(&self.prepared, &scene.camera)
+        });
         Ok(FrameCounts::of([
             ("panels", self.prepared.mesh.panels.len() as u64),
             ("faces", scene.faces.work.faces),
@@ -93,6 +102,10 @@ impl GeneratorSession for Session {
             ("lost_lights", picture.losses.lights),
             ("unseen_panels", self.prepared.unseen_panels()),
         ]))
+    }
+
+    fn wires(&self) -> Vec<Wire> {
+        signals::wires(&self.prepared.stage.view, false)
     }
 
     fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {

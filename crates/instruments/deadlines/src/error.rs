@@ -23,7 +23,9 @@ pub enum DeadlineError {
     #[error(transparent)]
     Frame(#[from] FrameError),
     /// The frames of the generator take no time.
-    #[error("--machine {0}: its frames take no time")]
+    #[error(
+        "--machine {0}: its frames take no time with these run parameters; its data sheet says with which they do"
+    )]
     NoTime(String),
     /// More missed deadlines than a record keeps.
     #[error(

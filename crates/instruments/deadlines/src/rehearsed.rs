@@ -12,6 +12,7 @@ use text::table;
 use timing::{FrameTiming, TimingRecord};
 
 use crate::rehearsal::TimedJob;
+use crate::routines::{Routine, routines};
 use crate::{DeadlineError, Rehearsal, misses};
 
 /// The hybrid machine's digital side, or another generator whose frames take time.
@@ -62,6 +63,14 @@ impl Rehearsed {
             Self::Other(other) => other.job().record(frames, progress),
         }
     }
+
+    /// The routines of `record` beside what the source of the generator reports; none if it reports nothing.
+    pub fn routines(&self, record: &TimingRecord) -> Vec<Routine> {
+        match self {
+            Self::Machine(_) => Vec::new(),
+            Self::Other(other) => other.routines(record),
+        }
+    }
 }
 
 impl Other {
@@ -106,6 +115,11 @@ impl Other {
     /// What the frames of `record` took beside what the formulas of the generator say; no figures if it has none.
     pub(crate) fn figures(&self, record: &TimingRecord) -> Vec<SizedFigure> {
         self.timed.sizing(&record.frames)
+    }
+
+    /// The routines of `record` beside what the source of the generator reports; none if it reports nothing.
+    pub fn routines(&self, record: &TimingRecord) -> Vec<Routine> {
+        routines(record, 1.0 / self.timed.master().hertz(), self.timed.reported())
     }
 
     /// A table of the misses in `lines` of every frame of the record: lines as the generator scans.

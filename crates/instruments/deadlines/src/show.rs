@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use timing::{FrameTiming, TimingRecord, Totals};
 
 use crate::critical_path::{Chain, chains};
-use crate::{DeadlineError, Rehearsal, misses};
+use crate::{DeadlineError, Rehearsal, Routine, misses};
 
 /// A timing record with the critical path of its tightest frame.
 pub struct Deadlines<'a> {
@@ -45,9 +45,13 @@ impl<'a> Deadlines<'a> {
         document(self.record, json!({ "frame": self.frame, "chains": self.chains }))
     }
 
-    /// The document of a record without deadlines, which has no critical path.
-    pub fn json_without(record: &TimingRecord) -> Value {
-        document(record, Value::Null)
+    /// The document of a record without deadlines, which has no critical path. `routines` stand beside what the source reports.
+    pub fn json_without(record: &TimingRecord, routines: &[Routine]) -> Value {
+        let mut document = document(record, Value::Null);
+        if !routines.is_empty() {
+            document["routines"] = json!(routines);
+        }
+        document
     }
 }
 

@@ -3,6 +3,28 @@
 use super::FillWork;
 use crate::real::Real;
 
+/// What filling panels takes, counted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct WrittenFill {
+    /// Buckets and words of the active edge list that were cleared: those of every panel that is filled.
+    pub buckets: u64,
+    /// Cells of the boxes of panels: each is cleared once and looked at once.
+    pub boxed: u64,
+    /// Cells that were marked; a depth is found for each.
+    pub marked: u64,
+}
+
+impl WrittenFill {
+    /// The same in the words of all ways to fill, with `cells` of the screen's buffers that were cleared before.
+    pub(crate) fn as_fill_work(self, cells: u64) -> FillWork {
+        let Self { buckets, boxed, marked } = self;
+        FillWork { cleared: cells + buckets + boxed, marked, scanned: boxed, tested: 0, found: marked }
+    }
+}
+
+/// Words of the active edge list: four of each of three lines.
+const EDGE_WORDS: u64 = 12;
+
 /// An entry of the active edge list.
 #[derive(Debug, Clone, Copy)]
 struct Line {
@@ -20,7 +42,7 @@ pub(crate) fn fill(
     corners: [[i64; 2]; 3],
     lines: usize,
     real: Real,
-    work: &mut FillWork,
+    work: &mut WrittenFill,
     mut each: impl FnMut(i64, i64),
 ) {
     let ends = |axis: usize| {
@@ -29,9 +51,8 @@ pub(crate) fn fill(
     };
     let ([left, right], [top, bottom]) = (ends(0), ends(1));
     let cells = ((right - left + 1) * (bottom - top + 1)) as u64;
-    // 512 buckets, 12 words of the active edge list, the cells of the box.
-    work.cleared += lines as u64 + 12 + cells;
-    work.scanned += cells;
+    work.buckets += lines as u64 + EDGE_WORDS;
+    work.boxed += cells;
     let lines = lines_of(corners, real);
     let mut waiting: Vec<([i64; 2], Line)> = lines.into_iter().flatten().collect();
     // The listing takes the two lines that begin in the highest row, in their order.
@@ -59,7 +80,6 @@ pub(crate) fn fill(
         let [from, to] = [at[0].min(at[1]), at[0].max(at[1])].map(|column| column.round() as i64);
         for column in from..=to {
             work.marked += 1;
-            work.found += 1;
             each(column, row);
         }
         first.delta_j -= 1.0;

@@ -4,8 +4,13 @@ use panel_program::{Fill, Picture, Posts, Program, Restrictions, Settings, View}
 
 use crate::block::{block, lie, observer, posts, usual};
 
-fn as_written() -> Settings {
-    Settings { restrictions: Restrictions::as_written(), fill: Fill::EdgeBuffer, outside: 0.0 }
+pub fn as_written() -> Settings {
+    Settings {
+        restrictions: Restrictions::as_written(),
+        fill: Fill::EdgeBuffer,
+        outside: 0.0,
+        marks_voids: false,
+    }
 }
 
 fn program(posts: &Posts, settings: Settings) -> Program {

@@ -7,5 +7,7 @@ mod check_values;
 mod counts;
 mod fills;
 mod findings;
+mod looks;
 mod refused;
 mod shipped;
+mod work;

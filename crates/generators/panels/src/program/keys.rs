@@ -6,6 +6,9 @@ use serde_json::Value;
 
 use super::PostTable;
 
+/// What becomes of panels that touch a void: they have the grey of their filled posts, or the light outside.
+const VOIDS: [(&str, bool); 2] = [("fill", false), ("mark", true)];
+
 /// What the program of the thesis is asked for.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ProgramKeys {
@@ -15,12 +18,14 @@ pub struct ProgramKeys {
     pub fill: Option<Fill>,
     /// Posts of the program in place of those of the landscape.
     pub posts: Option<PostTable>,
+    /// Whether panels that touch a void have the light outside.
+    pub marks_voids: bool,
 }
 
 impl ProgramKeys {
     /// Whether the program draws, in place of the scene sampler.
     pub fn draws(&self) -> bool {
-        self.restrictions.any() || self.fill.is_some() || self.posts.is_some()
+        self.restrictions.any() || self.fill.is_some() || self.posts.is_some() || self.marks_voids
     }
 
     /// Reads the keys. `restrictions` turns all findings on; the key of a finding stands over it.
@@ -35,6 +40,7 @@ impl ProgramKeys {
             }
         }
         let fill = table.one_of("fill", &Fill::ALL).optional();
+        let marks_voids = table.one_of("voids", &VOIDS).default(false);
         let posts = match table.optional_table("posts") {
             Some(posts) => PostTable::read(&posts).map(Some),
             None => (!table.has("posts")).then_some(None),
@@ -43,6 +49,7 @@ impl ProgramKeys {
             restrictions: (all.is_some() && is_read).then_some(restrictions)?,
             fill: (fill.is_some() || !table.has("fill")).then_some(fill)?,
             posts: posts?,
+            marks_voids: marks_voids?,
         })
     }
 
@@ -57,6 +64,9 @@ impl ProgramKeys {
         }
         let word = Fill::ALL.iter().find(|(_, fill)| *fill == self.way()).map(|(word, _)| *word);
         record["fill"] = word.into();
+        if self.marks_voids {
+            record["voids"] = VOIDS[1].0.into();
+        }
         if let Some(posts) = &self.posts {
             record["posts"] = posts.record();
         }

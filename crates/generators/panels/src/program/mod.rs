@@ -1,5 +1,6 @@
 //! The program of the thesis in place of the scene sampler.
 
+mod explained;
 mod keys;
 mod posts;
 mod session;

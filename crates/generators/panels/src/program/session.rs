@@ -11,11 +11,13 @@ use photo_drape::Ground;
 use photograph::{Photograph, Placement};
 use scenario::{Curvature, Pose};
 use scene_sampler::Camera;
-use signal::Probe;
+use signal::{Probe, Wire};
 
+use super::explained::explained;
 use crate::name::NAME;
 use crate::parameters::Parameters;
 use crate::prepared::{refused, spacing};
+use crate::signals::{self, Sample};
 
 /// What its pictures hold.
 pub(crate) const PLANES: [PlaneKind; 3] = [PlaneKind::Intensity, PlaneKind::Label, PlaneKind::Distance];
@@ -43,19 +45,39 @@ impl ProgramSession {
             restrictions: run.program.restrictions,
             fill: run.program.way(),
             outside: run.outside,
+            marks_voids: run.program.marks_voids,
         };
         let program = Program::new(&posts, lie, photograph, settings);
         let program = program.map_err(|error| refused(&error, remedy(&error)))?;
         Ok(Self { stage, program })
     }
 
-    fn picture(&self, frame: u64, pose: &Pose) -> Result<Picture, FrameError> {
+    /// What it is made ready for.
+    pub fn stage(&self) -> &Stage {
+        &self.stage
+    }
+
+    /// The picture of a frame.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn, or the listing has no room for the screen.
+    pub fn picture(&self, frame: u64, pose: &Pose) -> Result<Picture, FrameError> {
         self.check(frame, pose)?;
-        let refused = |error: ProgramError| FrameError::Refused {
-            frame,
-            reason: format!("{NAME} cannot draw it: {error}; {}", remedy(&error)),
-        };
-        self.program.draw(&self.view(pose)).map_err(refused)
+        self.program.draw(&self.view(pose)).map_err(|error| cannot_draw(frame, &error))
+    }
+
+    /// What a pixel of a picture shows.
+    fn sample(&self, picture: &Picture, pixel: usize) -> Sample {
+        let number = picture.panel[pixel];
+        let Some(panel) = self.program.panels().get(number as usize) else { return Sample::NONE };
+        Sample {
+            panel: Some(number),
+            depth: f64::from(picture.distance[pixel]),
+            grey: panel.grey.light,
+            source: Some(panel.grey.source),
+            writes: f64::from(picture.writes[pixel]),
+            touches_void: panel.touches_void,
+        }
     }
 
     fn view(&self, pose: &Pose) -> View {
@@ -90,6 +112,11 @@ fn posts(stage: &Stage, run: &Parameters, photograph: &Photograph) -> Result<(Po
     Ok((Posts { size: [rows, columns], places: all.map(|post| ground.post(post)).collect() }, Lie::Plane))
 }
 
+/// A refusal of the program as that of a frame.
+fn cannot_draw(frame: u64, error: &ProgramError) -> FrameError {
+    FrameError::Refused { frame, reason: format!("{NAME} cannot draw it: {error}; {}", remedy(error)) }
+}
+
 /// What helps against a refusal.
 fn remedy(error: &ProgramError) -> &'static str {
     match error {
@@ -106,9 +133,13 @@ impl Session for ProgramSession {
         frame: u64,
         pose: &Pose,
         planes: &mut Planes,
-        _: &mut Probe,
+        probe: &mut Probe,
     ) -> Result<FrameCounts, FrameError> {
         let picture = self.picture(frame, pose)?;
+        let view = &self.stage.view;
+        signals::record((frame, view), true, probe, |[column, line]| {
+            self.sample(&picture, line * view.columns as usize + column)
+        });
         for (kind, values) in
             [(PlaneKind::Intensity, &picture.light), (PlaneKind::Distance, &picture.distance)]
         {
@@ -128,6 +159,10 @@ impl Session for ProgramSession {
             ("discarded_panels", counts.discarded),
             ("lost_panels", counts.lost),
         ]))
+    }
+
+    fn wires(&self) -> Vec<Wire> {
+        signals::wires(&self.stage.view, true)
     }
 
     fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
@@ -155,23 +190,11 @@ impl Session for ProgramSession {
         omissions
     }
 
-    /// Panel, posts, grey, depth and writes of a pixel.
-    fn explain(&self, frame: u64, pose: &Pose, [column, line]: [usize; 2]) -> Result<Vec<Fact>, FrameError> {
-        let picture = self.picture(frame, pose)?;
-        let pixel = line * self.stage.view.columns as usize + column;
-        let number = picture.panel[pixel];
-        let Some(panel) = self.program.panels().get(number as usize) else {
-            return Ok(vec![Fact::new("panel", "none")]);
-        };
-        Ok(vec![
-            Fact::new("panel", format!("{number}; posts {:?}", panel.posts)),
-            Fact::new(
-                "light of the panel",
-                format!("{:.4}, mean of {} pixels of the photograph", panel.grey.light, panel.grey.pixels),
-            ),
-            Fact::new("void", if panel.touches_void { "a post of it was void" } else { "none" }),
-            Fact::new("depth buffer", format!("{:.3} m", picture.distance[pixel])),
-            Fact::new("written", format!("{} times", picture.writes[pixel])),
-        ])
+    /// Panel, posts, grey, depth and writes of a pixel; then the panels that lost to it.
+    fn explain(&self, frame: u64, pose: &Pose, pixel: [usize; 2]) -> Result<Vec<Fact>, FrameError> {
+        self.check(frame, pose)?;
+        let looks = self.program.looks(&self.view(pose), pixel);
+        let looks = looks.map_err(|error| cannot_draw(frame, &error))?;
+        Ok(explained(&self.program, &looks))
     }
 }

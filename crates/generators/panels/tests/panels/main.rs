@@ -1,10 +1,14 @@
 //! Photographs over panels of ground: what pictures, panels and explanations show.
 
+mod faults;
 mod identity;
 mod light;
 mod moffett;
 mod panels_of_cells;
 mod program;
 mod refused;
+mod rows;
 mod shots;
+mod time;
+mod timed_set;
 mod views;

@@ -2,8 +2,8 @@
 
 use std::path::PathBuf;
 
-use diagnostics::{Problems, TomlFile};
-use generator::{Generator, PlaneKind, Planes, Session};
+use diagnostics::{Layers, Problems, TomlFile};
+use generator::{Generator, PlaneKind, Planes, Session, Stage};
 use panels::ROW;
 use photograph::Photograph;
 use scenario::Pose;
@@ -16,31 +16,35 @@ fn folder() -> PathBuf {
 }
 
 /// The generator that the table `[panels]` of a text asks for.
-fn configured(text: &str) -> Result<std::sync::Arc<dyn Generator>, String> {
+pub fn configured(text: &str) -> Result<std::sync::Arc<dyn Generator>, String> {
     let problems = Problems::new();
-    let file = TomlFile::parse("moffett.toml", text, &problems).expect("TOML");
-    let root = file.root(&problems);
+    let texts = [ROW.gear.unwrap().text, text];
+    let layers = texts.map(|text| TomlFile::parse("moffett.toml", text, &problems).expect("TOML"));
+    let layers = Layers::new(layers);
+    let root = layers.root(&problems);
     let generator = (ROW.configure)(&root);
     root.table_or_empty("panels").finish();
     problems.resolve(generator).map_err(|problems| problems.to_string())
 }
 
-fn scenario(name: &str) -> String {
+pub fn scenario(name: &str) -> String {
     std::fs::read_to_string(folder().join(format!("{name}.toml"))).unwrap()
 }
 
-/// The scenario's generator over its photograph, seen by its screen.
-fn session(text: &str, photograph: &str) -> Box<dyn Session> {
+/// A frame of the photograph, seen by the screen of the thesis.
+pub fn frame_stage(photograph: &str) -> Stage {
     let [picture, camera] = ["png", "json"].map(|end| folder().join(format!("moffett/{photograph}.{end}")));
     let photograph = Photograph::read(&picture, &camera).unwrap();
-    configured(text)
-        .unwrap()
-        .prepare(stage(landscape(0.0), vec![photograph], 512, 1600.0 / 15_000.0))
-        .unwrap()
+    stage(landscape(0.0), vec![photograph], 512, 1600.0 / 15_000.0)
+}
+
+/// The scenario's generator over its photograph, seen by its screen.
+pub fn session(text: &str, photograph: &str) -> Box<dyn Session> {
+    configured(text).unwrap().prepare(frame_stage(photograph)).unwrap()
 }
 
 /// Poses of a path file.
-fn poses(name: &str) -> Vec<Pose> {
+pub fn poses(name: &str) -> Vec<Pose> {
     let text = std::fs::read_to_string(folder().join(format!("{name}.csv"))).unwrap();
     let rows = text.lines().skip(1).map(|line| {
         let of = |column: usize| line.split(',').nth(column).unwrap().parse::<f64>().unwrap();
@@ -102,4 +106,23 @@ fn void_posts_are_filled_and_told() {
     let facts = pixels.flat_map(|pixel| session.explain(0, &pose, pixel).unwrap());
     let told: Vec<String> = facts.filter(|fact| fact.what == "void").map(|fact| fact.value).collect();
     assert!(told.iter().any(|value| value == "a post of it was void"), "{told:?}");
+}
+
+#[test]
+fn void_panels_are_marked_to_the_last_picture() {
+    let text = scenario("moffett").replace("height_m = 83", "height_m = \"void\"");
+    let marked = text.replace("restrictions = true", "restrictions = true\nvoids = \"mark\"\noutside = 1");
+    let pose = poses("moffett")[1];
+    let [(filled, usual), (shown, void)] = [text, marked].map(|text| {
+        let mut planes = Planes::new(512, 512, &[PlaneKind::Intensity]);
+        let mut probe = Probe::new(vec!["panels.void".into()], 0..512);
+        session(&text, "frame").frame(0, &pose, &mut planes, &mut probe).unwrap();
+        let gates: Vec<f64> = probe.waveforms.into_iter().flat_map(|wave| wave.values).collect();
+        (planes.get(PlaneKind::Intensity).unwrap().to_vec(), gates)
+    });
+    assert_eq!(usual, void, "the mask does not depend on what is drawn");
+    assert!(void.iter().filter(|gate| **gate == 1.0).count() > 500);
+    for ((filled, shown), gate) in filled.iter().zip(&shown).zip(&void) {
+        if *gate == 1.0 { assert_eq!(*shown, 1.0) } else { assert_eq!(shown, filled) }
+    }
 }

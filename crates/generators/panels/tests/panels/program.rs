@@ -8,7 +8,7 @@ use panels::{Diagonal, Parameters, ProgramKeys, Shading};
 use raster::Pattern;
 use scene_sampler::Parameters as Sampling;
 
-use crate::shots::{draw, landscape, light, photograph, pose, run, session, stage, waves};
+use crate::shots::{draw, landscape, light, panels, photograph, pose, run, session, stage, waves};
 
 fn with(program: ProgramKeys) -> Parameters {
     let sampling = Sampling { pattern: Pattern::One, ..run().sampling };
@@ -70,7 +70,7 @@ fn what_it_leaves_out_is_listed() {
     assert!(omissions.iter().any(|omission| omission.what.contains("all photographs but the first")));
     let limits = ProgramKeys { restrictions: Restrictions::as_written(), ..ProgramKeys::default() };
     let stage = generator::Stage { landscape: Arc::clone(&make().landscape), ..make() };
-    let error = match generator::Generator::prepare(&panels::Panels { parameters: with(limits) }, stage) {
+    let error = match generator::Generator::prepare(&panels(with(limits)), stage) {
         Err(error) => error.to_string(),
         Ok(_) => panic!("it was drawn"),
     };

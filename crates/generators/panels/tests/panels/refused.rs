@@ -1,14 +1,14 @@
 //! What the generator refuses.
 
 use generator::Generator;
-use panels::{Panels, Parameters};
+use panels::Parameters;
 
-use crate::shots::{landscape, photograph, run, stage};
+use crate::shots::{landscape, panels, photograph, run, stage};
 
 fn error(parameters: Parameters, photographs: usize) -> String {
     let photos = vec![photograph(80, 500.0, |_, _| 0.5); photographs];
     let stage = stage(landscape(0.0), photos, 16, 0.5);
-    match (Panels { parameters }).prepare(stage) {
+    match panels(parameters).prepare(stage) {
         Err(error) => error.to_string(),
         Ok(_) => panic!("it was drawn"),
     }

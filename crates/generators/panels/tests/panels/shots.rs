@@ -6,7 +6,7 @@ use generator::{Generator, PlaneKind, Planes, Session, Stage};
 use glam::DVec3;
 use landscape::relief::{Relief, Undulation};
 use landscape::{Attitude, Bank, Landscape, Sun};
-use panels::{Panels, Parameters};
+use panels::{Hardware, Panels, Parameters};
 use photo_camera::{Affine, Axes, Camera, Light, Orientation};
 use photograph::{Photograph, Placement};
 use picture::{Depth, GreyPicture};
@@ -76,8 +76,13 @@ pub fn run() -> Parameters {
     Parameters { spacing: Some(5.0), ..Parameters::default() }
 }
 
+/// The generator with run parameters, on the computer that ships.
+pub fn panels(parameters: Parameters) -> Panels {
+    Panels { parameters, hardware: Hardware::shipped().unwrap() }
+}
+
 pub fn session(stage: Stage, run: Parameters) -> Box<dyn Session> {
-    Panels { parameters: run }.prepare(stage).unwrap()
+    panels(run).prepare(stage).unwrap()
 }
 
 /// An eye at a place (north, east, up; m), with heading and pitch (deg).

@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use deadlines::{DeadlineError, Rehearsal, Rehearsed, changed_pixels, first, first_moved};
+use deadlines::{
+    DeadlineError, Rehearsal, Rehearsed, Routine, changed_pixels, first, first_moved, routines_text,
+};
 use front_door::Opened;
 use picture::ChangedPixels;
 use serde_json::json;
@@ -60,22 +62,26 @@ impl Record {
         let (rehearsal, frames) = rehearse_timed(&self.stage, &self.threads, usual)?;
         let record = record(!self.no_progress, |hear| rehearsal.record(&frames, hear))?;
         timing::write(&self.out, &record)?;
-        self.tell(&record)?;
+        self.tell(&record, &rehearsal.routines(&record))?;
         Ok(Verdict::Yes)
     }
 
-    fn tell(&self, record: &TimingRecord) -> Result<(), Failure> {
+    fn tell(&self, record: &TimingRecord, routines: &[Routine]) -> Result<(), Failure> {
         let file = self.out.display();
         if self.json {
-            return print_json(&json!({
+            let mut document = json!({
                 "schema": "lunoid.timing.record/1",
                 "file": file.to_string(),
                 "inputs": record.inputs,
                 "frames": frames_of(record),
                 "totals": Totals::of(record),
-            }));
+            });
+            if !routines.is_empty() {
+                document["routines"] = json!(routines);
+            }
+            return print_json(&document);
         }
-        print(&format!("{file}: {}", record.text()))
+        print(&format!("{file}: {}{}", record.text(), routines_text(routines)))
     }
 }
 

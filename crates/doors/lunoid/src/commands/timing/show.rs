@@ -5,8 +5,8 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use deadlines::{
-    Deadlines, Other, OverloadMap, Rehearsal, Rehearsed, TimelineOf, lines_of, spread, write_slack,
-    write_timeline, write_utilisation,
+    Deadlines, Other, OverloadMap, Rehearsal, Rehearsed, TimelineOf, lines_of, routines_text, spread,
+    write_slack, write_timeline, write_utilisation,
 };
 use front_door::Opened;
 use generator::PlaneKind;
@@ -143,11 +143,12 @@ impl Show {
     fn tell_other(&self, other: &Other, record: &TimingRecord) -> Result<(), Failure> {
         let map = self.overload_map(other)?;
         if self.json {
-            return print_json(&Deadlines::json_without(record));
+            return print_json(&Deadlines::json_without(record, &other.routines(record)));
         }
         let lines = self.missed_lines(lines_of(other.opened()))?;
         let misses = lines.map(|lines| other.misses_text(record, &lines)).unwrap_or_default();
-        print(&(record.text() + &other.times_text(record) + &misses + &map))
+        let routines = routines_text(&other.routines(record));
+        print(&(record.text() + &routines + &other.times_text(record) + &misses + &map))
     }
 
     /// Writes the overload map, and counts it in words.
