@@ -58,8 +58,12 @@
 //! Lamps, sheets, overlays, discs of the sky, remote shadow, texture, far silhouettes and vehicle tracks are listed as omissions.
 
 mod bodies;
+mod deadlines;
+mod faults;
 mod frame_lists;
 mod ground;
+mod hardware;
+mod inputs;
 mod name;
 mod parameters;
 mod piece;
@@ -67,10 +71,17 @@ mod planes;
 mod row;
 mod scan_line;
 mod scene;
+mod schedule;
 mod session;
 mod signals;
+mod sizing;
+mod slots;
 mod smooth_faces;
+mod timed;
+mod work;
 
-pub use parameters::{Animation, Parameters};
+pub use hardware::{Hardware, RealTime};
+pub use parameters::{Hull, Parameters};
 pub use row::ROW;
 pub use smooth_faces::SmoothFaces;
+pub use timed::Clocked;

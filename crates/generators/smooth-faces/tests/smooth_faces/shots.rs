@@ -12,7 +12,7 @@ use scenario::{
     Carrier, Curvature, Display, FaceKind, FaceList, FaceLists, FieldOfView, Laws, Pose, Scenery, View,
 };
 use signal::Probe;
-use smooth_faces::{Parameters, SmoothFaces};
+use smooth_faces::{Hardware, Parameters, SmoothFaces};
 
 /// Frames of a second.
 pub const FRAMES: u64 = 30;
@@ -81,8 +81,17 @@ pub fn square(name: &str, at: DVec3, side: f64, priority: i32, colour: [f64; 3])
     FaceList::new(group, FaceKind::Effect, Carrier::Map(0.0))
 }
 
+/// The gear that ships.
+pub fn gear() -> Hardware {
+    Hardware::shipped().unwrap()
+}
+
 pub fn session(stage: Stage, parameters: Parameters) -> Box<dyn Session> {
-    SmoothFaces { parameters }.prepare(stage).unwrap()
+    session_on(stage, parameters, gear())
+}
+
+pub fn session_on(stage: Stage, parameters: Parameters, hardware: Hardware) -> Box<dyn Session> {
+    SmoothFaces { parameters, hardware }.prepare(stage).unwrap()
 }
 
 /// An eye at a place (north, east, up; m), with heading and pitch (deg).
