@@ -11,7 +11,7 @@ use crate::shots::{
 };
 
 /// A diamond on the map whose corners are dark to the west and east, bright to the north and south, under a sun from straight above.
-fn diamond() -> FaceList {
+pub fn diamond() -> FaceList {
     let corner = |north: f64, east: f64, up: f64| Vertex {
         place: DVec3::new(150.0 + north, 100.0 + east, 0.0),
         normal: Some(DVec3::new(1.0 - up, 0.0, up).normalize()),

@@ -59,6 +59,14 @@ pub fn sea(state: SeaState, pattern: Pattern) -> Sea {
     board_sea(Board::new(10.0, 0..20, 0..30).unwrap(), state, pattern)
 }
 
+/// A sea of squares of 6 m under a table of 4096 normals, which goes on in every frame.
+pub fn fine_sea(rows: i64, columns: i64) -> Sea {
+    let board = Board::new(6.0, 0..rows, 0..columns).unwrap();
+    let cone = Cone::new(4096, radians(75.0)).unwrap();
+    let random = Pattern::Random { seed: 1 };
+    Sea::of_state(SeaState::High, (board, random, cone), (Mean::USUAL, [1.0; 3]), rate()).unwrap()
+}
+
 pub fn board_sea(board: Board, state: SeaState, pattern: Pattern) -> Sea {
     let cone = Cone::new(16, radians(75.0)).unwrap();
     Sea::of_state(state, (board, pattern, cone), (Mean::USUAL, [1.0; 3]), rate()).unwrap()
