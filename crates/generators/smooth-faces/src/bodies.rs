@@ -43,8 +43,8 @@ fn add_body(
 ) -> Result<(), faces::FaceError> {
     let mesh = of_body("body", body, scene.run.shading)?.mesh;
     let normals = faces::CornerNormals::new(&mesh, faces::Weights::Equal);
-    let sun_frame = group_target(body.group)
-        .map_or(scene.frame, |group| scene.schedule.shown(group, scene.frame));
+    let sun_frame =
+        group_target(body.group).map_or(scene.frame, |group| scene.schedule.shown(group, scene.frame));
     let own = stage.scenery.sun_of_group(body.group, scene.time(sun_frame, stage, pose));
     let sun = DVec3::from_array(own.unwrap_or_else(|| stage.scenery.sun(pose.time)).direction());
     let number = scene.start(List {

@@ -154,9 +154,8 @@ fn of_kind(kind: Kind, stage: &Stage, lists: &[&FaceList], run: &Parameters, rt:
     match kind {
         Kind::Sun => {
             let suns = stage.scenery.groups().iter().enumerate().filter(|(_, group)| group.sun.is_some());
-            items.extend(
-                suns.map(|(place, group)| Item::new(kind, Target::Group(place), &group.name, 1, rt)),
-            );
+            items
+                .extend(suns.map(|(place, group)| Item::new(kind, Target::Group(place), &group.name, 1, rt)));
         }
         Kind::Body => {
             let guests = stage.scenery.all_guests().iter().filter(|guest| guest.moves());
@@ -178,9 +177,7 @@ fn pieces(kind: Kind, list: &FaceList, run: &Parameters) -> u64 {
     let is_renumbered = run.animate == faces::Animate::Normals && list.sea.is_some();
     match kind {
         Kind::Sequence => list.group.sequences().len() as u64,
-        Kind::Sun => {
-            u64::from(!is_renumbered && matches!(list.group.sun, faces::SunProgramme::Turning(_)))
-        }
+        Kind::Sun => u64::from(!is_renumbered && matches!(list.group.sun, faces::SunProgramme::Turning(_))),
         Kind::Body => u64::from(matches!(list.carrier, Carrier::Ship(_) | Carrier::Object(..))),
         Kind::Normal => list.sea.as_ref().filter(|_| is_renumbered).map_or(0, |sea| sea.board.vertices()),
     }
@@ -217,8 +214,8 @@ fn plan(items: &mut [Item], spare: u64) {
 
 /// Holds the sun vector of that number, from 1, as it is in frame 0.
 fn stop_sun(items: &mut [Item], number: u32) {
-    let suns = items.iter_mut().filter(|item| item.kind == Kind::Sun);
-    if let Some(item) = (number as usize).checked_sub(1).and_then(|place| suns.skip(place).next()) {
+    let mut suns = items.iter_mut().filter(|item| item.kind == Kind::Sun);
+    if let Some(item) = (number as usize).checked_sub(1).and_then(|place| suns.nth(place)) {
         item.when = When::Never;
     }
 }

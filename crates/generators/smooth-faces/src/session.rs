@@ -78,7 +78,9 @@ impl Session {
         }
         let earlier = frame.saturating_sub(u64::from(self.hardware.delay_frames));
         let pose = self.stage.scenery.course().get(earlier as usize).copied();
-        let reason = || format!("frame {earlier}, which it shows, is not among those of the mission; choose one of those");
+        let reason = || {
+            format!("frame {earlier}, which it shows, is not among those of the mission; choose one of those")
+        };
         Ok((earlier, pose.ok_or_else(|| FrameError::Refused { frame, reason: reason() })?))
     }
 

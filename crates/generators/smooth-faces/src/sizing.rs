@@ -18,9 +18,10 @@ pub fn figures(session: &Session, frames: &[FrameTiming]) -> Vec<SizedFigure> {
     let hardware = &session.hardware;
     let mean = |of: &dyn Fn(&FrameTiming) -> u64| {
         (!frames.is_empty())
-            .then(|| frames.iter().map(|frame| of(frame)).sum::<u64>() as f64 / frames.len() as f64)
+            .then(|| frames.iter().map(of).sum::<u64>() as f64 / frames.len() as f64)
     };
-    let most = |of: &dyn Fn(&FrameTiming) -> u64| frames.iter().map(|frame| of(frame) as f64).reduce(f64::max);
+    let most =
+        |of: &dyn Fn(&FrameTiming) -> u64| frames.iter().map(|frame| of(frame) as f64).reduce(f64::max);
     let microseconds = |unit: &'static str| mean(&move |frame| ticks(frame, unit)).map(|ns| ns / THOUSAND);
     let frame_us = frame_ns(session.stage.view.update) as f64 / THOUSAND;
     let update_hz = session.stage.view.update.hertz();

@@ -29,7 +29,7 @@ impl Clocked {
         Ok(Self { session: Session::new(stage, parameters, hardware)? })
     }
 
-    /// What is new in a frame, in the order of the computer; then the scan lines, each with its crossings and those without a slot.
+    /// What is new in a frame, in the order of the computer; then the scan lines, each with its crossings, those without a slot, its ramps.
     fn events(&self, frame: u64, lines: &[Crossed]) -> EventHash {
         let mut events = EventHash::new();
         for (number, item) in (0..).zip(self.session.schedule.items()) {
@@ -39,7 +39,7 @@ impl Clocked {
         }
         let line_ns = self.session.hardware.sample_ns * self.session.samples() as u64;
         for (number, line) in (0..).zip(lines) {
-            let words = [number, line.crossings, line.missed.len() as u64];
+            let words = [number, line.crossings, line.missed.len() as u64, line.ramps];
             events.push(number * line_ns, EDGES, "line", &words);
         }
         events

@@ -11,7 +11,7 @@ use crate::shots::{gear, light, pose, run, sea, sea_list, session, stage};
 
 /// The pose of a frame: the eye climbs.
 fn at(frame: u64) -> Pose {
-    pose([150.0, 100.0, 60.0 + 5.0 * frame as f64], 0.0, -90.0)
+    pose([150.0, 100.0, 40.0 + 20.0 * frame as f64], 0.0, -90.0)
 }
 
 fn on_course(frames: u64) -> Stage {
@@ -38,7 +38,8 @@ fn a_picture_shows_the_pose_and_the_sun_of_three_frames_before() {
 #[test]
 fn a_record_is_of_the_frame_that_shows() {
     let clocked = |parameters| Clocked::new(on_course(9), parameters, gear()).unwrap();
-    let (own, late) = (clocked(run()).frame(5, &at(5)).unwrap(), clocked(delayed()).frame(8, &at(8)).unwrap());
+    let (own, late) =
+        (clocked(run()).frame(5, &at(5)).unwrap(), clocked(delayed()).frame(8, &at(8)).unwrap());
     assert_eq!((late.frame, late.tasks), (8, own.tasks));
     assert_eq!(late.events_blake3, own.events_blake3);
     assert_ne!(clocked(run()).frame(8, &at(8)).unwrap().events_blake3, own.events_blake3);

@@ -130,14 +130,15 @@ fn strip() -> FaceList {
 /// Of two depths of ratio r the error is (sqrt r - 1) / (sqrt r + 1): 0.519 for 10 (derived, section 9 of the specification).
 #[test]
 fn screen_linear_is_off_by_the_ratio_of_the_depths() {
-    let [space, screen] = pair("screen-linear", "[faces]\ninterpolation = \"perspective\"\n").map(|generator| {
-        let mut stage = stage(vec![strip()]);
-        stage.view.lines = PIXELS as u32;
-        let session = generator.prepare(stage).unwrap();
-        let (planes, _) = draw(&*session, 0, &pose([100.0, 100.0, 5.0], 0.0, 0.0));
-        let red = planes.get(PlaneKind::Red).unwrap();
-        (0..PIXELS).map(|line| red[line * PIXELS + PIXELS / 2]).collect::<Vec<_>>()
-    });
+    let [space, screen] =
+        pair("screen-linear", "[faces]\ninterpolation = \"perspective\"\n").map(|generator| {
+            let mut stage = stage(vec![strip()]);
+            stage.view.lines = PIXELS as u32;
+            let session = generator.prepare(stage).unwrap();
+            let (planes, _) = draw(&*session, 0, &pose([100.0, 100.0, 5.0], 0.0, 0.0));
+            let red = planes.get(PlaneKind::Red).unwrap();
+            (0..PIXELS).map(|line| red[line * PIXELS + PIXELS / 2]).collect::<Vec<_>>()
+        });
     let apart = crate::shots::apart(&space, &screen);
     let expected = 0.519_494;
     assert!(f64::from(apart) <= expected + 1e-6 && f64::from(apart) > expected - 0.02, "{apart}");
@@ -156,7 +157,11 @@ fn sea_first_shows_a_ship_above_the_horizon_alone() {
     let [right, wrong] = [&without, &with].map(|generator| seen(&**generator, Hiding::Waterline));
     assert_eq!(wrong, seen(&*without, Hiding::SeaFirst));
     let ships = |labels: &[u8]| labels.iter().filter(|label| **label == Label::Ship.code()).count();
-    assert!(ships(&right) > 5 * ships(&wrong).max(1) && right.len() == SIZE[0] * SIZE[1], "{}", ships(&right));
+    assert!(
+        ships(&right) > 5 * ships(&wrong).max(1) && right.len() == SIZE[0] * SIZE[1],
+        "{}",
+        ships(&right)
+    );
 }
 
 /// The picture is that of the wrong model of the study: more ship than above the water.

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use faces::{Animate, Mode, Pattern, SeaState, Sequence};
-use generator::{Timed, SizedFigure};
+use generator::{SizedFigure, Timed};
 use glam::DVec3;
 use scenario::FaceList;
 use smooth_faces::{Clocked, Hardware, Parameters, RealTime};

@@ -29,8 +29,7 @@ fn a_pixel_tells_what_is_shown_and_what_is_behind_it() {
 fn a_streak_leads_to_its_face_and_a_miss_to_its_streak() {
     let sea = sea(SeaState::High, Pattern::Random { seed: 1 });
     let eye = crate::shots::pose([10.0, 100.0, 30.0], 0.0, -20.0);
-    let with =
-        |edges_line| session_on(stage(vec![sea_list(&sea)]), run(), Hardware { edges_line, ..gear() });
+    let with = |edges_line| session_on(stage(vec![sea_list(&sea)]), run(), Hardware { edges_line, ..gear() });
     let (all, few) = (with(None), with(Some(24)));
     let ((whole, _), (streaked, counts)) = (draw(&*all, 0, &eye), draw(&*few, 0, &eye));
     let red = |planes: &Planes| planes.get(PlaneKind::Red).unwrap().to_vec();
@@ -82,7 +81,8 @@ fn a_scan_line_is_the_column_of_the_picture() {
 fn too_many_faces_are_refused_with_both_numbers() {
     let sea = sea(SeaState::Moderate, Pattern::Random { seed: 1 });
     let parameters = Parameters { limit: 100, ..run() };
-    let Err(refused) = (SmoothFaces { parameters, hardware: gear() }).prepare(stage(vec![sea_list(&sea)])) else {
+    let Err(refused) = (SmoothFaces { parameters, hardware: gear() }).prepare(stage(vec![sea_list(&sea)]))
+    else {
         panic!("it was made ready")
     };
     let text = refused.to_string();
