@@ -191,6 +191,14 @@ fn lay(sample: &mut Sample, above: &Sample, detail: Detail) -> bool {
     levels.iter().any(|level| level.is_clamped)
 }
 
+/// First samples of all ramps that are started on a scan line of `count` samples.
+pub fn entries(scene: &Scene, run: &Parameters, line: usize, count: usize) -> Vec<usize> {
+    let mut ramps = ramps(scene, run, 0..scene.pieces.len() as u32, line);
+    without_slot(&mut ramps, scene.slots);
+    let samples = ramps.iter().map(|(_, ramp)| ramp.samples(count));
+    samples.filter(|samples| !samples.is_empty()).map(|samples| samples.start).collect()
+}
+
 /// A piece at the middle of a sample, with how near it is (1/m) and its brightness.
 pub type PieceAt = (u32, [f64; 2]);
 

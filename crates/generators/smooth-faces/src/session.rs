@@ -106,7 +106,7 @@ impl GeneratorSession for Session {
         let scene = self.scene(frame, pose)?;
         let lines = planes::scan_lines(&scene, &self.run, self.size());
         planes::fill(&scene, &self.run, &lines, planes);
-        signals::record(frame, &scene, &lines, probe);
+        signals::record(frame, &scene, &self.run, &lines, probe);
         Ok(planes::counts(&scene, &lines))
     }
 

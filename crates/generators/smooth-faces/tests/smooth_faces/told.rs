@@ -77,6 +77,33 @@ fn a_scan_line_is_the_column_of_the_picture() {
     assert!(most < 1e-9 && count > 20, "{most} {count}");
 }
 
+/// With 24 slots the count of crossings ends at what the line has started, and never falls.
+#[test]
+fn crossings_are_counted_along_the_line() {
+    let sea = sea(SeaState::High, Pattern::Random { seed: 1 });
+    let eye = crate::shots::pose([10.0, 100.0, 30.0], 0.0, -20.0);
+    let counted = |edges_line| {
+        let hardware = Hardware { edges_line, ..gear() };
+        let session = session_on(stage(vec![sea_list(&sea)]), run(), hardware);
+        let mut probe = Probe::new(vec!["faces.edges".into()], 0..PIXELS as u32);
+        let mut planes = Planes::new(PIXELS, PIXELS, &[PlaneKind::Intensity]);
+        session.frame(0, &eye, &mut planes, &mut probe).unwrap();
+        assert!(probe.waveforms.iter().all(|wave| wave.values.is_sorted()));
+        probe.waveforms.iter().map(|wave| *wave.values.last().unwrap()).collect::<Vec<_>>()
+    };
+    let clocked = |edges_line| {
+        let hardware = Hardware { edges_line, ..gear() };
+        let clocked = smooth_faces::Clocked::new(stage(vec![sea_list(&sea)]), run(), hardware).unwrap();
+        let tasks = generator::Timed::frame(&clocked, 0, &eye).unwrap().tasks;
+        tasks.iter().find(|task| task.task == "ramps").unwrap().pieces as f64
+    };
+    for slots in [None, Some(24)] {
+        let ends = counted(slots);
+        assert_eq!(ends.iter().sum::<f64>(), clocked(slots));
+        assert!(slots.is_none_or(|slots| ends.iter().all(|end| *end <= f64::from(slots))), "{ends:?}");
+    }
+}
+
 #[test]
 fn too_many_faces_are_refused_with_both_numbers() {
     let sea = sea(SeaState::Moderate, Pattern::Random { seed: 1 });
