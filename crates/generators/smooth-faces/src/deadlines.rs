@@ -7,7 +7,7 @@ use timing::{Cause, Deadline, Missed, Slack};
 use crate::frame_lists;
 use crate::hardware::Kind;
 use crate::piece::Piece;
-use crate::scan_line::Crossed;
+use crate::scan_line::TimedLine;
 use crate::scene::Scene;
 use crate::schedule::{Item, Target};
 use crate::session::Session;
@@ -66,7 +66,7 @@ impl<'a> Judged<'a> {
         for item in session.schedule.items() {
             let came = came(session, item, frame, ticks);
             // What never comes is as late as a frame is long.
-            let slack = came.map_or(-(ticks as i64), |came| due as i64 - came as i64);
+            let slack = came.map_or(-(ticks as i64), |came| due as i64 - i64::try_from(came).unwrap_or(i64::MAX));
             self.add(UPDATE, slack, || Missed {
                 part: Some(item.part()),
                 due: due as f64,
@@ -77,9 +77,9 @@ impl<'a> Judged<'a> {
     }
 
     /// Whether the pieces that cross each scan line find slots, where those are limited.
-    pub fn lines(&mut self, scene: &Scene, lines: &[Crossed]) {
+    pub fn lines(&mut self, scene: &Scene, lines: &[TimedLine]) {
         let Some(slots) = scene.slots.map(u64::from) else { return };
-        for (number, line) in (0..).zip(lines) {
+        for (number, TimedLine { crossed: line, .. }) in (0..).zip(lines) {
             let kept = line.crossings - line.missed.len() as u64;
             let slack = self.deadlines.entry(EDGE).or_default();
             (1..=kept).for_each(|place| slack.add((slots - place) as i64));
@@ -113,7 +113,7 @@ impl<'a> Judged<'a> {
 /// When work for frame `frame` is ready (ns from when the spare time of the frame before begins); `None` if never.
 fn came(session: &Session, item: &Item, frame: u64, ticks: u64) -> Option<u64> {
     let behind = item.when.next(frame)? - frame + pointer_behind(session, item, frame);
-    Some(behind * ticks + item.ready_ns)
+    Some(behind.saturating_mul(ticks).saturating_add(item.ready_ns))
 }
 
 /// Frames by which the pointer of a sequence is behind in `frame`: those by which its steps are late, where it shows another member.

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use crate::parameters::Parameters;
 use crate::piece::{Piece, samples};
-use crate::scan_line::{Crossed, Sample, ScanLine, across};
+use crate::scan_line::{Sample, ScanLine, TimedLine, across};
 use crate::scene::Scene;
 
 /// The planes that are filled.
@@ -55,9 +55,9 @@ pub fn scan_lines(scene: &Scene, run: &Parameters, size: [usize; 2]) -> Vec<Scan
     each_line(scene, run, size, ScanLine::new)
 }
 
-/// What crosses all scan lines of a scene, of which no sample is drawn.
-pub fn crossed(scene: &Scene, run: &Parameters, size: [usize; 2]) -> Vec<Crossed> {
-    each_line(scene, run, size, Crossed::new)
+/// The same without samples.
+pub fn timed_lines(scene: &Scene, run: &Parameters, size: [usize; 2]) -> Vec<TimedLine> {
+    each_line(scene, run, size, TimedLine::new)
 }
 
 /// A value of each scan line: of the numbers of pieces that may cross it, of its own number, and of the number of its samples.

@@ -43,8 +43,6 @@ pub struct ScanLine {
 /// Pieces that cross a scan line.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Crossed {
-    /// Ramps that are started: those of pieces with a slot and a sample.
-    pub ramps: u64,
     /// Pieces that cross the line, with a slot or without.
     pub crossings: u64,
     /// Numbers of those of them without a slot, in the order of the scene.
@@ -52,24 +50,30 @@ pub struct Crossed {
 }
 
 impl Crossed {
-    /// What crosses the scan line number `line` of `count` samples; see [`ScanLine::new`].
-    pub fn new(scene: &Scene, run: &Parameters, crossing: &[u32], line: usize, count: usize) -> Self {
-        Self::with_ramps(scene, run, crossing, line, count).0
-    }
-
-    /// The same, and the ramps of the pieces that have a slot.
-    fn with_ramps(
-        scene: &Scene,
-        run: &Parameters,
-        crossing: &[u32],
-        line: usize,
-        count: usize,
-    ) -> (Self, Vec<(u32, Ramp)>) {
+    /// What crosses the scan line number `line`, and the ramps of the pieces that have a slot; see [`ScanLine::new`].
+    fn new(scene: &Scene, run: &Parameters, crossing: &[u32], line: usize) -> (Self, Vec<(u32, Ramp)>) {
         let mut ramps = ramps(scene, run, crossing.iter().copied(), line);
         let crossings = ramps.len() as u64;
         let missed = without_slot(&mut ramps, scene.slots);
-        let started = ramps.iter().filter(|(_, ramp)| !ramp.samples(count).is_empty()).count() as u64;
-        (Self { ramps: started, crossings, missed }, ramps)
+        (Self { crossings, missed }, ramps)
+    }
+}
+
+/// A scan line of which no sample is drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TimedLine {
+    /// Pieces that cross it.
+    pub crossed: Crossed,
+    /// Ramps that are started: those of pieces with a slot and a sample.
+    pub ramps: u64,
+}
+
+impl TimedLine {
+    /// The scan line number `line` of `count` samples; see [`ScanLine::new`].
+    pub fn new(scene: &Scene, run: &Parameters, crossing: &[u32], line: usize, count: usize) -> Self {
+        let (crossed, ramps) = Crossed::new(scene, run, crossing, line);
+        let ramps = ramps.iter().filter(|(_, ramp)| !ramp.samples(count).is_empty()).count() as u64;
+        Self { crossed, ramps }
     }
 }
 
@@ -83,7 +87,7 @@ struct Standing {
 impl ScanLine {
     /// The scan line number `line` of `count` samples; `crossing` numbers the pieces that may cross it, in the order of the scene.
     pub fn new(scene: &Scene, run: &Parameters, crossing: &[u32], line: usize, count: usize) -> Self {
-        let (crossed, ramps) = Crossed::with_ramps(scene, run, crossing, line, count);
+        let (crossed, ramps) = Crossed::new(scene, run, crossing, line);
         let mut drawn = Self { samples: vec![Sample::default(); count], crossed, ..Self::default() };
         drawn.resolve(scene, run, &ramps);
         drawn.lay_levels(scene, run, &ramps);

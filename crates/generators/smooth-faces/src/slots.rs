@@ -2,7 +2,7 @@
 
 use std::collections::HashSet;
 
-use crate::piece::Piece;
+use crate::piece::{Piece, Spot};
 use crate::scene::Scene;
 
 /// Edges of one list: two pieces that meet share theirs.
@@ -20,7 +20,7 @@ impl Edges {
 }
 
 /// An edge by the bits of its ends, in one order for both directions.
-fn key(a: &crate::piece::Spot, b: &crate::piece::Spot) -> [u64; 4] {
+fn key(a: &Spot, b: &Spot) -> [u64; 4] {
     let [mut first, mut last] = [a, b].map(|spot| spot.at.map(f64::to_bits));
     if last < first {
         std::mem::swap(&mut first, &mut last);

@@ -10,7 +10,7 @@ use crate::hardware::Hardware;
 use crate::inputs::inputs_hash;
 use crate::parameters::Parameters;
 use crate::planes;
-use crate::scan_line::Crossed;
+use crate::scan_line::TimedLine;
 use crate::session::Session;
 use crate::sizing;
 use crate::work::{EDGES, RT, SECOND, Work};
@@ -30,7 +30,7 @@ impl Clocked {
     }
 
     /// What is new in a frame, in the order of the computer; then the scan lines, each with its crossings, those without a slot, its ramps.
-    fn events(&self, frame: u64, lines: &[Crossed]) -> EventHash {
+    fn events(&self, frame: u64, lines: &[TimedLine]) -> EventHash {
         let mut events = EventHash::new();
         for (number, item) in (0..).zip(self.session.schedule.items()) {
             if item.when.shown(frame) == frame {
@@ -39,7 +39,7 @@ impl Clocked {
         }
         let line_ns = self.session.hardware.sample_ns * self.session.samples() as u64;
         for (number, line) in (0..).zip(lines) {
-            let words = [number, line.crossings, line.missed.len() as u64, line.ramps];
+            let words = [number, line.crossed.crossings, line.crossed.missed.len() as u64, line.ramps];
             events.push(number * line_ns, EDGES, "line", &words);
         }
         events
@@ -71,7 +71,7 @@ impl Timed for Clocked {
         let session = &self.session;
         let scene = session.scene(frame, pose)?;
         let (seen, _) = session.seen(frame, pose)?;
-        let lines = planes::crossed(&scene, &session.run, session.size());
+        let lines = planes::timed_lines(&scene, &session.run, session.size());
         let ticks = frame_ns(session.stage.view.update);
         let mut judged = Judged::none_of(session);
         judged.frame_tasks();

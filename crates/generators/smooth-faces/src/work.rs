@@ -5,9 +5,9 @@ use timing::{Task, UnitUse};
 
 use crate::frame_lists;
 use crate::hardware::{Hardware, Kind};
-use crate::scan_line::Crossed;
+use crate::scan_line::TimedLine;
 use crate::scene::Geometry;
-use crate::schedule::Target;
+use crate::schedule::{Item, Target};
 use crate::session::Session;
 
 /// The units, in the order in which a list meets them.
@@ -44,11 +44,11 @@ pub struct Work {
 
 impl Work {
     /// The work of frame `frame`, whose picture has `lines`.
-    pub fn of(session: &Session, frame: u64, geometry: Geometry, lines: &[Crossed]) -> Self {
+    pub fn of(session: &Session, frame: u64, geometry: Geometry, lines: &[TimedLine]) -> Self {
         Self {
             words: words(session, frame),
             geometry,
-            most_crossings: lines.iter().map(|line| line.crossings).max().unwrap_or(0),
+            most_crossings: lines.iter().map(|line| line.crossed.crossings).max().unwrap_or(0),
             samples: session.size().into_iter().product::<usize>() as u64,
             ramps: lines.iter().map(|line| line.ramps).sum(),
         }
@@ -95,8 +95,7 @@ impl Work {
 fn words(session: &Session, frame: u64) -> u64 {
     let Some(before) = frame.checked_sub(1) else { return 0 };
     let lists = frame_lists::drawn(&session.stage, &session.run);
-    let changed = |item: &&crate::schedule::Item| item.kind == Kind::Sequence;
-    let of_item = |item: &crate::schedule::Item| {
+    let of_item = |item: &Item| {
         let Target::List(number) = item.target else { return 0 };
         let list = lists[number];
         let [now, then] = [frame, before].map(|frame| {
@@ -104,7 +103,8 @@ fn words(session: &Session, frame: u64) -> u64 {
         });
         if now == then { 0 } else { list_words(&list.group, &now) }
     };
-    session.schedule.items().iter().filter(changed).map(of_item).sum()
+    let sequences = session.schedule.items().iter().filter(|item| item.kind == Kind::Sequence);
+    sequences.map(of_item).sum()
 }
 
 /// Words of those faces of a list.

@@ -2,6 +2,7 @@
 
 mod delay;
 mod faults;
+mod gear;
 mod levels;
 mod lines;
 mod orders;
