@@ -29,7 +29,7 @@ fn values_out_of_range_are_refused_by_name() {
         ("spare_us = 5000 ", "spare_us = 0 "),
         ("instruction_us = 1 ", "instruction_us = 0 "),
         ("words_s = 1e6", "words_s = 0.5"),
-        ("vertex_us = 2 ", "vertex_us = -2 "),
+        ("vertex_us = 0.2 ", "vertex_us = -0.2 "),
         ("edges_line = 0 ", "edges_line = 1000001 "),
         ("sample_ns = 50 ", "sample_ns = 50.5 "),
         ("adds_levels = true", "adds_levels = 1"),

@@ -72,9 +72,9 @@ fn units_work_as_their_pieces_say() {
     // 40 m of 120 m in 60 pixels; the diagonal puts two triangles on each line.
     let list = square("raft", DVec3::new(150.0, 100.0, 0.0), 40.0, 1, [1.0; 3]);
     let timing = clocked(vec![list], run(), gear()).frame(0, &from_above()).unwrap();
-    assert_eq!(task(&timing, "geometry", "vertices"), Some((4, 8000)));
-    assert_eq!(task(&timing, "geometry", "faces"), Some((1, 1000)));
-    assert_eq!(task(&timing, "geometry", "triangles"), Some((2, 2000)));
+    assert_eq!(task(&timing, "geometry", "vertices"), Some((4, 800)));
+    assert_eq!(task(&timing, "geometry", "faces"), Some((1, 100)));
+    assert_eq!(task(&timing, "geometry", "triangles"), Some((2, 200)));
     assert_eq!(task(&timing, "video", "samples"), Some((3600, 180_000)));
     let (ramps, _) = task(&timing, "video.ramps", "ramps").unwrap();
     assert!((38..=40).contains(&ramps), "{ramps}");
