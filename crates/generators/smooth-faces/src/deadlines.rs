@@ -66,7 +66,8 @@ impl<'a> Judged<'a> {
         for item in session.schedule.items() {
             let came = came(session, item, frame, ticks);
             // What never comes is as late as a frame is long.
-            let slack = came.map_or(-(ticks as i64), |came| due as i64 - i64::try_from(came).unwrap_or(i64::MAX));
+            let slack =
+                came.map_or(-(ticks as i64), |came| due as i64 - i64::try_from(came).unwrap_or(i64::MAX));
             self.add(UPDATE, slack, || Missed {
                 part: Some(item.part()),
                 due: due as f64,

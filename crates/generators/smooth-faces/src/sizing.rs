@@ -17,8 +17,7 @@ const MILLION: f64 = 1e6;
 pub fn figures(session: &Session, frames: &[FrameTiming]) -> Vec<SizedFigure> {
     let hardware = &session.hardware;
     let mean = |of: &dyn Fn(&FrameTiming) -> u64| {
-        (!frames.is_empty())
-            .then(|| frames.iter().map(of).sum::<u64>() as f64 / frames.len() as f64)
+        (!frames.is_empty()).then(|| frames.iter().map(of).sum::<u64>() as f64 / frames.len() as f64)
     };
     let most =
         |of: &dyn Fn(&FrameTiming) -> u64| frames.iter().map(|frame| of(frame) as f64).reduce(f64::max);
@@ -83,16 +82,18 @@ pub fn figures(session: &Session, frames: &[FrameTiming]) -> Vec<SizedFigure> {
     ]
 }
 
-/// Frames over those in which normals were new; `None` without normals, or where they are never new.
+/// Mean number of frames from one with new normals to the next; `None` without two of them in frames that follow one another.
 fn normals_measured(frames: &[FrameTiming]) -> Option<f64> {
     let update = Deadline::new("update");
-    let is_late = |frame: &&FrameTiming| {
+    let is_new = |frame: &&FrameTiming| {
         let parts = frame.misses.iter().filter(|missed| missed.deadline == update);
-        parts.filter_map(|missed| missed.part.as_deref()).any(|part| part.starts_with(Kind::Normal.word()))
+        let mut parts = parts.filter_map(|missed| missed.part.as_deref());
+        pieces(frame, RT, Kind::Normal.task()) > 0 && !parts.any(|part| part.starts_with(Kind::Normal.word()))
     };
-    let late = frames.iter().filter(is_late).count();
-    let has_normals = frames.iter().any(|frame| pieces(frame, RT, Kind::Normal.task()) > 0);
-    (has_normals && late < frames.len()).then(|| frames.len() as f64 / (frames.len() - late) as f64)
+    let follow = frames.windows(2).all(|pair| pair[1].frame == pair[0].frame + 1);
+    let new: Vec<u64> = frames.iter().filter(is_new).map(|frame| frame.frame).collect();
+    let [first, .., last] = new[..] else { return None };
+    follow.then(|| (last - first) as f64 / (new.len() - 1) as f64)
 }
 
 /// Frames that the last of the normals takes from one time to the next; `None` without normals, or where they are never new.
