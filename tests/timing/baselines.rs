@@ -109,17 +109,30 @@ pub fn of_generator(name: &str, baseline: &TimingRecord, sets: &[(&str, &str)]) 
     }
 }
 
+/// Scenarios of smooth-shaded faces.
+const AT_SEA: [&str; 2] = ["sea-wakes", "ship-landing"];
+
 #[test]
-fn scenarios_of_the_sampled_generator_hold_their_baselines() {
+fn scenarios_of_generators_hold_their_baselines() {
     let mut failed = Vec::new();
-    for name in SAMPLED {
-        let baseline = timing::read(path(name, "sampled")).unwrap_or_else(|e| panic!("{e}"));
+    let sampled = SAMPLED.map(|name| (name, "sampled"));
+    for (name, generator) in sampled.into_iter().chain(AT_SEA.map(|name| (name, "smooth-faces"))) {
+        let baseline = timing::read(path(name, generator)).unwrap_or_else(|e| panic!("{e}"));
         let comparison = compare(&baseline, &of_generator(name, &baseline, &[]), &Tolerance::default());
         if !comparison.is_met() {
             failed.push(comparison.text(12));
         }
     }
     assert!(failed.is_empty(), "{}", failed.concat());
+}
+
+/// A slower word of the real-time computer is told as such: its sun vectors take longer.
+#[test]
+fn a_slower_word_of_smooth_faces_is_named() {
+    let baseline = timing::read(path("sea-wakes", "smooth-faces")).unwrap_or_else(|e| panic!("{e}"));
+    let slower = of_generator("sea-wakes", &baseline, &[("rt.word_us", "4.001")]);
+    let text = compare(&baseline, &slower, &Tolerance::default()).text(1000);
+    assert!(text.contains("sun-vectors") && text.contains("inputs"), "{text}");
 }
 
 /// One tick more for a corner is told as such, and as other inputs.

@@ -3,12 +3,13 @@
 use faces::{Face, Mesh, of_body};
 use generator::{Label, Stage};
 use glam::DVec3;
-use scenario::Pose;
+use scenario::{Guest, Pose};
 use smallvec::SmallVec;
 use solids::{Body, Kind};
 
 use crate::piece::Corner;
 use crate::scene::{List, SceneBuilder};
+use crate::schedule::{Target, group_target};
 
 /// Priority of the nearest body: behind all lists of a scenario.
 pub const FIRST: i64 = 1 << 40;
@@ -18,12 +19,18 @@ pub const FIRST: i64 = 1 << 40;
 /// # Errors
 /// If a body's numbers are not finite.
 pub fn add(scene: &mut SceneBuilder<'_>, stage: &Stage, pose: &Pose) -> Result<(), faces::FaceError> {
-    let standing = stage.scenery.bodies(pose.time).cloned();
-    let mut bodies: Vec<Body> = standing.chain(stage.scenery.guests(pose.time)).collect();
+    let standing = stage.scenery.bodies(pose.time).cloned().map(|body| (body, scene.frame));
+    let guest = |guest: &Guest| {
+        let shown = scene.schedule.shown(Target::Object(guest.object), scene.frame);
+        Some((guest.body(scene.time(shown, stage, pose))?, shown))
+    };
+    let guests = stage.scenery.all_guests().iter().filter_map(guest);
+    let mut bodies: Vec<(Body, u64)> = standing.chain(guests).collect();
     let eye = scene.camera.eye;
-    bodies.sort_by(|a, b| (a.foot - eye).length_squared().total_cmp(&(b.foot - eye).length_squared()));
+    let nearness = |(body, _): &(Body, u64)| (body.foot - eye).length_squared();
+    bodies.sort_by(|a, b| nearness(a).total_cmp(&nearness(b)));
     for (rank, body) in bodies.iter().enumerate() {
-        add_body(scene, stage, body, (rank, pose.time))?;
+        add_body(scene, stage, body, (rank, pose))?;
     }
     Ok(())
 }
@@ -31,13 +38,15 @@ pub fn add(scene: &mut SceneBuilder<'_>, stage: &Stage, pose: &Pose) -> Result<(
 fn add_body(
     scene: &mut SceneBuilder<'_>,
     stage: &Stage,
-    body: &Body,
-    (rank, time): (usize, f64),
+    (body, body_frame): &(Body, u64),
+    (rank, pose): (usize, &Pose),
 ) -> Result<(), faces::FaceError> {
     let mesh = of_body("body", body, scene.run.shading)?.mesh;
     let normals = faces::CornerNormals::new(&mesh, faces::Weights::Equal);
-    let own = stage.scenery.sun_of_group(body.group, time);
-    let sun = DVec3::from_array(own.unwrap_or_else(|| stage.scenery.sun(time)).direction());
+    let sun_frame =
+        group_target(body.group).map_or(scene.frame, |group| scene.schedule.shown(group, scene.frame));
+    let own = stage.scenery.sun_of_group(body.group, scene.time(sun_frame, stage, pose));
+    let sun = DVec3::from_array(own.unwrap_or_else(|| stage.scenery.sun(pose.time)).direction());
     let number = scene.start(List {
         name: format!("body at {:.1} m north, {:.1} m east", body.foot.x, body.foot.y),
         label: match body.kind {
@@ -47,9 +56,11 @@ fn add_body(
         priority: FIRST + rank as i64,
         level: None,
         sun: sun.to_array(),
-        words: 0,
         has_own_sun: own.is_some(),
+        shown: [scene.frame, sun_frame, *body_frame, scene.frame],
+        has_fallen: false,
     });
+    scene.work.add_mesh(&mesh);
     let drop = DVec3::Z * scene.camera.drop_at(body.foot);
     for (k, face) in mesh.faces().iter().enumerate() {
         let Some(turned) = seen_side(face, &mesh, k, scene.camera.eye) else { continue };

@@ -2,54 +2,82 @@
 
 use std::borrow::Cow;
 
-use faces::{Animate, Face, Group, ModelShading, Shading, Sides};
+use faces::{Animate, Detail, Face, Group, ModelShading, Shading, Sides};
 use generator::{Label, Stage};
 use glam::DVec3;
-use scenario::{FaceKind, FaceList, ListAxes, Pose};
+use scenario::{Carrier, DrawnBy, FaceKind, FaceList, ListAxes, Pose};
 use smallvec::SmallVec;
 
-use crate::parameters::Parameters;
+use crate::hardware::Hardware;
+use crate::parameters::{Hull, Parameters};
 use crate::piece::Corner;
 use crate::scene::{List, SceneBuilder};
 
+/// Lists of faces of a stage that are drawn.
+pub fn drawn<'a>(stage: &'a Stage, run: &Parameters) -> Vec<&'a FaceList> {
+    let whole_hulls = run.hull == Hull::DeepHull;
+    let is_drawn = |list: &&FaceList| match list.drawn_by {
+        DrawnBy::All => true,
+        DrawnBy::Exact => whole_hulls && list.kind == FaceKind::Ship,
+        DrawnBy::Machines => !(whole_hulls && list.kind == FaceKind::Ship),
+    };
+    stage.scenery.face_lists().lists.iter().filter(is_drawn).collect()
+}
+
 /// Adds all lists of faces of a stage, the lowest priority first.
-pub fn add(scene: &mut SceneBuilder<'_>, stage: &Stage, frame: u64, pose: &Pose) {
-    let all = stage.scenery.face_lists();
-    let mut lists: Vec<(i32, &FaceList, ListAxes)> = Vec::with_capacity(all.lists.len());
-    for list in all.of_machines() {
-        let Some(axes) = list.carrier.axes(frame, pose, (&stage.scenery, &stage.landscape)) else { continue };
-        lists.push((list.priority(&axes, scene.camera.eye), list, axes));
+pub fn add(scene: &mut SceneBuilder<'_>, stage: &Stage, pose: &Pose) {
+    let mut lists = Vec::new();
+    for (number, list) in drawn(stage, &scene.run).into_iter().enumerate() {
+        let shown = scene.schedule.of_list(number, scene.frame);
+        let [_, _, body, _] = shown;
+        let at = Pose { time: scene.time(body, stage, pose), ..*pose };
+        let Some(axes) = list.carrier.axes(body, &at, (&stage.scenery, &stage.landscape)) else { continue };
+        let priority = list.priority(&axes, scene.camera.eye);
+        lists.push((rank(list, priority, scene.run.hull), (list, axes, shown)));
     }
-    lists.sort_by_key(|(priority, ..)| *priority);
-    lists.into_iter().for_each(|list| add_list(scene, stage, list, frame, pose));
+    lists.sort_by_key(|(rank, _)| *rank);
+    lists.into_iter().for_each(|((_, priority), list)| add_list(scene, stage, priority, list, pose));
+}
+
+/// Place of a list in the order: the sea and its levels are before all others where it comes first.
+fn rank(list: &FaceList, priority: i32, hull: Hull) -> (u8, i32) {
+    let class = match (hull, list.kind, &list.carrier) {
+        (Hull::SeaFirst, FaceKind::Level, _) => 0,
+        (Hull::SeaFirst, FaceKind::Sea, Carrier::Map(_)) => 1,
+        (Hull::SeaFirst, ..) => 2,
+        _ => 0,
+    };
+    (class, priority)
 }
 
 fn add_list(
     scene: &mut SceneBuilder<'_>,
     stage: &Stage,
-    (priority, list, axes): (i32, &FaceList, ListAxes),
-    frame: u64,
+    priority: i32,
+    (list, axes, shown): (&FaceList, ListAxes, [u64; 4]),
     pose: &Pose,
 ) {
-    let group = shown_group(list, &scene.run, frame);
+    let [of_sequence, of_sun, _, of_normals] = shown;
+    let group = shown_group(list, &scene.run, of_normals);
     let scenario_sun = DVec3::from_array(stage.scenery.sun(pose.time).direction());
-    let sun = group.sun.vector(frame, scenario_sun);
-    let own_sun = matches!(group.sun, faces::SunProgramme::Turning(_));
-    let words = words(list, &scene.run, own_sun);
-    let is_level = list.kind == FaceKind::Level || group.detail != faces::Detail::Replace;
+    let sun = group.sun.vector(of_sun, scenario_sun);
+    let detail = if scene.hardware.adds_levels { group.detail } else { Detail::Replace };
+    let is_level = list.kind == FaceKind::Level || group.detail != Detail::Replace;
     let number = scene.start(List {
         name: group.name.clone(),
         label: Label::of_faces(list.kind),
         priority: i64::from(priority),
-        level: is_level.then_some(group.detail),
+        level: is_level.then_some(detail),
         sun: sun.to_array(),
-        words,
-        has_own_sun: own_sun,
+        has_own_sun: matches!(group.sun, faces::SunProgramme::Turning(_)),
+        shown,
+        has_fallen: false,
     });
+    scene.work.add_mesh(&group.mesh);
     // Normals stand in the axes of a pattern; those of what turns go with it.
     let to_list = axes.turn.transpose();
     let shading = scene.run.shading;
-    for face in group.shown(frame, |name| list.carrier.signal(name, frame)) {
+    for face in shown_faces(list, &group, of_sequence, &scene.hardware) {
         let of_mesh = &group.mesh.faces()[face];
         let places: SmallVec<[DVec3; 4]> = of_mesh
             .corners
@@ -68,6 +96,11 @@ fn add_list(
     }
 }
 
+/// Faces of a list that the pointers of its sequences show in `frame`.
+pub fn shown_faces(list: &FaceList, group: &Group, frame: u64, hardware: &Hardware) -> Vec<usize> {
+    group.shown_late(frame, hardware.rt.late_frames, |name| list.carrier.signal(name, frame))
+}
+
 /// Whether a face is seen from behind; `None` if it is not seen.
 fn side(face: &Face, corner: DVec3, normal: DVec3, eye: DVec3) -> Option<bool> {
     let is_behind = normal.dot(eye - corner) < 0.0;
@@ -84,24 +117,14 @@ fn brightness(group: &Group, face: usize, (sun, behind): (DVec3, bool), shading:
     }
 }
 
-/// The list as it shows in `frame`: under renumbered normals a sea shows the last frame that was wholly written.
-fn shown_group<'a>(list: &'a FaceList, run: &Parameters, frame: u64) -> Cow<'a, Group> {
+/// The list as it is drawn: under renumbered normals a sea has those of frame `written`.
+fn shown_group<'a>(list: &'a FaceList, run: &Parameters, written: u64) -> Cow<'a, Group> {
     match &list.sea {
-        Some(sea) if run.animation.by == Animate::Normals => {
-            let shown = run.animation.shown(frame, sea.board.vertices());
+        Some(sea) if run.animate == Animate::Normals => {
             let Group { name, priority, detail, .. } = &list.group;
-            let renumbered = sea.renumbered(name, *priority, usize::MAX, shown);
+            let renumbered = sea.renumbered(name, *priority, usize::MAX, written);
             renumbered.map_or(Cow::Borrowed(&list.group), |group| Cow::Owned(group.detailed(*detail)))
         }
         _ => Cow::Borrowed(&list.group),
-    }
-}
-
-/// Memory words that the real-time computer writes for a list in a frame.
-fn words(list: &FaceList, run: &Parameters, has_own_sun: bool) -> u64 {
-    match &list.sea {
-        Some(sea) => run.animation.by.words(sea.board.vertices()),
-        None if has_own_sun => Animate::Sun.words(0),
-        None => 0,
     }
 }

@@ -28,9 +28,12 @@ pub fn add(scene: &mut SceneBuilder<'_>, stage: &Stage, rings: Rings, time: f64)
         priority: PRIORITY,
         level: None,
         sun: sun.direction(),
-        words: 0,
         has_own_sun: false,
+        shown: [scene.frame; 4],
+        has_fallen: false,
     });
+    scene.work.vertices += mesh.vertices().len() as u64;
+    scene.work.faces += mesh.triangles().len() as u64;
     let is_flat = scene.run.shading == ModelShading::Flat;
     let corners: Vec<Corner> =
         mesh.vertices().iter().map(|vertex| corner(scene, stage, &sun, vertex)).collect();

@@ -24,10 +24,8 @@
 //!   space. A sample is in the piece where its middle lies between both edges, the first one with it. Neighbours share each sample once.
 //! - **Levels of detail.** A list that adds is laid upon what its samples show, where that is not before it: `min(1, a + b)`, or
 //!   `1 - (1 - a)(1 - b)`, or in its place.
-//! - **Renumbered normals.** Under `animate = "normals"` a sea shows a new frame when all of its normals are written: every k-th frame,
-//!   `k = ceil(vertices normal_us / spare_us)`.
 //! - **Slots.** A scan line holds `edges_line` pieces. Those beyond are left out of this line: the last list loses first, in it the face stored
-//!   last.
+//!   last. A frame holds `edges_frame` edges: levels of detail that are laid upon lists fall first, then whole faces go in the same order.
 //! - Perspective is the true one under every law of projection; roll is the yoke's. One sample a pixel.
 //!
 //! # Run parameters
@@ -40,14 +38,28 @@
 //! | `faces.cut` | true, false | true | faces of more than three corners are cut in triangles |
 //! | `faces.scan` | `vertical`, `horizontal` | `vertical` | direction of scan lines |
 //! | `faces.animate` | `sun`, `normals` | `sun` | what moves a sea |
-//! | `faces.spare_us` | 1 to 1000000 | 5000 | time of a frame that the real-time computer has for normals |
-//! | `faces.normal_us` | 0.001 to 1000000 | 15 | its time for one normal |
-//! | `faces.edges_line` | 0 to 1000000 | 0 | pieces that a scan line holds; 0 is without limit |
+//! | `faces.hull` | `as-written`, `sea-first`, `deep-hull` | `as-written` | wrong orders and models of ships, for teaching; under `lists` alone |
+//! | `faces.delayed` | true, false | false | a picture shows the frame `delay_frames` before its own |
 //! | `faces.ambient` | 0 to 1 | 0 | share of light from everywhere |
 //! | `faces.ground` | true, false | true | whether the ground is drawn |
 //! | `faces.ground_cells` | 8 to 512, a multiple of 4 | 64 | cells along half the side of each ring of the ground |
 //! | `faces.ground_half_side_m` | 0.1 to 100000 | 32 | half the side of the innermost ring |
 //! | `faces.limit` | 1 to 10000000 | 200000 | most faces of a list |
+//!
+//! # Timing
+//!
+//! ```text
+//!  rt: sequences, sun vectors, bodies, normals --> transfer --> geometry --> edge slots --> video: samples, ramps
+//!      spare_us of a frame (Schedule)                                        (slots)
+//! ```
+//!
+//! The real-time computer works for a frame in the spare time of the frame before, in the order of the kinds and lists. What does not fit is done in
+//! what is left of several frames; its list shows what it showed before (`schedule.rs`). So a frame is a function of its number. A record counts
+//! nanoseconds. Its deadlines are `frame-tasks`, `update`, and where slots are limited `edge` and `edge-store`.
+//!
+//! # Gear
+//!
+//! The keys stand in `hardware-models/programs/smooth-faces.toml`, their ranges in `docs/blocks/smooth-faces.md`.
 //!
 //! # Threads
 //!
@@ -58,8 +70,12 @@
 //! Lamps, sheets, overlays, discs of the sky, remote shadow, texture, far silhouettes and vehicle tracks are listed as omissions.
 
 mod bodies;
+mod deadlines;
+mod faults;
 mod frame_lists;
 mod ground;
+mod hardware;
+mod inputs;
 mod name;
 mod parameters;
 mod piece;
@@ -67,10 +83,17 @@ mod planes;
 mod row;
 mod scan_line;
 mod scene;
+mod schedule;
 mod session;
 mod signals;
+mod sizing;
+mod slots;
 mod smooth_faces;
+mod timed;
+mod work;
 
-pub use parameters::{Animation, Parameters};
+pub use hardware::{Hardware, RealTime};
+pub use parameters::{Hull, Parameters};
 pub use row::ROW;
 pub use smooth_faces::SmoothFaces;
+pub use timed::Clocked;

@@ -21,10 +21,12 @@ pub struct Parameters {
     pub cut: Cut,
     /// Direction of scan lines.
     pub scan: Scan,
-    /// What moves a sea, and how fast.
-    pub animation: Animation,
-    /// Pieces that a scan line holds; `None` is without limit.
-    pub edges_line: Option<u32>,
+    /// What moves a sea: the sun of its list, or the numbers of its normals.
+    pub animate: Animate,
+    /// Which hulls ships have, and where the sea has its priority.
+    pub hull: Hull,
+    /// Whether a picture is as late as the gear makes it.
+    pub delayed: bool,
     /// Share of light from everywhere, 0..=1.
     pub ambient: f64,
     /// Rings of the ground; `None` where it is not drawn.
@@ -33,27 +35,19 @@ pub struct Parameters {
     pub limit: u32,
 }
 
-/// What moves a sea, and the time that it takes.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Animation {
-    /// The sun of the list, or the numbers of its normals.
-    pub by: Animate,
-    /// Time of a frame that the real-time computer has for normals (us).
-    pub spare_us: f64,
-    /// Its time for one normal (us).
-    pub normal_us: f64,
-}
-
-impl Animation {
-    /// The frame whose normals a sea of so many vertices shows in `frame`: the last one that was wholly written.
-    pub fn shown(&self, frame: u64, vertices: u64) -> u64 {
-        let every = (vertices as f64 * self.normal_us / self.spare_us).ceil().max(1.0) as u64;
-        frame / every * every
-    }
+/// Which hulls ships have, and where the sea has its priority.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Hull {
+    /// Both are as the scenario has them.
+    AsWritten,
+    /// The sea has its priority before all other lists (reported as a wrong order).
+    SeaFirst,
+    /// Every ship has its whole hull in place of what hides it (reported as a wrong model).
+    DeepHull,
 }
 
 impl Default for Parameters {
-    /// Spare time and time of a normal are chosen by the specification; screen-linear brightness and the vertical scan are reported.
+    /// Screen-linear brightness, the vertical scan and a sea that its sun moves are reported.
     fn default() -> Self {
         Self {
             order: Order::Depth,
@@ -61,8 +55,9 @@ impl Default for Parameters {
             shading: ModelShading::Smooth,
             cut: Cut::Fan,
             scan: Scan::Vertical,
-            animation: Animation { by: Animate::Sun, spare_us: 5000.0, normal_us: 15.0 },
-            edges_line: None,
+            animate: Animate::Sun,
+            hull: Hull::AsWritten,
+            delayed: false,
             ambient: 0.0,
             ground: Some(Rings { half_side: 32.0, cells: 64 }),
             limit: 200_000,
@@ -78,6 +73,8 @@ const SHADINGS: [(&str, ModelShading); 3] =
     [("smooth", ModelShading::Smooth), ("as-written", ModelShading::AsWritten), ("flat", ModelShading::Flat)];
 const SCANS: [(&str, Scan); 2] = [("vertical", Scan::Vertical), ("horizontal", Scan::Horizontal)];
 const ANIMATES: [(&str, Animate); 2] = [("sun", Animate::Sun), ("normals", Animate::Normals)];
+const HULLS: [(&str, Hull); 3] =
+    [("as-written", Hull::AsWritten), ("sea-first", Hull::SeaFirst), ("deep-hull", Hull::DeepHull)];
 
 impl Parameters {
     /// The parameters of a `[faces]` table; the default where the table has no key.
@@ -88,8 +85,9 @@ impl Parameters {
         let shading = table.one_of("shading", &SHADINGS).default(usual.shading);
         let cut = table.bool("cut").default(true);
         let scan = table.one_of("scan", &SCANS).default(usual.scan);
-        let animation = animation(table, usual.animation);
-        let edges_line = table.u32("edges_line").at_most(1_000_000).default(0);
+        let animate = table.one_of("animate", &ANIMATES).default(usual.animate);
+        let hull = table.one_of("hull", &HULLS).default(usual.hull);
+        let delayed = table.bool("delayed").default(usual.delayed);
         let ambient = table.f64("ambient").between(0.0, 1.0).default(usual.ambient);
         let ground = ground(table);
         let limit = table.u32("limit").between(1, 10_000_000).default(usual.limit);
@@ -99,8 +97,9 @@ impl Parameters {
             shading: shading?,
             cut: if cut? { Cut::Fan } else { Cut::Uncut },
             scan: scan?,
-            animation: animation?,
-            edges_line: Some(edges_line?).filter(|slots| *slots > 0),
+            animate: animate?,
+            hull: hull?,
+            delayed: delayed?,
             ambient: ambient?,
             ground: ground?,
             limit: limit?,
@@ -116,10 +115,9 @@ impl Parameters {
             "shading": word(&SHADINGS, &self.shading),
             "cut": self.cut == Cut::Fan,
             "scan": word(&SCANS, &self.scan),
-            "animate": word(&ANIMATES, &self.animation.by),
-            "spare_us": self.animation.spare_us,
-            "normal_us": self.animation.normal_us,
-            "edges_line": self.edges_line.unwrap_or(0),
+            "animate": word(&ANIMATES, &self.animate),
+            "hull": word(&HULLS, &self.hull),
+            "delayed": self.delayed,
             "ambient": self.ambient,
             "ground": self.ground.is_some(),
             "ground_cells": rings.cells,
@@ -127,13 +125,6 @@ impl Parameters {
             "limit": self.limit,
         })
     }
-}
-
-fn animation(table: &Reader, usual: Animation) -> Option<Animation> {
-    let by = table.one_of("animate", &ANIMATES).default(usual.by);
-    let spare = table.f64("spare_us").between(1.0, 1e6).unit("us").default(usual.spare_us);
-    let normal = table.f64("normal_us").between(0.001, 1e6).unit("us").default(usual.normal_us);
-    Some(Animation { by: by?, spare_us: spare?, normal_us: normal? })
 }
 
 /// Rings of the ground, where it is drawn.

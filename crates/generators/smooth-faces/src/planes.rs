@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use crate::parameters::Parameters;
 use crate::piece::{Piece, samples};
-use crate::scan_line::{Sample, ScanLine, across};
+use crate::scan_line::{Sample, ScanLine, TimedLine, across};
 use crate::scene::Scene;
 
 /// The planes that are filled.
@@ -52,10 +52,25 @@ impl Crossings {
 
 /// All scan lines of a scene on a screen of `size` (columns, lines).
 pub fn scan_lines(scene: &Scene, run: &Parameters, size: [usize; 2]) -> Vec<ScanLine> {
+    each_line(scene, run, size, ScanLine::new)
+}
+
+/// The same without samples.
+pub fn timed_lines(scene: &Scene, run: &Parameters, size: [usize; 2]) -> Vec<TimedLine> {
+    each_line(scene, run, size, TimedLine::new)
+}
+
+/// A value of each scan line: of the numbers of pieces that may cross it, of its own number, and of the number of its samples.
+fn each_line<T: Send>(
+    scene: &Scene,
+    run: &Parameters,
+    size: [usize; 2],
+    of_line: impl Fn(&Scene, &Parameters, &[u32], usize, usize) -> T + Sync,
+) -> Vec<T> {
     let axis = across(run);
     let (lines, samples) = (size[axis], size[1 - axis]);
     let crossings = Crossings::new(scene, axis, lines);
-    let line = |line: usize| ScanLine::new(scene, run, crossings.of(line), line, samples);
+    let line = |line: usize| of_line(scene, run, crossings.of(line), line, samples);
     (0..lines).into_par_iter().map(line).collect()
 }
 
@@ -89,16 +104,20 @@ fn of_sample(kind: PlaneKind, sample: &Sample, scene: &Scene, pixel: [usize; 2])
 
 /// What a frame took and lost.
 pub fn counts(scene: &Scene, lines: &[ScanLine]) -> FrameCounts {
+    let fallen = scene.lists.iter().filter(|list| list.has_fallen).count() as u64;
     let sum = |of: fn(&ScanLine) -> u64| lines.iter().map(of).sum();
     FrameCounts::of([
         ("lists", scene.lists.len() as u64),
         ("faces", scene.faces),
         ("pieces", scene.pieces.len() as u64),
-        ("crossings", sum(|line| line.crossings)),
-        ("most_crossings", lines.iter().map(|line| line.crossings).max().unwrap_or(0)),
-        ("missed", sum(|line| line.missed.len() as u64)),
+        ("crossings", sum(|line| line.crossed.crossings)),
+        ("most_crossings", lines.iter().map(|line| line.crossed.crossings).max().unwrap_or(0)),
+        ("missed", sum(|line| line.crossed.missed.len() as u64)),
+        ("fallen_levels", fallen),
+        ("lost_faces", scene.lost_faces),
+        ("late", scene.late),
         ("suns", scene.lists.iter().filter(|list| list.has_own_sun).count() as u64),
-        ("words", scene.lists.iter().map(|list| list.words).sum()),
+        ("words", scene.words),
         ("clamped", sum(|line| line.clamped)),
         ("disagreements", sum(|line| line.disagreements)),
     ])

@@ -3,8 +3,10 @@
 use std::sync::Arc;
 
 use diagnostics::Reader;
-use generator::{Generator, Role, Row};
+use generator::{Gear, Generator, Role, Row};
 
+use crate::faults::FAULTS;
+use crate::hardware::{FILE, Hardware, SHIPPED, TABLES};
 use crate::name::NAME;
 use crate::signals::SIGNALS;
 use crate::{Parameters, SmoothFaces};
@@ -18,15 +20,16 @@ pub static ROW: Row = Row {
     about: "smooth-shaded faces on vertical scan lines, a sun for every list (Link's study of sea state for NASA Ames)",
     role: Role::Guest,
     signals: &SIGNALS,
-    timed: false,
+    timed: true,
     parameters: Some(TABLE),
-    gear: None,
+    gear: Some(Gear { tables: &TABLES, file: FILE, text: SHIPPED, faults: &FAULTS }),
     ladders: &[],
     details: &[],
     configure,
 };
 
 fn configure(root: &Reader) -> Option<Arc<dyn Generator>> {
-    let parameters = Parameters::read(&root.table_or_empty(TABLE))?;
-    Some(Arc::new(SmoothFaces { parameters }))
+    let parameters = Parameters::read(&root.table_or_empty(TABLE));
+    let hardware = Hardware::read(root);
+    Some(Arc::new(SmoothFaces { parameters: parameters?, hardware: hardware? }))
 }

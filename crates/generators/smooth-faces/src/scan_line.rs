@@ -3,7 +3,7 @@
 use faces::{Cover, Detail, Interpolation, Order};
 
 use crate::parameters::Parameters;
-use crate::piece::Ramp;
+use crate::piece::{Piece, Ramp};
 use crate::scene::Scene;
 
 /// By how much (a share) the nearness of two planes that coincide may differ. Chosen: well above their rounding. Of two such faces the earlier list wins, and a level
@@ -33,13 +33,48 @@ pub struct ScanLine {
     /// Its samples in their order.
     pub samples: Vec<Sample>,
     /// Pieces that cross it.
-    pub crossings: u64,
-    /// Numbers of those of them without a slot, in the order of the scene.
-    pub missed: Vec<u32>,
+    pub crossed: Crossed,
     /// Samples whose sum of levels was clamped.
     pub clamped: u64,
     /// Samples at which priority and depth disagree.
     pub disagreements: u64,
+}
+
+/// Pieces that cross a scan line.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Crossed {
+    /// Pieces that cross the line, with a slot or without.
+    pub crossings: u64,
+    /// Numbers of those of them without a slot, in the order of the scene.
+    pub missed: Vec<u32>,
+}
+
+impl Crossed {
+    /// What crosses the scan line number `line`, and the ramps of the pieces that have a slot; see [`ScanLine::new`].
+    fn new(scene: &Scene, run: &Parameters, crossing: &[u32], line: usize) -> (Self, Vec<(u32, Ramp)>) {
+        let mut ramps = ramps(scene, run, crossing.iter().copied(), line);
+        let crossings = ramps.len() as u64;
+        let missed = without_slot(&mut ramps, scene.slots);
+        (Self { crossings, missed }, ramps)
+    }
+}
+
+/// A scan line of which no sample is drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TimedLine {
+    /// Pieces that cross it.
+    pub crossed: Crossed,
+    /// Ramps that are started: those of pieces with a slot and a sample.
+    pub ramps: u64,
+}
+
+impl TimedLine {
+    /// The scan line number `line` of `count` samples; see [`ScanLine::new`].
+    pub fn new(scene: &Scene, run: &Parameters, crossing: &[u32], line: usize, count: usize) -> Self {
+        let (crossed, ramps) = Crossed::new(scene, run, crossing, line);
+        let ramps = ramps.iter().filter(|(_, ramp)| !ramp.samples(count).is_empty()).count() as u64;
+        Self { crossed, ramps }
+    }
 }
 
 /// What wins a sample so far under both orders: number of the piece and how near it is (1/m).
@@ -52,11 +87,8 @@ struct Standing {
 impl ScanLine {
     /// The scan line number `line` of `count` samples; `crossing` numbers the pieces that may cross it, in the order of the scene.
     pub fn new(scene: &Scene, run: &Parameters, crossing: &[u32], line: usize, count: usize) -> Self {
-        let mut ramps = ramps(scene, run, crossing.iter().copied(), line);
-        let crossings = ramps.len() as u64;
-        let missed = without_slot(&mut ramps, run);
-        let mut drawn =
-            Self { samples: vec![Sample::default(); count], crossings, missed, ..Self::default() };
+        let (crossed, ramps) = Crossed::new(scene, run, crossing, line);
+        let mut drawn = Self { samples: vec![Sample::default(); count], crossed, ..Self::default() };
         drawn.resolve(scene, run, &ramps);
         drawn.lay_levels(scene, run, &ramps);
         drawn
@@ -122,8 +154,8 @@ fn ramps(
 }
 
 /// Takes from the ramps of a scan line those beyond its slots, and returns their pieces.
-fn without_slot(ramps: &mut Vec<(u32, Ramp)>, run: &Parameters) -> Vec<u32> {
-    let slots = run.edges_line.map_or(usize::MAX, |slots| slots as usize).min(ramps.len());
+fn without_slot(ramps: &mut Vec<(u32, Ramp)>, slots: Option<u32>) -> Vec<u32> {
+    let slots = slots.map_or(usize::MAX, |slots| slots as usize).min(ramps.len());
     ramps.drain(slots..).map(|(piece, _)| piece).collect()
 }
 
@@ -163,6 +195,14 @@ fn lay(sample: &mut Sample, above: &Sample, detail: Detail) -> bool {
     levels.iter().any(|level| level.is_clamped)
 }
 
+/// First samples of all ramps that are started on a scan line of `count` samples.
+pub fn entries(scene: &Scene, run: &Parameters, line: usize, count: usize) -> Vec<usize> {
+    let mut ramps = ramps(scene, run, 0..scene.pieces.len() as u32, line);
+    without_slot(&mut ramps, scene.slots);
+    let samples = ramps.iter().map(|(_, ramp)| ramp.samples(count));
+    samples.filter(|samples| !samples.is_empty()).map(|samples| samples.start).collect()
+}
+
 /// A piece at the middle of a sample, with how near it is (1/m) and its brightness.
 pub type PieceAt = (u32, [f64; 2]);
 
@@ -181,7 +221,7 @@ pub struct Covers {
 pub fn covers(scene: &Scene, run: &Parameters, [line, sample]: [usize; 2]) -> Covers {
     let mut crossing = ramps(scene, run, 0..scene.pieces.len() as u32, line);
     let all = crossing.clone();
-    let missing = without_slot(&mut crossing, run);
+    let missing = without_slot(&mut crossing, scene.slots);
     let is_missed = |piece: &u32| missing.binary_search(piece).is_ok();
     let at = |(piece, ramp): &(u32, Ramp)| {
         let is_in = ramp.samples(usize::MAX >> 12).contains(&sample);
@@ -189,6 +229,20 @@ pub fn covers(scene: &Scene, run: &Parameters, [line, sample]: [usize; 2]) -> Co
     };
     let (missed, drawn) = all.iter().filter_map(at).partition(|(piece, _)| is_missed(piece));
     Covers { drawn, missed, counts: [all.len(), missing.len()] }
+}
+
+/// Pieces at the middle of a sample that found no slots in the frame.
+pub fn lost_covers<'a>(
+    scene: &'a Scene,
+    run: &Parameters,
+    [line, sample]: [usize; 2],
+) -> Vec<(&'a Piece, [f64; 2])> {
+    let at = sample as f64 + 0.5;
+    let cover = |piece: &'a Piece| {
+        let ramp = piece.ramp(across(run), line as f64 + 0.5, run.interpolation)?;
+        ramp.samples(sample + 1).contains(&sample).then(|| (piece, ramp.at(at, run.interpolation)))
+    };
+    scene.lost.iter().filter_map(cover).collect()
 }
 
 /// The cover that `faces` judges by.

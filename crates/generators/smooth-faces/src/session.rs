@@ -9,26 +9,33 @@ use glam::DVec3;
 use scenario::{FaceList, Pose};
 use signal::{Probe, Wire};
 
+use crate::frame_lists;
+use crate::hardware::{Hardware, Kind};
 use crate::name::NAME;
 use crate::parameters::Parameters;
+use crate::piece::Piece;
 use crate::planes;
-use crate::scan_line::{Covers, across, cover, covers, interpolation_word};
-use crate::scene::Scene;
+use crate::scan_line::{Covers, across, cover, covers, interpolation_word, lost_covers};
+use crate::scene::{List, Scene};
+use crate::schedule::Schedule;
 use crate::signals;
 
 /// The generator made ready for one stage.
 pub(crate) struct Session {
-    stage: Stage,
-    run: Parameters,
+    pub stage: Stage,
+    pub run: Parameters,
+    pub hardware: Hardware,
+    pub schedule: Schedule,
 }
 
 impl Session {
     /// Makes ready for `stage`.
     ///
     /// # Errors
-    /// If a list has too many faces.
-    pub fn new(stage: Stage, run: Parameters) -> Result<Self, PrepareError> {
-        for FaceList { group, .. } in stage.scenery.face_lists().of_machines() {
+    /// If a list has too many faces, or pictures are late and the stage does not have the course of the mission.
+    pub fn new(stage: Stage, run: Parameters, hardware: Hardware) -> Result<Self, PrepareError> {
+        let lists = frame_lists::drawn(&stage, &run);
+        for FaceList { group, .. } in &lists {
             let faces = group.mesh.faces().len();
             if faces > run.limit as usize {
                 return Err(PrepareError::Unsupported {
@@ -38,14 +45,53 @@ impl Session {
                 });
             }
         }
+        if run.delayed && hardware.delay_frames > 0 && stage.scenery.course().is_empty() {
+            return Err(PrepareError::Unsupported {
+                generator: NAME,
+                what: "delayed pictures without the frames before".into(),
+                remedy: "give the stage the course of its mission".into(),
+            });
+        }
+        let schedule = Schedule::new(&stage, &lists, &run, &hardware);
         // A hull that is whole below the water needs depth, whatever the run asks for.
         let order = if stage.scenery.face_lists().by_depth { Order::Depth } else { run.order };
-        Ok(Self { stage, run: Parameters { order, ..run } })
+        Ok(Self { run: Parameters { order, ..run }, stage, hardware, schedule })
     }
 
-    fn scene(&self, frame: u64, pose: &Pose) -> Result<Scene, FrameError> {
-        self.check(frame, pose)?;
-        Scene::new(&self.stage, self.run, frame, pose)
+    /// Columns and lines of the screen.
+    pub fn size(&self) -> [usize; 2] {
+        [self.stage.view.columns as usize, self.stage.view.lines as usize]
+    }
+
+    /// Samples of a scan line.
+    pub fn samples(&self) -> usize {
+        self.size()[1 - across(&self.run)]
+    }
+
+    /// The frame whose state the picture of `frame` shows, with its pose: its own from `pose`, or an earlier one where pictures are late.
+    ///
+    /// # Errors
+    /// If that is not a frame of the mission.
+    pub fn seen(&self, frame: u64, pose: &Pose) -> Result<(u64, Pose), FrameError> {
+        if !self.run.delayed || self.hardware.delay_frames == 0 {
+            return Ok((frame, *pose));
+        }
+        let earlier = frame.saturating_sub(u64::from(self.hardware.delay_frames));
+        let pose = self.stage.scenery.course().get(earlier as usize).copied();
+        let reason = || {
+            format!("frame {earlier}, which it shows, is not among those of the mission; choose one of those")
+        };
+        Ok((earlier, pose.ok_or_else(|| FrameError::Refused { frame, reason: reason() })?))
+    }
+
+    /// The frame that shows in the picture of `frame`.
+    ///
+    /// # Errors
+    /// If it cannot be drawn.
+    pub fn scene(&self, frame: u64, pose: &Pose) -> Result<Scene, FrameError> {
+        let (seen, pose) = self.seen(frame, pose)?;
+        check_free_eye(&self.stage.landscape, frame, &pose)?;
+        Scene::new(self, seen, &pose)
     }
 }
 
@@ -58,15 +104,14 @@ impl GeneratorSession for Session {
         probe: &mut Probe,
     ) -> Result<FrameCounts, FrameError> {
         let scene = self.scene(frame, pose)?;
-        let size = [self.stage.view.columns as usize, self.stage.view.lines as usize];
-        let lines = planes::scan_lines(&scene, &self.run, size);
+        let lines = planes::scan_lines(&scene, &self.run, self.size());
         planes::fill(&scene, &self.run, &lines, planes);
-        signals::record(frame, &scene, &lines, probe);
+        signals::record(frame, &scene, &self.run, &lines, probe);
         Ok(planes::counts(&scene, &lines))
     }
 
     fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
-        check_free_eye(&self.stage.landscape, frame, pose)
+        check_free_eye(&self.stage.landscape, frame, &self.seen(frame, pose)?.1)
     }
 
     fn omissions(&self) -> Vec<Omission> {
@@ -98,25 +143,35 @@ impl GeneratorSession for Session {
         signals::wires(&self.stage.view)
     }
 
-    /// The faces at the middle of a pixel, as they win, with list, sun, brightness and depth; then those without a slot on the line.
+    /// The faces at the middle of a pixel, as they win, with list, sun, brightness and depth; then those without a slot on the line or in
+    /// the frame, and what is late of the first.
     fn explain(&self, frame: u64, pose: &Pose, pixel: [usize; 2]) -> Result<Vec<Fact>, FrameError> {
         let scene = self.scene(frame, pose)?;
         let axis = across(&self.run);
         let Covers { drawn: mut found, missed, counts: [crossings, without] } =
             covers(&scene, &self.run, [pixel[axis], pixel[1 - axis]]);
         let mut facts = Vec::new();
+        let mut late = Vec::new();
         while !found.is_empty() {
             let judged: Vec<_> = found.iter().map(|of_piece| cover(&scene, *of_piece)).collect();
             let Some(first) = self.run.order.seen(&judged) else { break };
             let (piece, [q, brightness]) = found.remove(first);
+            let of = &scene.pieces[piece as usize];
             let what = if facts.is_empty() { "shown" } else { "behind it" };
-            facts.push(Fact::new(what, told(&scene, piece, [q, brightness])));
+            if facts.is_empty() {
+                late = late_facts(&scene.lists[of.list as usize], self.seen(frame, pose)?.0);
+            }
+            facts.push(Fact::new(what, told(&scene, of, [q, brightness])));
         }
         if facts.is_empty() {
             facts.push(Fact::new("sky", "no face covers the middle of the pixel"));
         }
-        facts.extend(missed.into_iter().map(|(piece, at)| Fact::new("missed", told(&scene, piece, at))));
-        if let Some(slots) = self.run.edges_line {
+        let missed = missed.into_iter().map(|(piece, at)| (&scene.pieces[piece as usize], at));
+        facts.extend(missed.map(|(piece, at)| Fact::new("missed", told(&scene, piece, at))));
+        let lost = lost_covers(&scene, &self.run, [pixel[axis], pixel[1 - axis]]);
+        facts.extend(lost.into_iter().map(|(piece, at)| Fact::new("lost", told(&scene, piece, at))));
+        facts.extend(late);
+        if let Some(slots) = scene.slots {
             let told = format!("{crossings} crossings, {slots} slots, {without} missed");
             facts.push(Fact::new("scan line", told));
         }
@@ -125,9 +180,17 @@ impl GeneratorSession for Session {
     }
 }
 
+/// What a list shows of frames before `frame`.
+fn late_facts(list: &List, frame: u64) -> Vec<Fact> {
+    let late = Kind::ALL.into_iter().zip(list.shown).filter(|(_, shown)| *shown != frame);
+    late.map(|(kind, shown)| {
+        Fact::new("late", format!("{} of {}: that of frame {shown}", kind.word(), list.name))
+    })
+    .collect()
+}
+
 /// A piece in words.
-fn told(scene: &Scene, piece: u32, [q, brightness]: [f64; 2]) -> String {
-    let of = &scene.pieces[piece as usize];
+fn told(scene: &Scene, of: &Piece, [q, brightness]: [f64; 2]) -> String {
     let list = &scene.lists[of.list as usize];
     let corners =
         of.spots.iter().map(|spot| format!("{:.4}", spot.brightness)).collect::<Vec<_>>().join(", ");

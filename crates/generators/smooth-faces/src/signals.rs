@@ -6,13 +6,17 @@ use quantities::Timebase;
 use scenario::View;
 use signal::{Probe, Signal, Unit, Waveform, Wire};
 
-use crate::scan_line::{Sample, ScanLine};
+use crate::parameters::Parameters;
+use crate::scan_line::{Sample, ScanLine, entries};
 use crate::scene::Scene;
 
 const SOURCE: &str = "none: ours, of Link's study";
 
 /// Place of a sample on its scan line.
 const LINE: &str = "faces.line";
+
+/// Crossings so far.
+const EDGES: &str = "faces.edges";
 
 /// What can be looked at; a scan line stands for a sweep, its pixels for samples.
 pub static SIGNALS: [Signal; 7] = [
@@ -26,7 +30,7 @@ pub static SIGNALS: [Signal; 7] = [
         "place of the winning list in the order; -1 in the sky",
         SOURCE,
     ),
-    Signal::ground("faces.edges", Unit::Number, "winning faces that the line has entered so far", SOURCE),
+    Signal::ground(EDGES, Unit::Number, "crossings with a slot that the line has entered so far", SOURCE),
     Signal::ground("faces.ramp", Unit::Number, "change of the winning face's brightness a pixel", SOURCE),
 ];
 
@@ -54,14 +58,17 @@ pub fn wires(view: &View) -> Vec<Wire> {
 }
 
 /// Records the scan lines that `probe` wants.
-pub fn record(frame: u64, scene: &Scene, lines: &[ScanLine], probe: &mut Probe) {
+pub fn record(frame: u64, scene: &Scene, run: &Parameters, lines: &[ScanLine], probe: &mut Probe) {
     for (number, line) in lines.iter().enumerate() {
         if !probe.wants_sweep(number as u32) {
             continue;
         }
         for signal in SIGNALS {
             if probe.wants(&signal) {
-                let values = values(signal.name, scene, line);
+                let values = match signal.name {
+                    EDGES => entered(scene, run, number, line.samples.len()),
+                    name => values(name, line),
+                };
                 let sweep = number as u32;
                 probe.waveforms.push(Waveform { signal, frame, sweep, times: Vec::new(), values });
             }
@@ -69,7 +76,7 @@ pub fn record(frame: u64, scene: &Scene, lines: &[ScanLine], probe: &mut Probe) 
     }
 }
 
-fn values(name: &str, scene: &Scene, line: &ScanLine) -> Vec<f64> {
+fn values(name: &str, line: &ScanLine) -> Vec<f64> {
     let of = |value: &dyn Fn(usize, &Sample) -> f64| {
         line.samples.iter().enumerate().map(|(at, sample)| value(at, sample)).collect()
     };
@@ -79,20 +86,17 @@ fn values(name: &str, scene: &Scene, line: &ScanLine) -> Vec<f64> {
         "faces.level" => of(&|_, sample| sample.level),
         "faces.present" => of(&|_, sample| f64::from(u8::from(sample.winner.is_some()))),
         "faces.priority" => of(&|_, sample| sample.winner.map_or(-1.0, |[_, list]| f64::from(list))),
-        "faces.ramp" => of(&|_, sample| sample.slope),
-        _ => entered(scene, line),
+        _ => of(&|_, sample| sample.slope),
     }
 }
 
-/// How many winning faces a line has entered up to each sample.
-fn entered(scene: &Scene, line: &ScanLine) -> Vec<f64> {
-    let face = |sample: &Sample| sample.winner.map(|[piece, list]| (list, scene.pieces[piece as usize].face));
-    let (mut before, mut count) = (None, 0_u32);
-    let mut of_sample = |sample: &Sample| {
-        let now = face(sample);
-        count += u32::from(now.is_some() && now != before);
-        before = now;
-        f64::from(count)
+/// How many crossings with a slot a line of so many samples has entered up to each of them.
+fn entered(scene: &Scene, run: &Parameters, line: usize, samples: usize) -> Vec<f64> {
+    let mut begun = vec![0.0; samples];
+    entries(scene, run, line, samples).into_iter().for_each(|first| begun[first] += 1.0);
+    let so_far = |count: &mut f64, begun: f64| {
+        *count += begun;
+        Some(*count)
     };
-    line.samples.iter().map(&mut of_sample).collect()
+    begun.into_iter().scan(0.0, so_far).collect()
 }

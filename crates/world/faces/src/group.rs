@@ -98,11 +98,17 @@ impl Group {
     ///
     /// A face of no sequence always shows.
     pub fn shown(&self, frame: u64, signal: impl Fn(&str) -> f64) -> Vec<usize> {
+        self.shown_late(frame, 0, signal)
+    }
+
+    /// The same with every step of a sequence `late` frames too late.
+    pub fn shown_late(&self, frame: u64, late: u32, signal: impl Fn(&str) -> f64) -> Vec<usize> {
         let mut shows = vec![true; self.mesh.faces().len()];
         for sequence in &self.sequences {
             sequence.members().iter().flatten().for_each(|&face| shows[face] = false);
             let value = sequence.signal().map_or(0.0, &signal);
-            sequence.shown(frame, value).iter().for_each(|&face| shows[face] = true);
+            let member = sequence.index_late(frame, late, value);
+            sequence.members()[member].iter().for_each(|&face| shows[face] = true);
         }
         (0..shows.len()).filter(|&face| shows[face]).collect()
     }

@@ -59,8 +59,14 @@ impl<T> Sequence<T> {
     ///
     /// A driven sequence clamps at its ends; a signal that is no number shows the first member.
     pub fn index(&self, frame: u64, signal: f64) -> usize {
+        self.index_late(frame, 0, signal)
+    }
+
+    /// The same of a pointer whose every step comes `late` frames too late; a driven sequence has no steps.
+    pub fn index_late(&self, frame: u64, late: u32, signal: f64) -> usize {
         let since = (i128::from(frame) - i128::from(self.start)).max(0) as u128;
-        let (step, last) = (since / u128::from(self.frames), self.members.len() as u128 - 1);
+        let frames = u128::from(self.frames) + u128::from(late);
+        let (step, last) = (since / frames, self.members.len() as u128 - 1);
         let index = match &self.mode {
             Mode::Cycle => step % (last + 1),
             Mode::Once => step.min(last),

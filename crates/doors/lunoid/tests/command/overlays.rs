@@ -17,7 +17,9 @@ fn faults(folder: &str) -> Vec<String> {
 
 #[test]
 fn every_shipped_fault_is_checked_as_an_overlay() {
-    for (folder, kind, least) in [("", "ideal", 24), ("/sampled", "sampled", 7)] {
+    for (folder, kind, least) in
+        [("", "ideal", 24), ("/sampled", "sampled", 7), ("/smooth-faces", "smooth-faces", 9)]
+    {
         let files = faults(&format!("{FAULTS}{folder}"));
         assert!(files.len() >= least);
         let arguments: Vec<&str> = ["check"].into_iter().chain(files.iter().map(String::as_str)).collect();

@@ -4,12 +4,14 @@ use faces::{Cut, Face, Group, Interpolation, Mesh, Pattern, Scan, SeaState, SunP
 use generator::PlaneKind;
 use glam::DVec3;
 use scenario::{Carrier, FaceKind, FaceList};
-use smooth_faces::Parameters;
+use smooth_faces::{Hardware, Parameters};
 
-use crate::shots::{PIXELS, apart, draw, from_above, light, pose, run, sea, sea_list, session, stage};
+use crate::shots::{
+    PIXELS, apart, draw, from_above, gear, light, pose, run, sea, sea_list, session, session_on, stage,
+};
 
 /// A diamond on the map whose corners are dark to the west and east, bright to the north and south, under a sun from straight above.
-fn diamond() -> FaceList {
+pub fn diamond() -> FaceList {
     let corner = |north: f64, east: f64, up: f64| Vertex {
         place: DVec3::new(150.0 + north, 100.0 + east, 0.0),
         normal: Some(DVec3::new(1.0 - up, 0.0, up).normalize()),
@@ -70,7 +72,7 @@ fn screen_and_space_differ_where_depths_do() {
 fn pieces_without_a_slot_are_missed_and_are_the_last_ones() {
     let sea = sea(SeaState::High, Pattern::Random { seed: 1 });
     let with = |edges_line| {
-        let session = session(stage(vec![sea_list(&sea)]), Parameters { edges_line, ..run() });
+        let session = session_on(stage(vec![sea_list(&sea)]), run(), Hardware { edges_line, ..gear() });
         draw(&*session, 0, &pose([10.0, 100.0, 30.0], 0.0, -20.0))
     };
     let (all, counts) = with(None);

@@ -1,10 +1,16 @@
 //! Pictures of lists of faces against closed forms and against one another.
 
+mod delay;
+mod faults;
+mod gear;
 mod levels;
 mod lines;
 mod orders;
 mod pitch;
 mod roads;
+mod schedule;
 mod sea;
 mod shots;
+mod slots;
+mod timed;
 mod told;

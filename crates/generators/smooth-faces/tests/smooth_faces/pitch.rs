@@ -19,7 +19,7 @@ const AWAY: f64 = 300.0;
 /// Where the ship lies (m).
 const SHIP: [f64; 2] = [1000.0, 1000.0];
 /// Columns and lines of the pictures.
-const SIZE: [usize; 2] = [300, 200];
+pub const SIZE: [usize; 2] = [300, 200];
 /// Distance of the box from the hull (m).
 const GAP: f64 = 8.0;
 
@@ -40,7 +40,7 @@ fn ship_list(group: Group, motion: Motion, drawn_by: DrawnBy) -> FaceList {
 }
 
 /// An assault ship at a pitch (deg) on a sea of one face; and which face wins in the machine.
-fn ship_at_sea(hiding: Hiding, pitch: f64) -> (Stage, Order) {
+pub fn ship_at_sea(hiding: Hiding, pitch: f64) -> (Stage, Order) {
     let pitched = Wave { amplitude: radians(pitch), turn: Turn::STILL, phase: FRAC_PI_2 };
     let motion = || Motion { pitch: vec![pitched], ..Motion::default() };
     let arranged = Ship::LPH2.arranged("ship", hiding, 10).unwrap();
@@ -69,12 +69,12 @@ fn field(stage: &mut Stage, [tan_half_width, tan_half_height]: [f64; 2]) {
 }
 
 /// From starboard, `AWAY` m from a place `forward` m of amidships, that much below the horizon (deg).
-fn abeam(forward: f64, elevation: f64) -> Pose {
+pub fn abeam(forward: f64, elevation: f64) -> Pose {
     let height = AWAY * libm::tan(radians(elevation));
     pose([SHIP[0] + forward, SHIP[1] + AWAY, height], 270.0, -elevation)
 }
 
-fn labels(session: &dyn Session, pose: &Pose) -> Vec<u8> {
+pub fn labels(session: &dyn Session, pose: &Pose) -> Vec<u8> {
     let mut planes = Planes::new(SIZE[0], SIZE[1], &[PlaneKind::Label]);
     session.frame(0, pose, &mut planes, &mut Probe::off()).unwrap();
     planes.get(PlaneKind::Label).unwrap().iter().map(|code| *code as u8).collect()

@@ -12,7 +12,7 @@ use scenario::{
     Carrier, Curvature, Display, FaceKind, FaceList, FaceLists, FieldOfView, Laws, Pose, Scenery, View,
 };
 use signal::Probe;
-use smooth_faces::{Parameters, SmoothFaces};
+use smooth_faces::{Hardware, Parameters, SmoothFaces};
 
 /// Frames of a second.
 pub const FRAMES: u64 = 30;
@@ -59,6 +59,14 @@ pub fn sea(state: SeaState, pattern: Pattern) -> Sea {
     board_sea(Board::new(10.0, 0..20, 0..30).unwrap(), state, pattern)
 }
 
+/// A sea of squares of 6 m under a table of 4096 normals, which goes on in every frame.
+pub fn fine_sea(rows: i64, columns: i64) -> Sea {
+    let board = Board::new(6.0, 0..rows, 0..columns).unwrap();
+    let cone = Cone::new(4096, radians(75.0)).unwrap();
+    let random = Pattern::Random { seed: 1 };
+    Sea::of_state(SeaState::High, (board, random, cone), (Mean::USUAL, [1.0; 3]), rate()).unwrap()
+}
+
 pub fn board_sea(board: Board, state: SeaState, pattern: Pattern) -> Sea {
     let cone = Cone::new(16, radians(75.0)).unwrap();
     Sea::of_state(state, (board, pattern, cone), (Mean::USUAL, [1.0; 3]), rate()).unwrap()
@@ -81,8 +89,17 @@ pub fn square(name: &str, at: DVec3, side: f64, priority: i32, colour: [f64; 3])
     FaceList::new(group, FaceKind::Effect, Carrier::Map(0.0))
 }
 
+/// The gear that ships.
+pub fn gear() -> Hardware {
+    Hardware::shipped().unwrap()
+}
+
 pub fn session(stage: Stage, parameters: Parameters) -> Box<dyn Session> {
-    SmoothFaces { parameters }.prepare(stage).unwrap()
+    session_on(stage, parameters, gear())
+}
+
+pub fn session_on(stage: Stage, parameters: Parameters, hardware: Hardware) -> Box<dyn Session> {
+    SmoothFaces { parameters, hardware }.prepare(stage).unwrap()
 }
 
 /// An eye at a place (north, east, up; m), with heading and pitch (deg).

@@ -4,9 +4,11 @@ use faces::{Pattern, SeaState};
 use generator::{Generator, PlaneKind, Planes};
 use glam::DVec3;
 use signal::Probe;
-use smooth_faces::{Parameters, SmoothFaces};
+use smooth_faces::{Hardware, Parameters, SmoothFaces};
 
-use crate::shots::{PIXELS, draw, from_above, light, run, sea, sea_list, session, square, stage};
+use crate::shots::{
+    PIXELS, draw, from_above, gear, light, run, sea, sea_list, session, session_on, square, stage,
+};
 
 #[test]
 fn a_pixel_tells_what_is_shown_and_what_is_behind_it() {
@@ -27,7 +29,7 @@ fn a_pixel_tells_what_is_shown_and_what_is_behind_it() {
 fn a_streak_leads_to_its_face_and_a_miss_to_its_streak() {
     let sea = sea(SeaState::High, Pattern::Random { seed: 1 });
     let eye = crate::shots::pose([10.0, 100.0, 30.0], 0.0, -20.0);
-    let with = |edges_line| session(stage(vec![sea_list(&sea)]), Parameters { edges_line, ..run() });
+    let with = |edges_line| session_on(stage(vec![sea_list(&sea)]), run(), Hardware { edges_line, ..gear() });
     let (all, few) = (with(None), with(Some(24)));
     let ((whole, _), (streaked, counts)) = (draw(&*all, 0, &eye), draw(&*few, 0, &eye));
     let red = |planes: &Planes| planes.get(PlaneKind::Red).unwrap().to_vec();
@@ -75,11 +77,39 @@ fn a_scan_line_is_the_column_of_the_picture() {
     assert!(most < 1e-9 && count > 20, "{most} {count}");
 }
 
+/// With 24 slots the count of crossings ends at what the line has started, and never falls.
+#[test]
+fn crossings_are_counted_along_the_line() {
+    let sea = sea(SeaState::High, Pattern::Random { seed: 1 });
+    let eye = crate::shots::pose([10.0, 100.0, 30.0], 0.0, -20.0);
+    let counted = |edges_line| {
+        let hardware = Hardware { edges_line, ..gear() };
+        let session = session_on(stage(vec![sea_list(&sea)]), run(), hardware);
+        let mut probe = Probe::new(vec!["faces.edges".into()], 0..PIXELS as u32);
+        let mut planes = Planes::new(PIXELS, PIXELS, &[PlaneKind::Intensity]);
+        session.frame(0, &eye, &mut planes, &mut probe).unwrap();
+        assert!(probe.waveforms.iter().all(|wave| wave.values.is_sorted()));
+        probe.waveforms.iter().map(|wave| *wave.values.last().unwrap()).collect::<Vec<_>>()
+    };
+    let clocked = |edges_line| {
+        let hardware = Hardware { edges_line, ..gear() };
+        let clocked = smooth_faces::Clocked::new(stage(vec![sea_list(&sea)]), run(), hardware).unwrap();
+        let tasks = generator::Timed::frame(&clocked, 0, &eye).unwrap().tasks;
+        tasks.iter().find(|task| task.task == "ramps").unwrap().pieces as f64
+    };
+    for slots in [None, Some(24)] {
+        let ends = counted(slots);
+        assert_eq!(ends.iter().sum::<f64>(), clocked(slots));
+        assert!(slots.is_none_or(|slots| ends.iter().all(|end| *end <= f64::from(slots))), "{ends:?}");
+    }
+}
+
 #[test]
 fn too_many_faces_are_refused_with_both_numbers() {
     let sea = sea(SeaState::Moderate, Pattern::Random { seed: 1 });
     let parameters = Parameters { limit: 100, ..run() };
-    let Err(refused) = (SmoothFaces { parameters }).prepare(stage(vec![sea_list(&sea)])) else {
+    let Err(refused) = (SmoothFaces { parameters, hardware: gear() }).prepare(stage(vec![sea_list(&sea)]))
+    else {
         panic!("it was made ready")
     };
     let text = refused.to_string();

@@ -17,6 +17,18 @@ fn the_pointer_of_28_faces() {
     assert_eq!(shown, expected);
 }
 
+/// Each step of F frames takes F + 1: member `floor(n / 3)` where it was `floor(n / 2)`. A signal has no steps.
+#[test]
+fn a_late_pointer_shows_each_member_for_longer() {
+    let cycle = of(28, 2, 0, Mode::Cycle);
+    for frame in 0..1000_u64 {
+        assert_eq!(cycle.index_late(frame, 1, 0.0), (frame / 3 % 28) as usize);
+        assert_eq!(cycle.index_late(frame, 0, 0.0), cycle.index(frame, 0.0));
+    }
+    let drive = Drive { signal: "pitch".into(), low: 0.0, step: 1.0 };
+    assert_eq!(of(4, 2, 0, Mode::Driven(drive)).index_late(9, 5, 2.5), 2);
+}
+
 #[test]
 fn the_first_member_stands_before_the_start() {
     let late = of(3, 2, 5, Mode::Cycle);

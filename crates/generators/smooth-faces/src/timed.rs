@@ -1,0 +1,92 @@
+//! The generator as a job of its machine: how long a frame takes, and what comes too late.
+
+use generator::{FrameError, PrepareError, SizedFigure, Stage, Timed};
+use quantities::Rate;
+use scenario::{Pose, Scenario};
+use timing::{EventHash, FrameTiming, Task};
+
+use crate::deadlines::Judged;
+use crate::hardware::Hardware;
+use crate::inputs::inputs_hash;
+use crate::parameters::Parameters;
+use crate::planes;
+use crate::scan_line::TimedLine;
+use crate::session::Session;
+use crate::sizing;
+use crate::work::{EDGES, RT, SECOND, Work};
+
+/// A stage as a job for [`Hardware`](crate::Hardware). Ticks are nanoseconds.
+pub struct Clocked {
+    session: Session,
+}
+
+impl Clocked {
+    /// Makes ready for `stage`.
+    ///
+    /// # Errors
+    /// If the generator cannot draw it.
+    pub fn new(stage: Stage, parameters: Parameters, hardware: Hardware) -> Result<Self, PrepareError> {
+        Ok(Self { session: Session::new(stage, parameters, hardware)? })
+    }
+
+    /// What is new in a frame, in the order of the computer; then the scan lines, each with its crossings, those without a slot, its ramps.
+    fn events(&self, frame: u64, lines: &[TimedLine]) -> EventHash {
+        let mut events = EventHash::new();
+        for (number, item) in (0..).zip(self.session.schedule.items()) {
+            if item.when.shown(frame) == frame {
+                events.push(item.ready_ns, RT, item.kind.word(), &[number, item.pieces]);
+            }
+        }
+        let line_ns = self.session.hardware.sample_ns * self.session.samples() as u64;
+        for (number, line) in (0..).zip(lines) {
+            let words = [number, line.crossed.crossings, line.crossed.missed.len() as u64, line.ramps];
+            events.push(number * line_ns, EDGES, "line", &words);
+        }
+        events
+    }
+}
+
+/// Length of a frame (ns): whole ones, at least 1.
+pub fn frame_ns(update: Rate) -> u64 {
+    let [frames, seconds] = update.fraction().map(u128::from);
+    let ticks = u128::from(SECOND) * seconds / frames;
+    u64::try_from(ticks).unwrap_or(u64::MAX).max(1)
+}
+
+impl Timed for Clocked {
+    fn master(&self) -> Rate {
+        Rate::new(SECOND, 1).expect("a whole number above 0")
+    }
+
+    fn inputs(&self, scenario: &Scenario) -> String {
+        inputs_hash(scenario, &self.session)
+    }
+
+    /// Frame 0 is in the image processor before the mission: there is nothing to do.
+    fn before_mission(&self, _: &Pose) -> Result<Vec<Task>, FrameError> {
+        Ok(Vec::new())
+    }
+
+    fn frame(&self, frame: u64, pose: &Pose) -> Result<FrameTiming, FrameError> {
+        let session = &self.session;
+        let scene = session.scene(frame, pose)?;
+        let (seen, _) = session.seen(frame, pose)?;
+        let lines = planes::timed_lines(&scene, &session.run, session.size());
+        let ticks = frame_ns(session.stage.view.update);
+        let mut judged = Judged::none_of(session);
+        judged.frame_tasks();
+        judged.updates(seen, ticks);
+        judged.frame_edges(&scene);
+        judged.lines(&scene, &lines);
+        let work = Work::of(session, seen, scene.work, &lines);
+        let tasks = work.tasks(session);
+        let (units, events) = (work.units(&tasks), self.events(seen, &lines));
+        let Judged { deadlines, mut misses, .. } = judged;
+        misses.sort_by(|one, other| one.sweep.cmp(&other.sweep).then(one.due.total_cmp(&other.due)));
+        Ok(FrameTiming { ticks, deadlines, misses, ..FrameTiming::of_work(frame, units, tasks, &events) })
+    }
+
+    fn sizing(&self, frames: &[FrameTiming]) -> Vec<SizedFigure> {
+        sizing::figures(&self.session, frames)
+    }
+}
