@@ -1,7 +1,4 @@
-"""A data set of `lunoid dataset`, read with NumPy alone.
-
-python3 load_numpy.py FOLDER [SPLIT]
-"""
+"""A data set of `lunoid dataset`, read with NumPy alone: python3 load_numpy.py FOLDER [SPLIT]"""
 import json
 import pathlib
 import sys

@@ -1,7 +1,4 @@
-"""A data set of `lunoid dataset` as a data set of PyTorch: pictures of 0..1 with channels first, and planes as targets.
-
-python3 load_torch.py FOLDER [SPLIT]
-"""
+"""A data set of `lunoid dataset` for PyTorch, with pictures of 0..1 and channels first: python3 load_torch.py FOLDER [SPLIT]"""
 import sys
 
 import torch
