@@ -1,6 +1,6 @@
 //! Whether everything that a plan names can be opened, and fits together, before any ground is made.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use diagnostics::{Problem, Reader};
@@ -11,13 +11,23 @@ use crate::plan::{Combination, KeyDraw, Plan};
 /// Opens each combination with the ends of what is drawn. What is wrong is told at the place of the plan that asks for it.
 pub(crate) fn check(plan: &Plan, root: &Reader) {
     files(plan, root);
-    let mut rasters = Rasters::default();
+    let (mut rasters, mut counters) = (Rasters::default(), BTreeSet::new());
     for of in plan.all() {
         let (scenario, name) = (plan.file(&plan.scenarios[of.scenario]), &plan.scenarios[of.scenario]);
         for end in 0..ends(plan, of) {
             let drawn = at_end(plan, of, end);
             match open(&scenario, &plan.wishes(of, &drawn, false)) {
-                Ok(opened) => rasters.add(name, &opened, plan, root),
+                Ok(opened) => {
+                    counters.extend(opened.generator.counters().iter().map(|counter| counter.name));
+                    rasters.add(name, &opened, plan, root);
+                    if remembers_frames(&opened) {
+                        let title = format!("{} shows frames before its own", plan.machines[of.machine]);
+                        let key = if plan.faults[of.fault].is_none() { "machines" } else { "fault" };
+                        let problem = root.problem(key, title);
+                        root.report(problem.expected("a machine without memory: a sample is a single look"));
+                        return;
+                    }
+                }
                 Err(error) => {
                     report(plan, root, of, &error);
                     // One fault of a combination is one error.
@@ -26,6 +36,18 @@ pub(crate) fn check(plan: &Plan, root: &Reader) {
             }
         }
     }
+    for name in plan.counters.iter().filter(|name| !counters.contains(name.as_str())) {
+        let known: Vec<&str> = counters.iter().copied().collect();
+        let problem = root.problem("counters", format!("no counter is called {name:?}")).found(name);
+        root.report(problem.expected(format!("some of {}", known.join(", "))));
+    }
+}
+
+/// Whether a picture of the machine shows something of frames before its own.
+fn remembers_frames(opened: &Opened) -> bool {
+    let settings = &opened.settings;
+    let of_machine = settings.data_banks.drum.is_some() || settings.analog.remembers_frames();
+    opened.generator.remembers_frames() || (opened.is_machine() && of_machine)
 }
 
 fn files(plan: &Plan, root: &Reader) {

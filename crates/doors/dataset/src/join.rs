@@ -28,7 +28,12 @@ pub enum Joined {
         overlap: u64,
     },
     /// Samples that no folder has; nothing was written.
-    Gaps(Vec<Range<u64>>),
+    Gaps {
+        /// Numbers of the samples, ascending.
+        gaps: Vec<Range<u64>>,
+        /// Path of the plan, as the user gave it.
+        plan: String,
+    },
     /// Told to end; the same call goes on.
     Interrupted,
 }
@@ -50,7 +55,7 @@ pub fn join(folders: &[PathBuf], out: &DataFolder, control: &Control) -> Result<
     let (rows, overlap) = rows(folders, &records)?;
     let gaps = gaps(&rows, first.of);
     if !gaps.is_empty() {
-        return Ok(Joined::Gaps(gaps));
+        return Ok(Joined::Gaps { gaps, plan: first.made_from.plan.file.clone() });
     }
     let fingerprint = first.made_from.fingerprint(&(0..first.of));
     let there = kept(out, &fingerprint, control)?;

@@ -43,8 +43,8 @@ pub struct Record {
 pub struct MadeFrom {
     /// Program that drew.
     pub program: Program,
-    /// BLAKE3 of the plan's bytes.
-    pub plan_blake3: String,
+    /// The plan; its path as the user gave it.
+    pub plan: FileRecord,
     /// Files that scenarios and machines are read from; paths from the folder of the plan.
     pub files: Vec<FileRecord>,
 }
@@ -97,7 +97,8 @@ impl MadeFrom {
             path.strip_prefix(plan.folder()).map_or(file, |inside| inside.display().to_string())
         };
         let files = files.into_iter().map(|(file, blake3)| FileRecord { file: inside(file), blake3 });
-        Ok(Self { program, plan_blake3: hash(&plan.text), files: files.collect() })
+        let plan = FileRecord { file: plan.path.display().to_string(), blake3: hash(&plan.text) };
+        Ok(Self { program, plan, files: files.collect() })
     }
 
     /// The same with the samples `samples`, as a journal has it.

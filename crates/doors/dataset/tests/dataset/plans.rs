@@ -1,0 +1,89 @@
+//! Plans: what is wrong with one is told at its line, before any ground is made.
+
+use dataset::Plan;
+
+use crate::scene::{PLAN, Scene};
+
+/// What is said of the plan with `from` replaced by `to`, as text and with its line; there is one fault.
+fn said_of(from: &str, to: &str) -> (String, Option<usize>) {
+    assert!(PLAN.contains(from), "{from}");
+    let scene = Scene::new(&PLAN.replacen(from, to, 1));
+    let faults = Plan::read(&scene.path("plan.toml")).expect_err(to);
+    let records = faults.records();
+    assert_eq!(records.len(), 1, "{to}: {faults}");
+    assert!(records[0].file.ends_with("plan.toml"), "{faults}");
+    (faults.to_string(), records[0].line)
+}
+
+#[test]
+fn every_broken_plan_is_one_error_with_its_line() {
+    let cases = [
+        ("format = 1", "format = 2", "newer than the format 1", 1),
+        ("seed = 7", "sede = 7\nseed = 7", "unknown key `sede`", 5),
+        ("seed = 7", "seed = -7", "`seed` must be a whole number", 5),
+        ("draws = 3", "draws = 0", "`draws` must be a whole number from 1", 6),
+        ("about = \"Nothing but a test.\"\n", "", "missing `about`", 1),
+        ("licence = \"CC0-1.0\"", "licence = 3", "`licence` must be one line of text", 4),
+        ("licence = \"CC0-1.0\"", "licence = \"X\"\nlicence_file = \"gone.txt\"", "gone.txt: no such file", 5),
+        ("[\"scene.toml\"]", "[]", "`scenarios` must be", 7),
+        ("[\"scene.toml\"]", "[\"scene.toml\", \"scene.toml\"]", "`scenarios` must be", 7),
+        ("[\"scene.toml\"]", "[\"gone.toml\"]", "gone.toml", 7),
+        ("[\"ideal\"]", "[\"idael\"]", "idael", 8),
+        ("\"range\", \"label\"", "\"range\", \"depth\"", "no ground truth is called `depth`", 9),
+        ("\"range\", \"label\"", "\"pose\"", "\"pose\", which is no plane", 9),
+        ("\"late_words\"", "\"early_words\"", "no counter is called \"early_words\"", 10),
+        ("compare = true", "compare = 1", "`compare` must be true or false", 11),
+        ("columns=40", "columns:40\",\"scenario.raster.columns=40", "`set` has \"scenario.raster.columns:40\"", 12),
+        ("= [0, 360]\n\"scen", "= [360, 0]\n\"scen", "low not above high", 15),
+        ("= [0, 360]\n\"scen", "= [0, 1, 2]\n\"scen", "an array of 2 numbers", 15),
+        ("= [10, 40]", "= [10, 400]", "400", 16),
+        ("sun.azimuth_deg", "sun.azimut_deg", "azimut_deg", 15),
+        ("= [0, 360]\n\"scen", "= [0, inf]\n\"scen", "`draw.number.\"scenario.sun.azimuth_deg\"` must be", 15),
+        ("x_m = [20, 380]", "x_m = [380, 20]", "`pose.x_m` must be", 19),
+        ("x_m = [20, 380]", "x_m = [20, 380]\nz_m = [10, 20]\npitch_deg = [0, 1]", "missing `pose.roll_deg`", 18),
+        ("heading_deg = [0, 360]", "heading_deg = [0, 360]\nframes = [3, 1]", "first not above last", 22),
+        ("block_m = 80", "block_m = 0", "`splits.block_m` must be", 24),
+        ("reach_m = 15", "reach_m = 500", "spans more than 4 blocks", 25),
+        ("train = 0.5", "train = 0.6", "sum up to 1.1", 26),
+        ("name = \"slew\"\noverlay", "name = \"tear\"\noverlay", "two faults are called \"tear\"", 38),
+        ("overlay = \"slew\"", "overlay = \"sloth\"", "sloth", 39),
+        ("\"loader.access_ns\" = [300, 900]", "\"loader.acess_ns\" = [300, 900]", "acess_ns", 35),
+        ("\"loader.access_ns\" = [300, 900]", "\"loader.access_ns\" = [-5, 900]", "access_ns", 35),
+    ];
+    for (from, to, expected, line) in cases {
+        let (said, found) = said_of(from, to);
+        assert!(said.contains(expected), "{to}: expected {expected:?}:\n{said}");
+        assert_eq!(found, Some(line), "{to}:\n{said}");
+    }
+}
+
+#[test]
+fn all_faults_of_a_plan_are_told_at_once() {
+    let text = PLAN.replace("seed = 7", "seed = \"x\"").replace("block_m = 80", "block = 80");
+    let scene = Scene::new(&text);
+    let faults = Plan::read(&scene.path("plan.toml")).expect_err("three faults");
+    // The unknown key, the missing one, and the seed.
+    assert_eq!(faults.len(), 3, "{faults}");
+}
+
+#[test]
+fn a_plan_that_is_no_text_or_not_there_is_refused() {
+    let scene = Scene::new(PLAN);
+    std::fs::write(scene.path("plan.toml"), [0xff, 0xfe, 0x00]).unwrap();
+    assert_eq!(Plan::read(&scene.path("plan.toml")).expect_err("no text").len(), 1);
+    assert!(Plan::read(&scene.path("gone.toml")).expect_err("gone").to_string().contains("gone.toml"));
+    assert_eq!(Plan::read(scene.folder.path()).expect_err("a folder").len(), 1);
+}
+
+#[test]
+fn a_machine_with_memory_is_refused() {
+    let scene = Scene::new(&PLAN.replace("overlay = \"slew\"", "overlay = \"ghost\""));
+    let said = Plan::read(&scene.path("plan.toml"));
+    // Residue of the tube is memory; an overlay without it is not.
+    let settings = front_door::open(
+        &scene.path("scene.toml"),
+        &drive::Wishes { overlays: vec!["ghost".into()], ..drive::Wishes::default() },
+    );
+    let remembers = settings.unwrap().settings.analog.remembers_frames();
+    assert_eq!(said.is_err(), remembers, "{said:?}");
+}
