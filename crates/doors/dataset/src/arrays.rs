@@ -71,9 +71,12 @@ pub(crate) fn read_picture(path: &Path) -> Result<AnyPicture, DatasetError> {
 
 /// Names of the arrays in the file `path` of a sample, in their order.
 pub(crate) fn names(path: &Path) -> Result<Vec<String>, DatasetError> {
-    let refuse = |error: zip::result::ZipError| DatasetError::Record { path: path.to_owned(), reason: error.to_string() };
+    let refuse = |error: zip::result::ZipError| DatasetError::Record {
+        path: path.to_owned(),
+        reason: error.to_string(),
+    };
     let bytes = files::read_all(path, Limit::BankBytes)?;
     let mut zip = zip::ZipArchive::new(Cursor::new(bytes)).map_err(refuse)?;
-    let name = |at: usize| Ok(zip.by_index(at)?.name().trim_end_matches(".npy").to_owned());
+    let mut name = |at: usize| Ok(zip.by_index(at)?.name()?.trim_end_matches(".npy").to_owned());
     (0..zip.len()).map(name).collect::<Result<_, _>>().map_err(refuse)
 }

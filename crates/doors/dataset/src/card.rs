@@ -40,7 +40,10 @@ fn facts(record: &Record) -> String {
         row("faults", plan.faults.keys().cloned().collect::<Vec<_>>().join(", ")),
         row("seed", plan.seed.to_string()),
         row("licence", format!("{} ({LICENCE})", plan.licence)),
-        row("made by", format!("{} {}, result family {}", program.name, program.version, program.result_family)),
+        row(
+            "made by",
+            format!("{} {}, result family {}", program.name, program.version, program.result_family),
+        ),
     ])
 }
 
@@ -65,7 +68,10 @@ fn how(record: &Record) -> String {
     rows.extend(plan.drawn.iter().map(|(name, range)| vec![format!("`{name}`"), range.clone()]));
     for (name, fault) in &plan.faults {
         for (key, range) in fault["drawn"].as_object().into_iter().flatten() {
-            rows.push(vec![format!("`{key}` of fault {name}"), range.as_str().unwrap_or_default().to_owned()]);
+            rows.push(vec![
+                format!("`{key}` of fault {name}"),
+                range.as_str().unwrap_or_default().to_owned(),
+            ]);
         }
     }
     let set: Vec<String> = plan.set.iter().map(|(key, value)| format!("`{key}={value}`")).collect();

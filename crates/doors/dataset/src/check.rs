@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use diagnostics::{Problem, Reader};
-use front_door::{Opened, OpenError, open};
+use front_door::{OpenError, Opened, open};
 
 use crate::plan::{Combination, KeyDraw, Plan};
 
@@ -20,11 +20,13 @@ pub(crate) fn check(plan: &Plan, root: &Reader) {
                 Ok(opened) => {
                     counters.extend(opened.generator.counters().iter().map(|counter| counter.name));
                     rasters.add(name, &opened, plan, root);
-                    if remembers_frames(&opened) {
+                    if plan.pose.frames != [0, 0] && remembers_frames(&opened) {
                         let title = format!("{} shows frames before its own", plan.machines[of.machine]);
-                        let key = if plan.faults[of.fault].is_none() { "machines" } else { "fault" };
-                        let problem = root.problem(key, title);
-                        root.report(problem.expected("a machine without memory: a sample is a single look"));
+                        let place = root.table_or_empty("pose").place("frames");
+                        let problem = Problem::at(&place, title).expected("frames = [0, 0]");
+                        root.report(
+                            problem.help("a sample of such a machine is the first picture of a drive"),
+                        );
                         return;
                     }
                 }
@@ -107,7 +109,8 @@ impl Rasters {
             );
             let key = if plan.scenarios.len() > 1 { "scenarios" } else { "machines" };
             let problem = root.problem(key, title).expected("pictures of one size");
-            let help = "set it for all, as set = [\"scenario.raster.columns=160\", \"scenario.raster.lines=120\"]";
+            let help =
+                "set it for all, as set = [\"scenario.raster.columns=160\", \"scenario.raster.lines=120\"]";
             root.report(problem.help(help));
         }
         self.found.insert(size, scenario.to_owned());

@@ -99,7 +99,9 @@ pub enum DatasetError {
         differences: String,
     },
     /// A sample that two folders have differently.
-    #[error("sample {sample}: {first} and {second} have it differently, in {differences}; make one of them anew")]
+    #[error(
+        "sample {sample}: {first} and {second} have it differently, in {differences}; make one of them anew"
+    )]
     Overlap {
         /// Number of the sample.
         sample: u64,

@@ -47,7 +47,8 @@ impl Estimate {
         let maker = Maker::new(plan);
         let (began, mut bytes, mut refused) = (Instant::now(), 0, BTreeMap::new());
         for index in 0..measured {
-            let sample = samples.start + (u128::from(index) * u128::from(count) / u128::from(measured)) as u64;
+            let sample =
+                samples.start + (u128::from(index) * u128::from(count) / u128::from(measured)) as u64;
             let made = maker.make(sample)?;
             bytes += size(&made);
             for (reason, count) in made.row.refused {

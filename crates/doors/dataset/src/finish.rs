@@ -6,6 +6,7 @@ use replay::{TRUTH_ERROR, TruthItem};
 use run_record::{FileRecord, hash};
 use serde_json::{Value, json};
 
+use crate::DatasetError;
 use crate::arrays::{CHANGED, PICTURE, SPLIT, read_picture};
 use crate::card::card;
 use crate::folder::{CARD, DataFolder, LICENCE, LOADERS, MANIFEST, PLAN, RECORD, SHEET};
@@ -13,7 +14,6 @@ use crate::plan::Plan;
 use crate::record::{MadeFrom, PlanRecord, Record, SCHEMA};
 use crate::row::Row;
 use crate::run::expect_shape;
-use crate::DatasetError;
 
 /// Most samples on the contact sheet.
 const SHEET_SAMPLES: usize = 24;
@@ -85,8 +85,14 @@ fn arrays(folder: &DataFolder, rows: &[Row]) -> Result<Vec<Value>, DatasetError>
     let about = |name: &String| {
         let mut about = match name.as_str() {
             PICTURE => code("codes of the picture, 0..=255, as the machine shows it", &first.shape),
-            SPLIT => code("whose ground is seen: 0 none, 1 the split of the sample, 2 another split", &first.shape[..2]),
-            CHANGED => code("1 where the picture differs from that of the healthy machine, else 0", &first.shape[..2]),
+            SPLIT => code(
+                "whose ground is seen: 0 none, 1 the split of the sample, 2 another split",
+                &first.shape[..2],
+            ),
+            CHANGED => code(
+                "1 where the picture differs from that of the healthy machine, else 0",
+                &first.shape[..2],
+            ),
             truth => TruthItem::ALL
                 .into_iter()
                 .find(|item| item.name() == truth)

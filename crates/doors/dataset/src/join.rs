@@ -51,7 +51,10 @@ pub fn join(folders: &[PathBuf], out: &DataFolder, control: &Control) -> Result<
     expect_folders(folders, out.path())?;
     let records = folders.iter().map(|folder| read(folder)).collect::<Result<Vec<Record>, _>>()?;
     let first = &records[0];
-    records.iter().zip(folders).try_for_each(|(record, folder)| expect_same(first, record, &folders[0], folder))?;
+    records
+        .iter()
+        .zip(folders)
+        .try_for_each(|(record, folder)| expect_same(first, record, &folders[0], folder))?;
     let (rows, overlap) = rows(folders, &records)?;
     let gaps = gaps(&rows, first.of);
     if !gaps.is_empty() {
@@ -66,8 +69,7 @@ pub fn join(folders: &[PathBuf], out: &DataFolder, control: &Control) -> Result<
     (control.progress)(Progress::Verifying { frames: first.of });
     rows.values().try_for_each(verified)?;
     let texts = Texts { plan: text(&folders[0], first, PLAN)?, licence: text(&folders[0], first, LICENCE)? };
-    let journal =
-        Journal::begin(out.join(JOURNAL), &fingerprint, &there.values().collect::<Vec<_>>())?;
+    let journal = Journal::begin(out.join(JOURNAL), &fingerprint, &there.values().collect::<Vec<_>>())?;
     out.make_splits()?;
     (control.progress)(Progress::Begins { what: "samples", frames: first.of, kept: there.len() as u64 });
     for (done, (row, from)) in rows.values().enumerate() {
@@ -101,7 +103,9 @@ fn expect_folders(folders: &[PathBuf], out: &Path) -> Result<(), DatasetError> {
         return refuse(at, "given twice; give each folder once");
     }
     match all.iter().position(|folder| *folder == real(out)) {
-        Some(at) => refuse(at, "this folder is to be joined; expected another folder for the joined data set"),
+        Some(at) => {
+            refuse(at, "this folder is to be joined; expected another folder for the joined data set")
+        }
         None => Ok(()),
     }
 }

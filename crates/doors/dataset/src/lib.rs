@@ -21,7 +21,7 @@
 //! - **Bytes.** A folder is a function of plan, program and range. Threads, interruptions and shards change nothing.
 //!
 //! # Our choices
-//! - A sample is a single look. Machines that show frames before are refused.
+//! - A sample is a single look. Of a machine that shows frames before its own it is the first picture of a drive.
 //! - Healthy and faulty machine are compared at the same place, each with its own yoke.
 //!
 //! # See also

@@ -10,13 +10,13 @@ use rayon::prelude::*;
 use replay::{Control, Fingerprint, Journal, Progress, differences, read_journal};
 use run_record::{Program, file_hash};
 
+use crate::DatasetError;
 use crate::finish::{Texts, finish};
 use crate::folder::{DataFolder, JOURNAL};
 use crate::plan::Plan;
 use crate::record::{MadeFrom, PlanRecord, Record};
 use crate::row::Row;
 use crate::sample::{Made, Maker};
-use crate::DatasetError;
 
 /// A data set to be made, or a part of one.
 #[derive(Debug, Clone)]

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
-use drive::{Drive, EyePose, Place, Seen, Truth, TruthPlane, Unplaced, Viewpoint};
+use drive::{Drive, DriveError, EyePose, Loop, Place, Seen, Truth, TruthPlane, Unplaced, Viewpoint};
 use files::Npy;
 use generator::Label;
 use replay::TruthItem;
@@ -15,7 +15,7 @@ use crate::arrays::{CHANGED, PICTURE, SPLIT, codes, of_picture, of_plane};
 use crate::check::stem;
 use crate::plan::{Plan, Wanted};
 use crate::row::{GroundSeen, Row};
-use crate::{DatasetError, Split, folder};
+use crate::{DatasetError, folder};
 
 /// Poses that are drawn at most for a sample (chosen): a plan that takes one pose of a thousand finds none in 5 samples of 100 000.
 pub const MOST_ATTEMPTS: u32 = 10_000;
@@ -36,13 +36,21 @@ pub struct Maker<'a> {
     first: Vec<OnceLock<Arc<Drive>>>,
 }
 
-/// A pose that was taken.
-struct Found<'d> {
+/// A pose that was taken, and what is seen there.
+struct Found {
     place: Place,
     pose: EyePose,
-    view: Viewpoint<'d>,
-    seen: Seen,
+    looked: Looked,
     refused: BTreeMap<String, u32>,
+}
+
+/// What is seen from a pose.
+struct Looked {
+    seen: Seen,
+    truth: Truth,
+    /// North and east (m) of the ground that each pixel shows.
+    places: Vec<Option<[f64; 2]>>,
+    sun_deg: [f64; 2],
 }
 
 impl<'a> Maker<'a> {
@@ -59,15 +67,13 @@ impl<'a> Maker<'a> {
         let (plan, wanted) = (self.plan, self.plan.wanted(sample));
         let drive = self.drive(&wanted, false)?;
         let found = self.find(&wanted, &drive)?;
-        let range = TruthItem::Range.name();
-        let asked = plan.truth.as_ref().map_or_else(String::new, |items| format!("{items},"));
-        let truth = found.view.truth(&(asked + range)).map_err(|error| of_sample(sample, error))?;
-        let (ground, own) = self.ground(&wanted, &found, &truth);
-        let shape = vec![found.seen.picture.lines(), found.seen.picture.columns()];
+        let (ground, own) = self.ground(&wanted, &found.looked);
+        let picture = &found.looked.seen.picture;
+        let shape = vec![picture.lines(), picture.columns()];
         let changed = self.changed(&wanted, &found)?;
-        let row = self.row(&wanted, &drive, &found, ground, &truth, changed.as_deref());
+        let row = self.row(&wanted, &drive, &found, ground, changed.as_deref());
         let failed = |error: files::NpyError| of_sample(sample, error);
-        let mut arrays = vec![(PICTURE, of_picture(&found.seen.picture).map_err(failed)?)];
+        let mut arrays = vec![(PICTURE, of_picture(picture).map_err(failed)?)];
         arrays.push((SPLIT, Npy::new(shape.clone(), own).map_err(failed)?));
         if let Some(changed) = changed {
             arrays.push((CHANGED, Npy::new(shape, changed).map_err(failed)?));
@@ -75,7 +81,7 @@ impl<'a> Maker<'a> {
         let is_asked = |plane: &TruthPlane| {
             plan.truth.as_ref().is_some_and(|items| items.iter().any(|item| item.name() == plane.name))
         };
-        for plane in truth.planes.into_iter().filter(is_asked) {
+        for plane in found.looked.truth.planes.into_iter().filter(is_asked) {
             arrays.push((plane.name, of_plane(plane).map_err(failed)?));
         }
         Ok(Made { row, arrays })
@@ -93,29 +99,35 @@ impl<'a> Maker<'a> {
     }
 
     /// The first attempt whose ground, pose and picture are taken.
-    fn find<'d>(&self, wanted: &Wanted, drive: &'d Drive) -> Result<Found<'d>, DatasetError> {
+    fn find(&self, wanted: &Wanted, drive: &Arc<Drive>) -> Result<Found, DatasetError> {
         let mut refused = BTreeMap::new();
         let mut last = String::new();
         for attempt in 0..MOST_ATTEMPTS {
             let place = self.plan.place(wanted.sample, attempt);
             match self.attempt(wanted, drive, &place) {
-                Ok((pose, view, seen)) => return Ok(Found { place, pose, view, seen, refused }),
+                Ok((pose, looked)) => return Ok(Found { place, pose, looked, refused }),
                 Err((reason, said)) => {
                     last = said;
                     *refused.entry(reason.to_owned()).or_default() += 1;
                 }
             }
         }
-        let reasons: Vec<String> = refused.iter().map(|(reason, count)| format!("{reason} {count}")).collect();
-        Err(DatasetError::NoPose { sample: wanted.sample, attempts: MOST_ATTEMPTS, reasons: reasons.join(", "), last })
+        let reasons: Vec<String> =
+            refused.iter().map(|(reason, count)| format!("{reason} {count}")).collect();
+        Err(DatasetError::NoPose {
+            sample: wanted.sample,
+            attempts: MOST_ATTEMPTS,
+            reasons: reasons.join(", "),
+            last,
+        })
     }
 
-    fn attempt<'d>(
+    fn attempt(
         &self,
         wanted: &Wanted,
-        drive: &'d Drive,
+        drive: &Arc<Drive>,
         place: &Place,
-    ) -> Result<(EyePose, Viewpoint<'d>, Seen), Refusal> {
+    ) -> Result<(EyePose, Looked), Refusal> {
         let (splits, seed, at) = (&self.plan.splits, self.plan.seed, place.at_m);
         let found = splits.of_place(seed, at);
         if found != wanted.split {
@@ -125,16 +137,20 @@ impl<'a> Maker<'a> {
             return Err(("reach", format!("ground of another split is nearer to {at:?} m than the reach")));
         }
         let pose = drive.place(wanted.frame, place).map_err(|why| reason(&why))?;
-        let failed = |error: drive::DriveError| ("drawing", error.to_string());
-        let view = drive.from_pose(wanted.frame, &pose).map_err(failed)?;
-        let seen = view.draw().map_err(failed)?;
-        Ok((pose, view, seen))
+        let looked = at_pose(drive, wanted.frame, &pose, |view| self.look(view));
+        Ok((pose, looked.map_err(|error| ("drawing", error.to_string()))?))
+    }
+
+    fn look(&self, view: &Viewpoint) -> Result<Looked, DriveError> {
+        let seen = view.draw()?;
+        let asked = self.plan.truth.as_ref().map_or_else(String::new, |items| format!("{items},"));
+        let truth = view.truth(&(asked + TruthItem::Range.name()))?;
+        let places = view.places(ranges(&truth));
+        Ok(Looked { seen, truth, places, sun_deg: view.sun_deg() })
     }
 
     /// Whose ground the picture shows: 0 for none, 1 for that of the sample's split, 2 for that of another.
-    fn ground(&self, wanted: &Wanted, found: &Found, truth: &Truth) -> (GroundSeen, Vec<u8>) {
-        let ranges = numbers(truth, TruthItem::Range.name());
-        let places = found.view.places(ranges);
+    fn ground(&self, wanted: &Wanted, looked: &Looked) -> (GroundSeen, Vec<u8>) {
         let mut ground = GroundSeen::default();
         let whose = |(place, range): (&Option<[f64; 2]>, &f32)| {
             let Some(place) = place else { return 0 };
@@ -147,7 +163,7 @@ impl<'a> Maker<'a> {
             ground.nearest_other_m = Some(nearest.min(f64::from(*range)));
             2
         };
-        let codes = places.iter().zip(ranges).map(whose).collect();
+        let codes = looked.places.iter().zip(ranges(&looked.truth)).map(whose).collect();
         (ground, codes)
     }
 
@@ -156,14 +172,15 @@ impl<'a> Maker<'a> {
         if !self.plan.compare {
             return Ok(None);
         }
-        let picture = &found.seen.picture;
+        let picture = &found.looked.seen.picture;
         if self.plan.faults[wanted.of.fault].is_none() {
             return Ok(Some(vec![0; picture.lines() * picture.columns()]));
         }
         let drive = self.drive(wanted, true)?;
         let pose = drive.place(wanted.frame, &found.place);
         let pose = pose.map_err(|why| of_sample(wanted.sample, reason(&why).1))?;
-        let healthy = drive.look(wanted.frame, &pose).map_err(|error| of_sample(wanted.sample, error))?;
+        let healthy = at_pose(&drive, wanted.frame, &pose, Viewpoint::draw);
+        let healthy = healthy.map_err(|error| of_sample(wanted.sample, error))?;
         let channels = if picture.is_colour() { 3 } else { 1 };
         let (found, healthy) = (codes(picture), codes(&healthy.picture));
         let pairs = found.chunks(channels).zip(healthy.chunks(channels));
@@ -176,16 +193,16 @@ impl<'a> Maker<'a> {
         drive: &Drive,
         found: &Found,
         ground: GroundSeen,
-        truth: &Truth,
         changed: Option<&[u8]>,
     ) -> Row {
-        let (plan, seen) = (self.plan, &found.seen);
+        let (plan, seen) = (self.plan, &found.looked.seen);
         let codes = codes(&seen.picture);
         let sum: u64 = codes.iter().map(|code| u64::from(*code)).sum();
         let mut shape = vec![seen.picture.lines(), seen.picture.columns()];
         shape.extend(seen.picture.is_colour().then_some(3));
         let count = |name: &String| Some((name.clone(), seen.counts.get(name)?));
-        let file = FileRecord { file: folder::sample_name(wanted.split, wanted.sample), blake3: String::new() };
+        let file =
+            FileRecord { file: folder::sample_name(wanted.split, wanted.sample), blake3: String::new() };
         Row {
             sample: wanted.sample,
             split: wanted.split,
@@ -198,15 +215,28 @@ impl<'a> Maker<'a> {
             drawn: wanted.drawn.iter().map(|(key, value)| (key.clone(), json_of(value))).collect(),
             frame: wanted.frame,
             pose: found.pose.into(),
-            sun_deg: found.view.sun_deg(),
+            sun_deg: found.looked.sun_deg,
             tan_half_field: drive.raster().tan_half_field,
             mean_code: sum as f64 / codes.len().max(1) as f64,
             refused: found.refused.clone(),
             ground,
-            labels: labels(truth),
+            labels: labels(&found.looked.truth),
             counts: plan.counters.iter().filter_map(count).collect(),
             changed: changed.map(|changed| changed.iter().map(|code| u64::from(*code)).sum()),
         }
+    }
+}
+
+/// What `ask` says of frame `frame` from `pose`. Of a machine with memory it is the first frame of a drive: nothing was shown before.
+fn at_pose<T>(
+    drive: &Arc<Drive>,
+    frame: u64,
+    pose: &EyePose,
+    ask: impl FnOnce(&Viewpoint) -> Result<T, DriveError>,
+) -> Result<T, DriveError> {
+    match drive.remembers_frames() {
+        true => ask(&Loop::after(Arc::clone(drive), &[*pose])?.viewpoint()?),
+        false => ask(&drive.from_pose(frame, pose)?),
     }
 }
 
@@ -216,7 +246,9 @@ type Refusal = (&'static str, String);
 fn reason(why: &Unplaced) -> Refusal {
     match why {
         Unplaced::Pose(PoseFault::Outside { .. }) => ("outside", "the vehicle is outside the ground".into()),
-        Unplaced::Pose(PoseFault::NoData { .. }) => ("no-data", "the survey has no data under a wheel".into()),
+        Unplaced::Pose(PoseFault::NoData { .. }) => {
+            ("no-data", "the survey has no data under a wheel".into())
+        }
         Unplaced::Pose(PoseFault::EyeUnderGround { eye, ground }) => {
             ("under-ground", format!("the eye is at {eye} m and the ground at {ground} m"))
         }
@@ -232,8 +264,9 @@ fn of_sample(sample: u64, error: impl std::fmt::Display) -> DatasetError {
     DatasetError::Sample { sample, said: error.to_string() }
 }
 
-fn numbers<'t>(truth: &'t Truth, name: &str) -> &'t [f32] {
-    match truth.planes.iter().find(|plane| plane.name == name).map(|plane| &plane.values) {
+fn ranges(truth: &Truth) -> &[f32] {
+    let range = TruthItem::Range.name();
+    match truth.planes.iter().find(|plane| plane.name == range).map(|plane| &plane.values) {
         Some(drive::Codes::Numbers(numbers)) => numbers,
         _ => &[],
     }
@@ -255,4 +288,3 @@ fn labels(truth: &Truth) -> Option<BTreeMap<String, u64>> {
 fn json_of(value: &str) -> Value {
     serde_json::from_str(value).unwrap_or_else(|_| Value::String(value.trim_matches('"').to_owned()))
 }
-

@@ -86,7 +86,12 @@ fn plan(root: &Reader, path: &Path, text: Vec<u8>) -> Option<Plan> {
 }
 
 fn optional_text(table: &Reader, key: &str) -> Option<Option<String>> {
-    if table.has(key) { table.string(key).required().map(Some) } else { table.know(key); Some(None) }
+    if table.has(key) {
+        table.string(key).required().map(Some)
+    } else {
+        table.know(key);
+        Some(None)
+    }
 }
 
 /// Names, at least one, no two alike.
@@ -113,7 +118,9 @@ fn truth(root: &Reader) -> Option<Option<TruthItems>> {
     let refused = |title: String| root.report(Problem::of(&names, title));
     match read {
         Ok(items) if items.iter().any(|item| item.kinds().is_empty()) => {
-            refused("`truth` has \"pose\", which is no plane: the manifest has the pose of every sample".into());
+            refused(
+                "`truth` has \"pose\", which is no plane: the manifest has the pose of every sample".into(),
+            );
             None
         }
         Ok(items) => Some(Some(items)),
@@ -154,7 +161,9 @@ fn keys(table: &Reader) -> Option<Vec<KeyDraw>> {
     }
     if let Some(of) = table.optional_table("one_of") {
         let some = |values: &Vec<String>| !values.is_empty();
-        all.extend(each(&of, |key| of.string_list(key).must("at least one value", some).required().map(Draw::OneOf)));
+        all.extend(each(&of, |key| {
+            of.string_list(key).must("at least one value", some).required().map(Draw::OneOf)
+        }));
     }
     let mut keys = all.into_iter().collect::<Option<Vec<_>>>()?;
     keys.sort_by(|a, b| a.key.cmp(&b.key));
@@ -203,7 +212,12 @@ fn pose(table: &Reader) -> Option<PoseDraws> {
     let z_m = flown(metres("z_m"));
     let pitch_deg = flown(within("pitch_deg", 90.0).unit("degrees"));
     let roll_deg = flown(within("roll_deg", 180.0).unit("degrees"));
-    let frames = if table.has("frames") { wholes(table, "frames") } else { table.know("frames"); Some([0, 0]) };
+    let frames = if table.has("frames") {
+        wholes(table, "frames")
+    } else {
+        table.know("frames");
+        Some([0, 0])
+    };
     let flight = match (z_m?, pitch_deg?, roll_deg?) {
         (Some(z_m), Some(pitch_deg), Some(roll_deg)) => Some(FlightDraws { z_m, pitch_deg, roll_deg }),
         _ => None,
@@ -227,7 +241,9 @@ fn splits(table: &Reader) -> Option<Splits> {
     if reach.value > MOST_BLOCKS * block {
         let title = format!("`reach_m` = {} spans more than {MOST_BLOCKS} blocks", reach.value);
         let problem = Problem::of(&reach, title).expected(format!("at most {} m", MOST_BLOCKS * block));
-        table.report(problem.help("make `block_m` larger: a place needs all its ground in blocks of one split"));
+        table.report(
+            problem.help("make `block_m` larger: a place needs all its ground in blocks of one split"),
+        );
         return None;
     }
     Some(Splits { block_m: block, reach_m: reach.value, shares })

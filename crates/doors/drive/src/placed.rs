@@ -77,10 +77,9 @@ impl Drive {
         let steepness = vehicle.stand(landscape, at, heading).map_or(0.0, |stand| stand.steepness());
         match steepness <= vehicle.max_slope {
             true => Ok(pose),
-            false => Err(Unplaced::Steep {
-                found_deg: degrees(steepness),
-                most_deg: degrees(vehicle.max_slope),
-            }),
+            false => {
+                Err(Unplaced::Steep { found_deg: degrees(steepness), most_deg: degrees(vehicle.max_slope) })
+            }
         }
     }
 

@@ -3,9 +3,9 @@
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::commands::{
-    augment, bank, beam, cartridge, check, compare, completions, dataset, explain, info, list, lockstep, man, merge,
-    model, netlist, page, photo, probe, replay, schema, serve, sight, sizing, state, study, sun, survey,
-    terrain, timing, trace, trigger,
+    augment, bank, beam, cartridge, check, compare, completions, dataset, explain, info, list, lockstep, man,
+    merge, model, netlist, page, photo, probe, replay, schema, serve, sight, sizing, state, study, sun,
+    survey, terrain, timing, trace, trigger,
 };
 use crate::output::Colour;
 

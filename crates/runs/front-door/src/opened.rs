@@ -55,11 +55,7 @@ impl Opened {
     /// As [`machine_stage`](Self::machine_stage).
     pub fn machine_stage_upon(&self, other: &Self, stage: &MachineStage) -> Result<MachineStage, OpenError> {
         match has_same(&self.scenario, &other.scenario) {
-            true => self.finished(upon(
-                Arc::clone(&stage.landscape),
-                &self.scenario,
-                self.settings.clone(),
-            )),
+            true => self.finished(upon(Arc::clone(&stage.landscape), &self.scenario, self.settings.clone())),
             false => self.machine_stage(),
         }
     }

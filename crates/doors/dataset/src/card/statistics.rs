@@ -12,9 +12,16 @@ use crate::row::Row;
 pub(super) fn splits(record: &Record, rows: &[Row]) -> String {
     let plan = &record.plan;
     let mut table = vec![
-        ["split", "share asked for", "samples", "pixels with ground", "of these of another split", "nearest of them (m)"]
-            .map(str::to_owned)
-            .to_vec(),
+        [
+            "split",
+            "share asked for",
+            "samples",
+            "pixels with ground",
+            "of these of another split",
+            "nearest of them (m)",
+        ]
+        .map(str::to_owned)
+        .to_vec(),
     ];
     for split in Split::ALL {
         let own: Vec<&Row> = rows.iter().filter(|row| row.split == split).collect();
@@ -62,7 +69,8 @@ fn by_machine(rows: &[Row]) -> String {
         names
     };
     let compared = rows.iter().any(|row| row.changed.is_some());
-    let mut head: Vec<String> = ["scenario", "machine", "fault", "samples", "mean code"].map(str::to_owned).to_vec();
+    let mut head: Vec<String> =
+        ["scenario", "machine", "fault", "samples", "mean code"].map(str::to_owned).to_vec();
     head.extend(compared.then(|| "pixels changed by the fault".to_owned()));
     head.extend(counters.iter().map(|name| format!("mean `{name}`")));
     let mut table = vec![head];
@@ -75,7 +83,9 @@ fn by_machine(rows: &[Row]) -> String {
             let changed = rows.iter().filter_map(|row| row.changed).sum();
             line.push(percent(changed, rows.iter().map(pixels).sum()));
         }
-        let count = |name: &&String| mean(rows.iter().map(|row| row.counts.get(*name).map_or(0.0, |count| *count as f64)));
+        let count = |name: &&String| {
+            mean(rows.iter().map(|row| row.counts.get(*name).map_or(0.0, |count| *count as f64)))
+        };
         line.extend(counters.iter().map(|name| format!("{:.1}", count(name))));
         table.push(line);
     }
@@ -110,7 +120,11 @@ fn refused(rows: &[Row]) -> String {
     }
     let drawn = rows.len() as u64 + sums.values().sum::<u64>();
     let reasons: Vec<String> = sums.iter().map(|(reason, count)| format!("{reason} {count}")).collect();
-    let reasons = if reasons.is_empty() { "none refused".to_owned() } else { format!("refused: {}", reasons.join(", ")) };
+    let reasons = if reasons.is_empty() {
+        "none refused".to_owned()
+    } else {
+        format!("refused: {}", reasons.join(", "))
+    };
     format!("Poses drawn: {drawn}; taken: {}; {reasons}.\n", rows.len())
 }
 

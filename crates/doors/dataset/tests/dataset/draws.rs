@@ -50,8 +50,10 @@ fn quantities_samples_attempts_and_seeds_are_independent() {
 
 #[test]
 fn values_keep_to_their_ranges_and_meet_both_ends() {
-    let of = |draw: &Draw| -> Vec<String> { (0..2000).map(|sample| draw.value(counter(sample), "k")).collect() };
-    let numbers: Vec<f64> = of(&Draw::Number([-3.0, 5.0])).iter().map(|value| value.parse().unwrap()).collect();
+    let of =
+        |draw: &Draw| -> Vec<String> { (0..2000).map(|sample| draw.value(counter(sample), "k")).collect() };
+    let numbers: Vec<f64> =
+        of(&Draw::Number([-3.0, 5.0])).iter().map(|value| value.parse().unwrap()).collect();
     assert!(numbers.iter().all(|number| (-3.0..=5.0).contains(number)));
     assert!(numbers.iter().any(|number| *number < -2.9) && numbers.iter().any(|number| *number > 4.9));
     let mut whole = of(&Draw::Whole([4, 6]));
@@ -69,12 +71,13 @@ fn values_keep_to_their_ranges_and_meet_both_ends() {
 fn a_draw_is_pinned() {
     // BLAKE3 of the domain, seed 7, sample 73 214, attempt 0 and the name: it must never change.
     assert_eq!(counter(73_214).word("x_m"), counter(73_214).word("x_m"));
-    let bytes: Vec<u8> = [b"lunoid.dataset/1 draw\0".as_slice(), &7_u64.to_le_bytes(), &73_214_u64.to_le_bytes()]
-        .into_iter()
-        .chain([0_u32.to_le_bytes().as_slice(), b"x_m"])
-        .flatten()
-        .copied()
-        .collect();
+    let bytes: Vec<u8> =
+        [b"lunoid.dataset/1 draw\0".as_slice(), &7_u64.to_le_bytes(), &73_214_u64.to_le_bytes()]
+            .into_iter()
+            .chain([0_u32.to_le_bytes().as_slice(), b"x_m"])
+            .flatten()
+            .copied()
+            .collect();
     let hash = run_record::hash(&bytes);
     let first = (0..8).map(|at| u8::from_str_radix(&hash[2 * at..2 * at + 2], 16).unwrap());
     let expected = first.enumerate().map(|(at, byte)| u64::from(byte) << (8 * at)).sum::<u64>();
@@ -95,7 +98,8 @@ fn splits_have_their_shares() {
 
 #[test]
 fn a_quantity_that_is_added_changes_no_other_draw() {
-    let (plan, more) = (Scene::new(PLAN).plan(), PLAN.replace("[pose]", "\"display_white\" = [1, 2]\n[pose]"));
+    let (plan, more) =
+        (Scene::new(PLAN).plan(), PLAN.replace("[pose]", "\"display_white\" = [1, 2]\n[pose]"));
     let more = more.replace("display_white", "scenario.display.white");
     let more = Scene::new(&more.replace("draws = 3", "draws = 5")).plan();
     for sample in 0..plan.samples() {

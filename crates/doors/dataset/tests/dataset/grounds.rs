@@ -111,7 +111,8 @@ fn a_place_is_that_of_the_path() {
     let scene = Scene::new(PLAN);
     let drive = Drive::open(&scene.path("scene.toml"), &Wishes::default(), 1).unwrap();
     let pose = drive.pose(0).unwrap();
-    let place = drive::Place { at_m: [pose.eye_m[0], pose.eye_m[1]], heading_deg: pose.heading_deg, flight: None };
+    let place =
+        drive::Place { at_m: [pose.eye_m[0], pose.eye_m[1]], heading_deg: pose.heading_deg, flight: None };
     let stood = drive.place(0, &place).unwrap();
     let near = |a: f64, b: f64| (a - b).abs() < 1e-9;
     assert!(stood.eye_m.iter().zip(pose.eye_m).all(|(a, b)| near(*a, b)), "{stood:?} {pose:?}");

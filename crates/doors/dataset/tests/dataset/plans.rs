@@ -24,7 +24,12 @@ fn every_broken_plan_is_one_error_with_its_line() {
         ("draws = 3", "draws = 0", "`draws` must be a whole number from 1", 6),
         ("about = \"Nothing but a test.\"\n", "", "missing `about`", 1),
         ("licence = \"CC0-1.0\"", "licence = 3", "`licence` must be one line of text", 4),
-        ("licence = \"CC0-1.0\"", "licence = \"X\"\nlicence_file = \"gone.txt\"", "gone.txt: no such file", 5),
+        (
+            "licence = \"CC0-1.0\"",
+            "licence = \"X\"\nlicence_file = \"gone.txt\"",
+            "gone.txt: no such file",
+            5,
+        ),
         ("[\"scene.toml\"]", "[]", "`scenarios` must be", 7),
         ("[\"scene.toml\"]", "[\"scene.toml\", \"scene.toml\"]", "`scenarios` must be", 7),
         ("[\"scene.toml\"]", "[\"gone.toml\"]", "gone.toml", 7),
@@ -33,14 +38,29 @@ fn every_broken_plan_is_one_error_with_its_line() {
         ("\"range\", \"label\"", "\"pose\"", "\"pose\", which is no plane", 9),
         ("\"late_words\"", "\"early_words\"", "no counter is called \"early_words\"", 10),
         ("compare = true", "compare = 1", "`compare` must be true or false", 11),
-        ("columns=40", "columns:40\",\"scenario.raster.columns=40", "`set` has \"scenario.raster.columns:40\"", 12),
+        (
+            "columns=40",
+            "columns:40\",\"scenario.raster.columns=40",
+            "`set` has \"scenario.raster.columns:40\"",
+            12,
+        ),
         ("= [0, 360]\n\"scen", "= [360, 0]\n\"scen", "low not above high", 15),
         ("= [0, 360]\n\"scen", "= [0, 1, 2]\n\"scen", "an array of 2 numbers", 15),
         ("= [10, 40]", "= [10, 400]", "400", 16),
         ("sun.azimuth_deg", "sun.azimut_deg", "azimut_deg", 15),
-        ("= [0, 360]\n\"scen", "= [0, inf]\n\"scen", "`draw.number.\"scenario.sun.azimuth_deg\"` must be", 15),
+        (
+            "= [0, 360]\n\"scen",
+            "= [0, inf]\n\"scen",
+            "`draw.number.\"scenario.sun.azimuth_deg\"` must be",
+            15,
+        ),
         ("x_m = [20, 380]", "x_m = [380, 20]", "`pose.x_m` must be", 19),
-        ("x_m = [20, 380]", "x_m = [20, 380]\nz_m = [10, 20]\npitch_deg = [0, 1]", "missing `pose.roll_deg`", 18),
+        (
+            "x_m = [20, 380]",
+            "x_m = [20, 380]\nz_m = [10, 20]\npitch_deg = [0, 1]",
+            "missing `pose.roll_deg`",
+            18,
+        ),
         ("heading_deg = [0, 360]", "heading_deg = [0, 360]\nframes = [3, 1]", "first not above last", 22),
         ("block_m = 80", "block_m = 0", "`splits.block_m` must be", 24),
         ("reach_m = 15", "reach_m = 500", "spans more than 4 blocks", 25),
@@ -76,8 +96,10 @@ fn a_plan_that_is_no_text_or_not_there_is_refused() {
 }
 
 #[test]
-fn a_machine_with_memory_is_refused() {
-    let scene = Scene::new(&PLAN.replace("overlay = \"slew\"", "overlay = \"ghost\""));
+fn a_machine_with_memory_has_first_frames_alone() {
+    let text = PLAN.replace("overlay = \"slew\"", "overlay = \"ghost\"");
+    let scene =
+        Scene::new(&text.replace("heading_deg = [0, 360]", "heading_deg = [0, 360]\nframes = [0, 2]"));
     let said = Plan::read(&scene.path("plan.toml"));
     // Residue of the tube is memory; an overlay without it is not.
     let settings = front_door::open(

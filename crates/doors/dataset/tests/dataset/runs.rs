@@ -84,7 +84,9 @@ fn folders_of_somebody_else_are_refused() {
     fs::create_dir(scene.path("mine")).unwrap();
     fs::write(scene.path("mine").join("thesis.txt"), "mine").unwrap();
     let said = scene.make("mine", 0..9).expect_err("foreign").to_string();
-    assert!(said.contains("thesis.txt") && fs::read(scene.path("mine").join("thesis.txt")).unwrap() == b"mine");
+    assert!(
+        said.contains("thesis.txt") && fs::read(scene.path("mine").join("thesis.txt")).unwrap() == b"mine"
+    );
     scene.make_all("out");
     let other = scene.make("out", 0..3).expect_err("a part").to_string();
     assert!(other.contains("another data set") && other.contains("samples"), "{other}");

@@ -67,7 +67,10 @@ fn a_sample_is_the_look_of_a_drive_at_its_pose() {
                 (one, other) => panic!("{one:?} {other:?}"),
             }
         }
-        assert_eq!(row.sun_deg.map(f64::round), [&wanted.drawn[0], &wanted.drawn[1]].map(|(_, value)| value.parse::<f64>().unwrap().round()));
+        assert_eq!(
+            row.sun_deg.map(f64::round),
+            [&wanted.drawn[0], &wanted.drawn[1]].map(|(_, value)| value.parse::<f64>().unwrap().round())
+        );
     }
 }
 
@@ -114,7 +117,8 @@ fn the_pixels_that_changed_are_those_of_the_healthy_machine() {
 
 #[test]
 fn a_vehicle_that_flies_is_drawn_again_while_its_eye_is_in_the_ground() {
-    let flown = "heading_deg = [0, 360]\nz_m = [-12, 12]\npitch_deg = [-40, -5]\nroll_deg = [0, 0]\nframes = [1, 3]";
+    let flown =
+        "heading_deg = [0, 360]\nz_m = [-12, 12]\npitch_deg = [-40, -5]\nroll_deg = [0, 0]\nframes = [1, 3]";
     let scene = Scene::new(&PLAN.replace("heading_deg = [0, 360]", flown));
     let plan = scene.plan();
     let maker = Maker::new(&plan);

@@ -32,7 +32,10 @@ fn one_two_and_three_shards_backwards_are_the_whole() {
         let mut folders = shards(&scene, of);
         folders.reverse();
         let out = format!("joined-{of}");
-        assert_eq!(joined(&scene, &folders, &out, u64::MAX).unwrap(), Joined::Whole { samples: 9, overlap: 0 });
+        assert_eq!(
+            joined(&scene, &folders, &out, u64::MAX).unwrap(),
+            Joined::Whole { samples: 9, overlap: 0 }
+        );
         assert!(files(&scene.path(&out)) == whole, "{of} shards");
     }
 }
@@ -47,7 +50,10 @@ fn overlap_gaps_and_interruptions() {
     };
     let parts = [make("a", 0..4), make("b", 3..6), make("c", 7..9)];
     let gaps = joined(&scene, &parts, "out", u64::MAX).unwrap();
-    assert!(matches!(&gaps, Joined::Gaps { gaps, plan } if *gaps == [6..7] && plan.ends_with("plan.toml")), "{gaps:?}");
+    assert!(
+        matches!(&gaps, Joined::Gaps { gaps, plan } if *gaps == [6..7] && plan.ends_with("plan.toml")),
+        "{gaps:?}"
+    );
     assert!(!scene.path("out").exists(), "nothing is written where samples are missing");
     let parts = [parts.as_slice(), &[make("d", 6..7)]].concat();
     assert_eq!(joined(&scene, &parts, "out", 2).unwrap(), Joined::Interrupted);
@@ -63,7 +69,9 @@ fn what_does_not_belong_together_is_refused() {
         scene.make(name, samples).unwrap();
         scene.path(name)
     });
-    let said = |folders: &[PathBuf], out: &str| joined(&scene, folders, out, u64::MAX).expect_err("refused").to_string();
+    let said = |folders: &[PathBuf], out: &str| {
+        joined(&scene, folders, out, u64::MAX).expect_err("refused").to_string()
+    };
     assert!(said(&[a.clone(), a.clone()], "out").contains("given twice"));
     assert!(said(&[a.clone(), scene.path("gone")], "out").contains("no data set is finished here"));
     assert!(said(&[a.clone(), b.clone()], "a").contains("to be joined"));

@@ -74,7 +74,9 @@ impl DatasetCommand {
         display.end();
         match outcome? {
             Outcome::Interrupted { done, of } => {
-                tell(&format!("interrupted: {done} of {of} samples are whole; the same command again goes on\n"));
+                tell(&format!(
+                    "interrupted: {done} of {of} samples are whole; the same command again goes on\n"
+                ));
                 Ok(Verdict::Interrupted)
             }
             Outcome::Finished { made } => self.tell_made(&out, &samples, made),

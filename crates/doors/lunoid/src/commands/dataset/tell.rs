@@ -41,7 +41,8 @@ impl DatasetCommand {
             return Ok(Verdict::Yes);
         }
         let splits: Vec<String> = named().map(|(name, count)| format!("{name} {count}")).collect();
-        let refused: Vec<String> = refused.iter().map(|(reason, count)| format!("{reason} {count}")).collect();
+        let refused: Vec<String> =
+            refused.iter().map(|(reason, count)| format!("{reason} {count}")).collect();
         let refused = if refused.is_empty() { "none".into() } else { refused.join(", ") };
         print(&format!(
             "{}: {samples} samples of {} in {} combinations: {}\n\

@@ -16,7 +16,9 @@ impl MergeCommand {
     /// Joins the data sets and says what came of it.
     pub(super) fn data_sets(&self) -> Result<Verdict, Failure> {
         if let Some(span) = self.frames {
-            let refused = format!("--frames {span}: a data set says itself how many samples it has; leave the option out");
+            let refused = format!(
+                "--frames {span}: a data set says itself how many samples it has; leave the option out"
+            );
             return Err(Failure::usage(refused));
         }
         let pool = self.threads.pool()?;
@@ -50,12 +52,7 @@ impl MergeCommand {
             return Ok(Verdict::No);
         }
         let line = |gap: &Range<u64>| {
-            format!(
-                "samples {}..{} are missing; this makes them:\n  {}\n",
-                gap.start,
-                gap.end,
-                command(gap)
-            )
+            format!("samples {}..{} are missing; this makes them:\n  {}\n", gap.start, gap.end, command(gap))
         };
         print(&gaps.iter().map(line).collect::<String>())?;
         Ok(Verdict::No)
