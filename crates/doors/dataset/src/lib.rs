@@ -36,6 +36,7 @@ mod estimate;
 mod finish;
 mod folder;
 mod join;
+mod looks;
 mod plan;
 mod record;
 mod row;

@@ -3,16 +3,15 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
-use drive::{Drive, DriveError, EyePose, Loop, Place, Seen, Truth, TruthPlane, Unplaced, Viewpoint};
+use drive::{Drive, EyePose, Place, TruthPlane, Viewpoint};
 use files::Npy;
-use generator::Label;
 use replay::TruthItem;
 use run_record::FileRecord;
-use scenario::PoseFault;
 use serde_json::Value;
 
 use crate::arrays::{CHANGED, PICTURE, SPLIT, codes, of_picture, of_plane};
 use crate::check::stem;
+use crate::looks::{Looked, Refusal, at_pose, labels, ranges, reason};
 use crate::plan::{Plan, Wanted};
 use crate::row::{GroundSeen, Row};
 use crate::{DatasetError, folder};
@@ -42,15 +41,6 @@ struct Found {
     pose: EyePose,
     looked: Looked,
     refused: BTreeMap<String, u32>,
-}
-
-/// What is seen from a pose.
-struct Looked {
-    seen: Seen,
-    truth: Truth,
-    /// North and east (m) of the ground that each pixel shows.
-    places: Vec<Option<[f64; 2]>>,
-    sun_deg: [f64; 2],
 }
 
 impl<'a> Maker<'a> {
@@ -95,7 +85,8 @@ impl<'a> Maker<'a> {
         let wishes = plan.wishes(wanted.of, drawn, healthy);
         let drive = Drive::open_upon(first.get().map(|drive| &**drive), &path, &wishes, 1);
         let drive = Arc::new(drive.map_err(|error| of_sample(wanted.sample, error))?);
-        Ok(Arc::clone(first.get_or_init(|| Arc::clone(&drive)))).map(|_| drive)
+        first.get_or_init(|| Arc::clone(&drive));
+        Ok(drive)
     }
 
     /// The first attempt whose ground, pose and picture are taken.
@@ -137,16 +128,8 @@ impl<'a> Maker<'a> {
             return Err(("reach", format!("ground of another split is nearer to {at:?} m than the reach")));
         }
         let pose = drive.place(wanted.frame, place).map_err(|why| reason(&why))?;
-        let looked = at_pose(drive, wanted.frame, &pose, |view| self.look(view));
+        let looked = at_pose(drive, wanted.frame, &pose, |view| Looked::from(view, self.plan.truth.as_ref()));
         Ok((pose, looked.map_err(|error| ("drawing", error.to_string()))?))
-    }
-
-    fn look(&self, view: &Viewpoint) -> Result<Looked, DriveError> {
-        let seen = view.draw()?;
-        let asked = self.plan.truth.as_ref().map_or_else(String::new, |items| format!("{items},"));
-        let truth = view.truth(&(asked + TruthItem::Range.name()))?;
-        let places = view.places(ranges(&truth));
-        Ok(Looked { seen, truth, places, sun_deg: view.sun_deg() })
     }
 
     /// Whose ground the picture shows: 0 for none, 1 for that of the sample's split, 2 for that of another.
@@ -227,61 +210,8 @@ impl<'a> Maker<'a> {
     }
 }
 
-/// What `ask` says of frame `frame` from `pose`. Of a machine with memory it is the first frame of a drive: nothing was shown before.
-fn at_pose<T>(
-    drive: &Arc<Drive>,
-    frame: u64,
-    pose: &EyePose,
-    ask: impl FnOnce(&Viewpoint) -> Result<T, DriveError>,
-) -> Result<T, DriveError> {
-    match drive.remembers_frames() {
-        true => ask(&Loop::after(Arc::clone(drive), &[*pose])?.viewpoint()?),
-        false => ask(&drive.from_pose(frame, pose)?),
-    }
-}
-
-/// Why a pose was not taken: a word for the count, and a sentence.
-type Refusal = (&'static str, String);
-
-fn reason(why: &Unplaced) -> Refusal {
-    match why {
-        Unplaced::Pose(PoseFault::Outside { .. }) => ("outside", "the vehicle is outside the ground".into()),
-        Unplaced::Pose(PoseFault::NoData { .. }) => {
-            ("no-data", "the survey has no data under a wheel".into())
-        }
-        Unplaced::Pose(PoseFault::EyeUnderGround { eye, ground }) => {
-            ("under-ground", format!("the eye is at {eye} m and the ground at {ground} m"))
-        }
-        Unplaced::Pose(PoseFault::Tilt { what, .. }) => ("tilt", format!("a {what} that no vehicle has")),
-        Unplaced::Steep { found_deg, most_deg } => {
-            ("steep", format!("ground of {found_deg:.1} degrees, the vehicle climbs {most_deg:.1}"))
-        }
-        Unplaced::Number(error) => ("number", error.to_string()),
-    }
-}
-
 fn of_sample(sample: u64, error: impl std::fmt::Display) -> DatasetError {
     DatasetError::Sample { sample, said: error.to_string() }
-}
-
-fn ranges(truth: &Truth) -> &[f32] {
-    let range = TruthItem::Range.name();
-    match truth.planes.iter().find(|plane| plane.name == range).map(|plane| &plane.values) {
-        Some(drive::Codes::Numbers(numbers)) => numbers,
-        _ => &[],
-    }
-}
-
-/// Pixels of each label that the picture shows, where the plane is there.
-fn labels(truth: &Truth) -> Option<BTreeMap<String, u64>> {
-    let plane = truth.planes.iter().find(|plane| plane.name == TruthItem::Label.name())?;
-    let drive::Codes::Codes(codes) = &plane.values else { return None };
-    let mut counts = BTreeMap::new();
-    for code in codes {
-        let word = Label::of_code(*code).map_or("unknown", Label::name);
-        *counts.entry(word.to_owned()).or_default() += 1;
-    }
-    Some(counts)
 }
 
 /// A value of TOML as one of JSON: what is no number or truth value is a text.

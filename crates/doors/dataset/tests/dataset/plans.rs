@@ -109,3 +109,48 @@ fn a_machine_with_memory_has_first_frames_alone() {
     let remembers = settings.unwrap().settings.analog.remembers_frames();
     assert_eq!(said.is_err(), remembers, "{said:?}");
 }
+
+const PAGE: &str = include_str!("../../../../../docs/dataset-plan.md");
+
+/// A folder of the repository.
+fn at_root(path: &str) -> std::path::PathBuf {
+    std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..").join(path)
+}
+
+#[test]
+fn the_example_of_the_page_is_a_plan_whose_samples_are_made() {
+    let (_, rest) = PAGE.split_once("```toml\n").expect("an example");
+    let (example, _) = rest.split_once("```").expect("its end");
+    let scenarios = at_root("scenarios").canonicalize().unwrap();
+    let scene = Scene::new(&example.replace("../", &format!("{}/", scenarios.display())));
+    let plan = scene.plan();
+    assert_eq!(plan.samples(), 400);
+    let made = dataset::Maker::new(&plan).make(2).unwrap();
+    let names: Vec<&str> = made.arrays.iter().map(|(name, _)| *name).collect();
+    assert_eq!(names, ["picture", "split", "changed", "range", "label"]);
+    assert_eq!((made.row.scenario.as_str(), made.row.fault.as_str()), ("landing-site", "none"));
+}
+
+#[test]
+fn every_key_of_the_page_is_a_key_of_plans() {
+    let table = PAGE.split("\n## ").nth(1).expect("the section of the plan");
+    let keys = "format title about licence licence_file seed draws scenarios machines truth counters compare set [draw.number] \
+                [draw.whole] [draw.one_of] pose.x_m pose.y_m pose.heading_deg pose.z_m pose.pitch_deg pose.roll_deg pose.frames \
+                splits.block_m splits.reach_m splits.train fault.name fault.overlay fault.number";
+    for key in keys.split_whitespace() {
+        assert!(table.contains(&format!("`{key}`")), "{key} has no row");
+    }
+}
+
+#[test]
+fn the_shipped_plan_is_one() {
+    let plan = Plan::read(&at_root("scenarios/datasets/first-look.toml")).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!((plan.samples(), plan.combinations()), (24, 6));
+}
+
+#[test]
+fn loaders_have_at_most_thirty_lines() {
+    for (name, text) in dataset::LOADERS {
+        assert!(text.lines().count() <= 30, "{name}");
+    }
+}
