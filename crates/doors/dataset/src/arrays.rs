@@ -77,6 +77,7 @@ pub(crate) fn names(path: &Path) -> Result<Vec<String>, DatasetError> {
     };
     let bytes = files::read_all(path, Limit::BankBytes)?;
     let mut zip = zip::ZipArchive::new(Cursor::new(bytes)).map_err(refuse)?;
-    let mut name = |at: usize| Ok(zip.by_index(at)?.name()?.trim_end_matches(".npy").to_owned());
-    (0..zip.len()).map(name).collect::<Result<_, _>>().map_err(refuse)
+    let count = zip.len();
+    let name = |at: usize| Ok(zip.by_index(at)?.name()?.trim_end_matches(".npy").to_owned());
+    (0..count).map(name).collect::<Result<_, _>>().map_err(refuse)
 }

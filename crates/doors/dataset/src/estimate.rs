@@ -16,7 +16,7 @@ const MEASURED: u64 = 8;
 /// What the samples of a range will take.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Estimate {
-    /// Number of samples.
+    /// Number of all samples.
     pub samples: u64,
     /// Samples of training, validation and test: exact, because the split is drawn first.
     pub splits: [u64; 3],

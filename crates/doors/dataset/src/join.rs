@@ -22,7 +22,7 @@ use crate::run::kept;
 pub enum Joined {
     /// All samples of the plan are in one folder.
     Whole {
-        /// Number of samples.
+        /// Number of all samples.
         samples: u64,
         /// Samples that more than one folder had.
         overlap: u64,

@@ -110,11 +110,11 @@ pub struct FlightDraws {
 /// Which scenario, machine and fault a sample has: their places in the lists of the plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Combination {
-    /// Place in [`Plan::scenarios`].
+    /// Its place in [`Plan::scenarios`].
     pub scenario: usize,
-    /// Place in [`Plan::machines`].
+    /// Its place in [`Plan::machines`].
     pub machine: usize,
-    /// Place in [`Plan::faults`].
+    /// Its place in [`Plan::faults`].
     pub fault: usize,
 }
 

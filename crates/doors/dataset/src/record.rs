@@ -41,7 +41,7 @@ pub struct Record {
 /// What decides a sample.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MadeFrom {
-    /// Program that drew.
+    /// The program that drew.
     pub program: Program,
     /// The plan; its path as the user gave it.
     pub plan: FileRecord,
@@ -60,9 +60,9 @@ pub struct PlanRecord {
     pub licence: String,
     /// Seed of all draws.
     pub seed: u64,
-    /// Names of scenarios.
+    /// Names of the scenarios.
     pub scenarios: Vec<String>,
-    /// Names of machines.
+    /// Names of the machines.
     pub machines: Vec<String>,
     /// Names of faults, each with its overlay and the keys that are drawn.
     pub faults: BTreeMap<String, Value>,

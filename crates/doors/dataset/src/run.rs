@@ -23,9 +23,9 @@ use crate::sample::{Made, Maker};
 pub struct Job<'a> {
     /// What it is drawn from.
     pub plan: &'a Plan,
-    /// Program that draws.
+    /// The program that draws.
     pub program: Program,
-    /// Samples to make.
+    /// Numbers of its samples.
     pub samples: Range<u64>,
 }
 

@@ -3,9 +3,8 @@
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
-use drive::{Drive, EyePose, Place, TruthPlane, Viewpoint};
+use drive::{Drive, EyePose, Place, TruthPlane};
 use files::Npy;
-use replay::TruthItem;
 use run_record::FileRecord;
 use serde_json::Value;
 
@@ -162,7 +161,7 @@ impl<'a> Maker<'a> {
         let drive = self.drive(wanted, true)?;
         let pose = drive.place(wanted.frame, &found.place);
         let pose = pose.map_err(|why| of_sample(wanted.sample, reason(&why).1))?;
-        let healthy = at_pose(&drive, wanted.frame, &pose, Viewpoint::draw);
+        let healthy = at_pose(&drive, wanted.frame, &pose, |view| view.draw());
         let healthy = healthy.map_err(|error| of_sample(wanted.sample, error))?;
         let channels = if picture.is_colour() { 3 } else { 1 };
         let (found, healthy) = (codes(picture), codes(&healthy.picture));

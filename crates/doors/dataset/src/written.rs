@@ -182,12 +182,12 @@ fn each<'a>(table: &Reader<'a>, read: impl Fn(&'a str) -> Option<Draw>) -> Vec<O
     table.keys().into_iter().map(key).collect()
 }
 
-/// `[low, high]`.
+/// Two numbers `[low, high]`.
 fn numbers(table: &Reader, key: &str) -> Option<[f64; 2]> {
     table.f64_array::<2>(key).must("low and high, low not above high", |[low, high]| low <= high).required()
 }
 
-/// `[first, last]`.
+/// Two whole numbers `[first, last]`.
 fn wholes(table: &Reader, key: &str) -> Option<[u64; 2]> {
     let ascend = |ends: &Vec<u64>| ends.len() == 2 && ends[0] <= ends[1];
     let ends = table.u64_list(key).must("first and last, first not above last", ascend).required()?;

@@ -52,7 +52,7 @@ impl Entry for TruthFrame {
 pub struct Found<T> {
     /// What the work is made from.
     pub fingerprint: Fingerprint,
-    /// Its whole lines.
+    /// All its whole lines.
     pub frames: Vec<T>,
 }
 

@@ -78,7 +78,7 @@ fn a_sample_is_the_look_of_a_drive_at_its_pose() {
 fn faults_are_labels() {
     let scene = Scene::new(PLAN);
     let folder = scene.make_all("whole");
-    let mut changed: BTreeMap<String, u64> = BTreeMap::new();
+    let (mut changed, mut all_late) = (BTreeMap::<String, u64>::new(), 0);
     for row in rows(&folder) {
         let plane = read_array(&folder.join(&row.file.file), "changed").unwrap();
         let sum = codes(plane.data()).iter().map(|code| u64::from(*code)).sum::<u64>();
@@ -86,14 +86,17 @@ fn faults_are_labels() {
         let late = row.counts["late_words"];
         match row.fault.as_str() {
             "none" => assert_eq!((sum, late), (0, 0)),
-            "tear" => assert!(late > 0 && row.drawn["loader.access_ns"].as_f64().unwrap() >= 300.0),
+            "tear" => {
+                assert!(row.drawn["loader.access_ns"].as_f64().unwrap() >= 300.0);
+                all_late += late;
+            }
             _ => assert!(!row.drawn.contains_key("loader.access_ns")),
         }
         *changed.entry(row.fault).or_default() += sum;
         let labels = row.labels.expect("asked for");
         assert_eq!(labels.values().sum::<u64>(), (row.shape[0] * row.shape[1]) as u64);
     }
-    assert!(changed["tear"] > 0 && changed["slew"] > 0, "{changed:?}");
+    assert!(changed["tear"] > 0 && changed["slew"] > 0 && all_late > 0, "{changed:?} {all_late}");
 }
 
 #[test]
