@@ -73,7 +73,9 @@ fn every_broken_plan_is_one_error_with_its_line() {
     for (from, to, expected, line) in cases {
         let (said, lines) = said_of(from, to);
         if !said.contains(expected) || lines != [Some(line)] {
-            wrong.push(format!("{to}: expected {expected:?} in line {line} alone, told of lines {lines:?}:\n{said}"));
+            wrong.push(format!(
+                "{to}: expected {expected:?} in line {line} alone, told of lines {lines:?}:\n{said}"
+            ));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
@@ -146,7 +148,8 @@ fn every_key_of_the_page_is_a_key_of_plans() {
 
 #[test]
 fn the_shipped_plan_is_one() {
-    let plan = Plan::read(&at_root("scenarios/datasets/first-look.toml")).unwrap_or_else(|error| panic!("{error}"));
+    let plan =
+        Plan::read(&at_root("scenarios/datasets/first-look.toml")).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!((plan.samples(), plan.combinations()), (24, 6));
 }
 

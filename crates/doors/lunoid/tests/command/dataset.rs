@@ -64,7 +64,10 @@ fn shards_are_made_listed_and_joined() {
     told(at, &command.split(' ').collect::<Vec<_>>());
     told(at, &["merge", "joined-samples-0-1", "runs/plan-shard-2-of-2", "--out", "joined"]);
     for name in ["dataset.json", "manifest.jsonl", "README.md", "contact-sheet.png"] {
-        assert_eq!(fs::read(at.join("joined").join(name)).unwrap(), fs::read(at.join("whole").join(name)).unwrap());
+        assert_eq!(
+            fs::read(at.join("joined").join(name)).unwrap(),
+            fs::read(at.join("whole").join(name)).unwrap()
+        );
     }
     let only = told(at, &["dataset", "plan.toml", "--only", "2", "--json"]);
     let only: Value = serde_json::from_str(&only).unwrap();
@@ -93,9 +96,14 @@ fn what_is_asked_wrongly_is_refused() {
     assert_eq!(output.status.code(), Some(4));
 }
 
+/// The interpreter of Python: that of LUNOID_PYTHON, or the usual one.
+fn python() -> String {
+    std::env::var("LUNOID_PYTHON").unwrap_or_else(|_| "python3".into())
+}
+
 /// Whether Python has the module; without it the test says so and is skipped.
 fn has(module: &str) -> bool {
-    let found = Command::new("python3").args(["-c", &format!("import {module}")]).output();
+    let found = Command::new(python()).args(["-c", &format!("import {module}")]).output();
     let found = found.is_ok_and(|output| output.status.success());
     if !found {
         eprintln!("SKIPPED: Python has no {module}; a loader is not run");
@@ -117,11 +125,14 @@ fn loaders_read_every_sample_of_a_split() {
             continue;
         }
         let path: PathBuf = at.join("whole").join(loader);
-        let output = Command::new("python3").arg(path).arg(at.join("whole")).arg(split).output().unwrap();
+        let output = Command::new(python()).arg(path).arg(at.join("whole")).arg(split).output().unwrap();
         let said = String::from_utf8(output.stdout).unwrap();
         assert!(output.status.success(), "{loader}: {}", String::from_utf8_lossy(&output.stderr));
         if module == "numpy" {
-            assert!(said.lines().count() == count && said.contains("picture[30, 40] split[30, 40]"), "{said}");
+            assert!(
+                said.lines().count() == count && said.contains("picture[30, 40] split[30, 40]"),
+                "{said}"
+            );
         } else {
             assert!(said.contains(", 1, 30, 40]") && said.contains("range["), "{said}");
         }
