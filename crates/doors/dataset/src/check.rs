@@ -147,10 +147,10 @@ fn place(plan: &Plan, root: &Reader, of: Combination, said: &str) -> diagnostics
     let short = |key: &str| key.strip_prefix("scenario.").unwrap_or(key).to_owned();
     let names = |key: &&KeyDraw| said.contains(&short(&key.key));
     let of_fault = || root.tables("fault").into_iter().nth(of.fault);
-    if let Some(key) = plan.faults[of.fault].keys.iter().find(names) {
-        if let Some(table) = of_fault() {
-            return drawn_at(&table, &key.key).unwrap_or(table.table_place().clone());
-        }
+    if let Some(key) = plan.faults[of.fault].keys.iter().find(names)
+        && let Some(table) = of_fault()
+    {
+        return drawn_at(&table, &key.key).unwrap_or(table.table_place().clone());
     }
     if let Some(key) = plan.keys.iter().find(names)
         && let Some(place) = drawn_at(&root.table_or_empty("draw"), &key.key)

@@ -88,6 +88,6 @@ impl DataFolder {
 
     /// Writes a file beside the samples.
     pub(crate) fn write(&self, name: &str, bytes: &[u8]) -> Result<(), DatasetError> {
-        Ok(files::write_atomic(&self.join(name), |out| out.write_all(bytes))?)
+        Ok(files::write_atomic(self.join(name), |out| out.write_all(bytes))?)
     }
 }

@@ -66,16 +66,16 @@ pub fn run(job: &Job, folder: &DataFolder, control: &Control) -> Result<Outcome,
     let texts = Texts::of(plan)?;
     let all = samples.end - samples.start;
     (control.progress)(Progress::Begins { what: "samples", frames: all, kept: kept.len() as u64 });
-    let made = match make(job, folder, &journal, kept.clone(), control) {
+    let known = kept.len() as u64;
+    let (made, error) = make(job, folder, &journal, kept, control);
+    if let Some(error) = error {
         // Without a sample there is nothing to go on from.
-        Err((error, 0)) => {
+        if made.is_empty() {
             journal.end()?;
-            return Err(error);
         }
-        Err((error, _)) => return Err(error),
-        Ok(made) => made,
-    };
-    let drawn = made.len() as u64 - kept.len() as u64;
+        return Err(error);
+    }
+    let drawn = made.len() as u64 - known;
     if (made.len() as u64) < all {
         return Ok(Outcome::Interrupted { done: made.len() as u64, of: all });
     }
@@ -116,14 +116,14 @@ pub(crate) fn kept(
     Ok(rows.into_iter().map(|row| (row.sample, row)).collect())
 }
 
-/// Makes what is missing beside `kept`; returns what is there in the end. An error comes with the number of samples that are there.
+/// Makes what is missing beside `kept`; returns what is there in the end, and what went wrong before that.
 fn make(
     job: &Job,
     folder: &DataFolder,
     journal: &Journal,
     kept: BTreeMap<u64, Row>,
     control: &Control,
-) -> Result<BTreeMap<u64, Row>, (DatasetError, u64)> {
+) -> (BTreeMap<u64, Row>, Option<DatasetError>) {
     let mut missing: Vec<u64> = job.samples.clone().filter(|sample| !kept.contains_key(sample)).collect();
     // Neighbours in time share their ground.
     missing.sort_by_key(|sample| (job.plan.combination(*sample), *sample));
@@ -148,10 +148,7 @@ fn make(
         ended
     });
     let rows = rows.into_inner().unwrap_or_else(PoisonError::into_inner);
-    match ended.into_iter().find_map(Result::err) {
-        Some(error) => Err((error, rows.len() as u64)),
-        None => Ok(rows),
-    }
+    (rows, ended.into_iter().find_map(Result::err))
 }
 
 /// Writes the arrays of a sample; its row gets the hash of the file.

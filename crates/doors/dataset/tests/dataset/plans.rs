@@ -64,10 +64,10 @@ fn every_broken_plan_is_one_error_with_its_line() {
         ("block_m = 80", "block_m = 0", "`splits.block_m` must be", 24),
         ("reach_m = 15", "reach_m = 500", "spans more than 4 blocks", 25),
         ("train = 0.5", "train = 0.6", "sum up to 1.1", 26),
-        ("name = \"slew\"\noverlay", "name = \"tear\"\noverlay", "two faults are called \"tear\"", 38),
-        ("overlay = \"slew\"", "overlay = \"sloth\"", "sloth", 39),
-        ("\"loader.access_ns\" = [300, 900]", "\"loader.acess_ns\" = [300, 900]", "acess_ns", 35),
-        ("\"loader.access_ns\" = [300, 900]", "\"loader.access_ns\" = [-5, 900]", "access_ns", 35),
+        ("name = \"coarse\"\noverlay", "name = \"tear\"\noverlay", "two faults are called \"tear\"", 38),
+        ("overlay = \"coarse\"", "overlay = \"sloth\"", "sloth", 39),
+        ("\"loader.access_ns\" = [3000, 9000]", "\"loader.acess_ns\" = [3000, 9000]", "acess_ns", 35),
+        ("\"loader.access_ns\" = [3000, 9000]", "\"loader.access_ns\" = [-5, 9000]", "access_ns", 35),
     ];
     let mut wrong = Vec::new();
     for (from, to, expected, line) in cases {
@@ -101,7 +101,7 @@ fn a_plan_that_is_no_text_or_not_there_is_refused() {
 
 #[test]
 fn a_machine_with_memory_has_first_frames_alone() {
-    let text = PLAN.replace("overlay = \"slew\"", "overlay = \"ghost\"");
+    let text = PLAN.replace("overlay = \"coarse\"", "overlay = \"ghost\"");
     let scene =
         Scene::new(&text.replace("heading_deg = [0, 360]", "heading_deg = [0, 360]\nframes = [0, 2]"));
     let said = Plan::read(&scene.path("plan.toml"));

@@ -39,7 +39,7 @@ fn a_sample_is_the_look_of_a_drive_at_its_pose() {
     for row in rows(&folder) {
         let wanted = plan.wanted(row.sample);
         let set = plan.set.iter().chain(&wanted.drawn).cloned().collect();
-        let overlays = if row.fault == "slew" { vec!["slew".into()] } else { Vec::new() };
+        let overlays = if row.fault == "coarse" { vec!["coarse".into()] } else { Vec::new() };
         let wishes = Wishes { set, overlays, ..Wishes::default() };
         let drive = Drive::open(&scene.path("scene.toml"), &wishes, 1).unwrap();
         let pose = EyePose {
@@ -87,7 +87,7 @@ fn faults_are_labels() {
         match row.fault.as_str() {
             "none" => assert_eq!((sum, late), (0, 0)),
             "tear" => {
-                assert!(row.drawn["loader.access_ns"].as_f64().unwrap() >= 300.0);
+                assert!(row.drawn["loader.access_ns"].as_f64().unwrap() >= 3000.0);
                 all_late += late;
             }
             _ => assert!(!row.drawn.contains_key("loader.access_ns")),
@@ -96,7 +96,7 @@ fn faults_are_labels() {
         let labels = row.labels.expect("asked for");
         assert_eq!(labels.values().sum::<u64>(), (row.shape[0] * row.shape[1]) as u64);
     }
-    assert!(changed["tear"] > 0 && changed["slew"] > 0 && all_late > 0, "{changed:?} {all_late}");
+    assert!(changed["tear"] > 0 && changed["coarse"] > 0 && all_late > 0, "{changed:?} {all_late}");
 }
 
 #[test]

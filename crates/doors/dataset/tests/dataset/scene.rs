@@ -47,11 +47,11 @@ name = "none"
 
 [[fault]]
 name = "tear"
-number = { "loader.access_ns" = [300, 900] }
+number = { "loader.access_ns" = [3000, 9000] }
 
 [[fault]]
-name = "slew"
-overlay = "slew"
+name = "coarse"
+overlay = "coarse"
 "#;
 
 /// A folder that is removed at the end, with scenario and plan in it.
