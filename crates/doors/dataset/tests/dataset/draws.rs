@@ -27,9 +27,12 @@ fn shares_are_even() {
     assert!((mean - 0.5).abs() < 0.0035, "{mean}");
 }
 
+/// The counters of two draws, of a number.
+type Pair = fn(u64) -> [Counter; 2];
+
 #[test]
 fn quantities_samples_attempts_and_seeds_are_independent() {
-    let pairs: [(&str, fn(u64) -> [Counter; 2], [&str; 2]); 4] = [
+    let pairs: [(&str, Pair, [&str; 2]); 4] = [
         ("names", |sample| [counter(sample); 2], ["x_m", "y_m"]),
         ("samples", |sample| [counter(sample), counter(sample + 1)], ["x_m", "x_m"]),
         ("attempts", |sample| [counter(sample), Counter { attempt: 1, ..counter(sample) }], ["x_m", "x_m"]),

@@ -51,7 +51,7 @@ fn overlap_gaps_and_interruptions() {
     let parts = [make("a", 0..4), make("b", 3..6), make("c", 7..9)];
     let gaps = joined(&scene, &parts, "out", u64::MAX).unwrap();
     assert!(
-        matches!(&gaps, Joined::Gaps { gaps, plan } if *gaps == [6..7] && plan.ends_with("plan.toml")),
+        matches!(&gaps, Joined::Gaps { gaps, plan } if gaps.len() == 1 && gaps[0] == (6..7) && plan.ends_with("plan.toml")),
         "{gaps:?}"
     );
     assert!(!scene.path("out").exists(), "nothing is written where samples are missing");
