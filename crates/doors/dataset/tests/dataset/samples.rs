@@ -96,16 +96,16 @@ fn faults_are_labels() {
         let labels = row.labels.expect("asked for");
         assert_eq!(labels.values().sum::<u64>(), (row.shape[0] * row.shape[1]) as u64);
     }
-    assert!(changed["tear"] > 0 && changed["coarse"] > 0 && all_late > 0, "{changed:?} {all_late}");
+    assert!(changed["coarse"] > 0 && all_late > 0, "{changed:?} {all_late}");
 }
 
 #[test]
 fn the_pixels_that_changed_are_those_of_the_healthy_machine() {
     let scene = Scene::new(PLAN);
     let plan = scene.plan();
-    let made = Maker::new(&plan).make(1).unwrap();
-    assert_eq!(made.row.fault, "tear");
-    let wanted = plan.wanted(1);
+    let made = Maker::new(&plan).make(2).unwrap();
+    assert!(made.row.fault == "coarse" && made.row.changed > Some(0));
+    let wanted = plan.wanted(2);
     let set = plan.set.iter().chain(&wanted.drawn[..wanted.healthy]).cloned().collect();
     let drive = Drive::open(&scene.path("scene.toml"), &Wishes { set, ..Wishes::default() }, 1).unwrap();
     let pose = made.row.pose;
