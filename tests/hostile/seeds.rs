@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use landscape::{Bank, Georeference};
-use lunoid_tests::{level_of, plane};
 use loop_protocol::{Message, Plane};
+use lunoid_tests::{level_of, plane};
 use picture::{Depth, GreyPicture, encode_png};
 use run_record::Program;
 use serde_json::json;

@@ -28,6 +28,8 @@ pub struct Raster {
     pub samples: u32,
     /// Pictures computed a second.
     pub update_hz: f64,
+    /// Tangents of half the field of view, across and down.
+    pub tan_half_field: [f64; 2],
 }
 
 /// A scenario on its ground, with the generator that draws it.
@@ -46,13 +48,29 @@ impl Drive {
     /// # Errors
     /// Every fault of the files and the wishes at once, or of the ground.
     pub fn open(scenario: &Path, wishes: &Wishes, threads: usize) -> Result<Self, DriveError> {
+        Self::open_upon(None, scenario, wishes, threads)
+    }
+
+    /// The same upon the landscape of `other`, where that is the landscape of `scenario` too: it is not made again.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open).
+    pub fn open_upon(
+        other: Option<&Self>,
+        scenario: &Path,
+        wishes: &Wishes,
+        threads: usize,
+    ) -> Result<Self, DriveError> {
         let file = scenario.display().to_string();
         let pool = threads::pool(threads);
         let pool = pool.map_err(|error| DriveError::asked(&file, error.to_string(), "fewer threads"))?;
         let (opened, asked) = asked::record(|| open(scenario, wishes));
         let opened = opened.map_err(|error| DriveError::opening(&file, error))?;
         let parameters = parameters(&opened.inputs.model_values, &asked);
-        let machine = pool.install(|| opened.machine_stage());
+        let machine = pool.install(|| match other {
+            Some(other) => opened.machine_stage_upon(&other.opened, &other.bench.machine),
+            None => opened.machine_stage(),
+        });
         let machine = machine.map_err(|error| DriveError::opening(&file, error))?;
         let bench = Bench::new(&opened, &pool, machine)?;
         let drawing = Drawing::new(&bench.stage, opened.generator.draws_colour(&bench.stage));
@@ -95,6 +113,7 @@ impl Drive {
             sweeps: scan.map_or(0, |clock| clock.sweeps),
             samples: scan.map_or(0, |clock| clock.active_samples),
             update_hz: view.update.hertz(),
+            tan_half_field: [view.field.tan_half_width, view.field.tan_half_height],
         }
     }
 

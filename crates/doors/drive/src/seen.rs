@@ -1,6 +1,6 @@
 //! A picture, with what it is of.
 
-use generator::{PlaneKind, Planes, Session, Stage};
+use generator::{FrameCounts, PlaneKind, Planes, Session, Stage};
 use picture::{AnyPicture, Depth, Encoder, PictureError, Transfer};
 use scenario::Pose;
 use signal::Probe;
@@ -18,6 +18,8 @@ pub struct Seen {
     pub picture: AnyPicture,
     /// Linear light that the picture was made of: intensity, or red, green and blue.
     pub light: Planes,
+    /// Counters of the generator, as `run.json` has them.
+    pub counts: FrameCounts,
 }
 
 impl Seen {
@@ -65,13 +67,13 @@ impl Drawing {
         session: &dyn Session,
         (frame, pose): (u64, &Pose),
         file: &str,
-    ) -> Result<(AnyPicture, Planes), DriveError> {
+    ) -> Result<(AnyPicture, Planes, FrameCounts), DriveError> {
         let [columns, lines] = self.raster;
         let mut planes = Planes::new(columns, lines, self.kinds);
-        let drawn = session.frame(frame, pose, &mut planes, &mut Probe::off());
-        drawn.map_err(|error| DriveError::of(file, &error))?;
+        let counts = session.frame(frame, pose, &mut planes, &mut Probe::off());
+        let counts = counts.map_err(|error| DriveError::of(file, &error))?;
         let picture = self.encode(&planes).map_err(|error| DriveError::of(file, &error))?;
-        Ok((picture, planes))
+        Ok((picture, planes, counts))
     }
 
     fn encode(&self, planes: &Planes) -> Result<AnyPicture, PictureError> {

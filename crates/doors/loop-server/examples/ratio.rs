@@ -114,7 +114,12 @@ fn looked(client: &mut Client<'_>, frame: u64, pose: &EyePose, planes: &[&str]) 
     });
     let planes: Vec<&str> = ["picture"].into_iter().chain(planes.iter().copied()).collect();
     let begun = Instant::now();
-    let reply = client.ask(json!({ "id": 1, "do": "look", "frame": frame, "pose": pose, "planes": planes }))?;
+    let reply =
+        client.ask(json!({ "id": 1, "do": "look", "frame": frame, "pose": pose, "planes": planes }))?;
     let seconds = begun.elapsed().as_secs_f64();
-    if reply.planes.len() == planes.len() { Ok(seconds) } else { Err(Value::from(reply.header).to_string().into()) }
+    if reply.planes.len() == planes.len() {
+        Ok(seconds)
+    } else {
+        Err(Value::from(reply.header).to_string().into())
+    }
 }

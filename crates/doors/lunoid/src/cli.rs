@@ -3,9 +3,9 @@
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::commands::{
-    augment, bank, beam, cartridge, check, compare, completions, drive, explain, info, list, lockstep, man,
-    merge, model, netlist, page, photo, probe, replay, schema, serve, sight, sizing, state, study, sun,
-    survey, terrain, timing, trace, trigger,
+    augment, bank, beam, cartridge, check, compare, completions, dataset, drive, explain, info, list,
+    lockstep, man, merge, model, netlist, page, photo, probe, replay, schema, serve, sight, sizing, state,
+    study, sun, survey, terrain, timing, trace, trigger,
 };
 use crate::output::Colour;
 
@@ -71,6 +71,8 @@ pub enum Command {
     Page(page::PageCommand),
     /// Join the shards of a run into the run of one machine.
     Merge(merge::MergeCommand),
+    /// Make labelled frames for learning: samples drawn by a plan, their truth, splits, manifest and data card.
+    Dataset(dataset::DatasetCommand),
     /// Put the vehicle's shadow, and its tracks, into an existing picture sequence.
     Augment(augment::Augment),
     /// Say how far one picture, or one run, is from another.

@@ -33,6 +33,18 @@ pub fn landscape(bank: Bank, scenario: &Scenario) -> Result<Landscape, StageErro
     Ok(landscape.with_photometry(scenario.photometry).with_silhouettes(scenario.silhouettes.clone()))
 }
 
+/// Whether both scenarios have one landscape: all that bank and [`landscape`] are made of is equal.
+pub(crate) fn has_same(one: &Scenario, other: &Scenario) -> bool {
+    made_of(one) == made_of(other)
+}
+
+fn made_of(scenario: &Scenario) -> impl PartialEq + '_ {
+    let Scenario { title, ground, coarse, features, database, levels, albedo, albedo_map, .. } = scenario;
+    let Scenario { photographs, photometry, texture, silhouettes, .. } = scenario;
+    let ground = (title, ground, coarse, features, database, levels.is_some());
+    (ground, albedo, albedo_map, photographs, photometry, texture, silhouettes)
+}
+
 /// Those of the list, then those of each population.
 fn craters(scenario: &Scenario, extent: [f64; 4]) -> Result<Arc<Craters>, StageError> {
     let mut listed = Arc::default();

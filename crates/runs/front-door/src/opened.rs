@@ -11,9 +11,10 @@ use run_record::Inputs;
 use scenario::{PathProblems, PoseTable, Scenario};
 
 use crate::error::stage_problems;
+use crate::ground::has_same;
 use crate::kind::read_scenario_over;
 use crate::open::{guest, model, obstacle};
-use crate::stage::with_course;
+use crate::stage::{upon, with_course};
 use crate::{OpenError, StageError, Wishes};
 
 /// Everything that is known before there is ground.
@@ -45,7 +46,21 @@ impl Opened {
     /// # Errors
     /// Every fault of the ground, or of something that does not fit on it.
     pub fn machine_stage(&self) -> Result<MachineStage, OpenError> {
-        let built = crate::build(&self.scenario, self.settings.clone());
+        self.finished(crate::build(&self.scenario, self.settings.clone()))
+    }
+
+    /// The same upon the landscape of `stage`, which was made of `other`, where both have one landscape.
+    ///
+    /// # Errors
+    /// As [`machine_stage`](Self::machine_stage).
+    pub fn machine_stage_upon(&self, other: &Self, stage: &MachineStage) -> Result<MachineStage, OpenError> {
+        match has_same(&self.scenario, &other.scenario) {
+            true => self.finished(upon(Arc::clone(&stage.landscape), &self.scenario, self.settings.clone())),
+            false => self.machine_stage(),
+        }
+    }
+
+    fn finished(&self, built: Result<MachineStage, StageError>) -> Result<MachineStage, OpenError> {
         built.and_then(|stage| self.with_course(stage)).map_err(|error| match error {
             StageError::BankFile(error) => error.into(),
             other => OpenError::Problems(stage_problems(self.scenario_file(), &other)),

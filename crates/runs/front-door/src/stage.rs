@@ -51,7 +51,15 @@ pub fn build(scenario: &Scenario, settings: Settings) -> Result<MachineStage, St
 /// # Errors
 /// If something does not fit on the ground.
 pub fn over(bank: Bank, scenario: &Scenario, settings: Settings) -> Result<MachineStage, StageError> {
-    let landscape = Arc::new(landscape(bank, scenario)?);
+    upon(Arc::new(landscape(bank, scenario)?), scenario, settings)
+}
+
+/// The stage of `scenario` upon `landscape`, which is its own.
+pub(crate) fn upon(
+    landscape: Arc<Landscape>,
+    scenario: &Scenario,
+    settings: Settings,
+) -> Result<MachineStage, StageError> {
     let lists = face_lists(scenario, &landscape, settings.timebase.update)?;
     let scenery = Scenery::of(scenario, &landscape, settings.timebase.update)?.with_face_lists(lists);
     joined(landscape, scenery, scenario, settings)

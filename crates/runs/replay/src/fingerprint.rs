@@ -9,7 +9,7 @@ use crate::world::World;
 
 /// A hash and the document that it is of.
 #[derive(Debug, Clone, PartialEq)]
-pub(crate) struct Fingerprint {
+pub struct Fingerprint {
     /// BLAKE3 of the document, hexadecimal.
     pub hash: String,
     /// The document; null where an earlier version did not keep it.
@@ -17,13 +17,14 @@ pub(crate) struct Fingerprint {
 }
 
 impl Fingerprint {
-    fn new(document: Value) -> Self {
+    /// The fingerprint of `document`.
+    pub fn new(document: Value) -> Self {
         Self { hash: hash(document.to_string().as_bytes()), of: document }
     }
 
     /// Of a job: program, generator, settings, view, ground, scenery, light, path. Not the range of frames, which may grow, and
     /// not the words of the scenario, which may be commented.
-    pub fn of_job(job: &Job, world: &World) -> Self {
+    pub(crate) fn of_job(job: &Job, world: &World) -> Self {
         let mut document = json!({
             "program": value(&job.program),
             "generator": job.generator.name(),
@@ -48,7 +49,7 @@ impl Fingerprint {
     }
 
     /// What a record says of the same, with the hash that it has.
-    pub fn of_record(record: &RunRecord) -> Self {
+    pub(crate) fn of_record(record: &RunRecord) -> Self {
         let mut document = json!({
             "program": value(&record.program),
             "generator": record.generator,
@@ -77,7 +78,7 @@ fn value(record: &impl Serialize) -> Value {
 }
 
 /// Every key whose value in `then` is not that in `now`, in words.
-pub(crate) fn differences(then: &Fingerprint, now: &Fingerprint) -> String {
+pub fn differences(then: &Fingerprint, now: &Fingerprint) -> String {
     if then.of.is_null() {
         return "an earlier version of the program began it and did not keep what it was made from".into();
     }

@@ -30,7 +30,7 @@ struct Heading {
 }
 
 /// A line of a journal: a frame and the files that it became.
-pub(crate) trait Entry: Serialize + DeserializeOwned {
+pub trait Entry: Serialize + DeserializeOwned {
     /// What no run can have written, in words.
     fn fault(&self) -> Option<String>;
 }
@@ -49,20 +49,25 @@ impl Entry for TruthFrame {
 
 /// What a journal on disk says.
 #[derive(Debug)]
-pub(crate) struct Found<T> {
+pub struct Found<T> {
+    /// What the work is made from.
     pub fingerprint: Fingerprint,
+    /// All its whole lines.
     pub frames: Vec<T>,
 }
 
 /// A journal that is being written.
 #[derive(Debug)]
-pub(crate) struct Journal {
+pub struct Journal {
     path: PathBuf,
     file: Mutex<File>,
 }
 
 /// The journal at `path`, if there is one. A line that was cut short or changed is left out, so that its frame is drawn again.
-pub(crate) fn read<T: Entry>(path: &Path) -> Result<Option<Found<T>>, ReplayError> {
+///
+/// # Errors
+/// If the file cannot be read, is no journal, or has a line that no run writes.
+pub fn read<T: Entry>(path: &Path) -> Result<Option<Found<T>>, ReplayError> {
     if !path.exists() {
         return Ok(None);
     }
@@ -83,6 +88,9 @@ pub(crate) fn read<T: Entry>(path: &Path) -> Result<Option<Found<T>>, ReplayErro
 
 impl Journal {
     /// Begins a journal at `path` with frames that are known to be whole.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
     pub fn begin<T: Serialize>(
         path: PathBuf,
         fingerprint: &Fingerprint,
@@ -99,6 +107,9 @@ impl Journal {
     }
 
     /// Adds a frame whose files are on the disk.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
     pub fn add(&self, frame: &impl Serialize) -> Result<(), ReplayError> {
         let failed = |source| failed(&self.path, source);
         let line = line(frame).map_err(failed)?;
@@ -107,6 +118,9 @@ impl Journal {
     }
 
     /// Ends the journal: the record of the run says all that it said, or nothing was done.
+    ///
+    /// # Errors
+    /// If the file cannot be removed.
     pub fn end(self) -> Result<(), ReplayError> {
         fs::remove_file(&self.path).map_err(|source| failed(&self.path, source))
     }

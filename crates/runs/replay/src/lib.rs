@@ -20,7 +20,7 @@
 //!
 //! [`JoinedRun`] is a run whose frames other folders have: crate `merge` joins them.
 //!
-//! Every finished frame is written to a journal; the same job again verifies what stands there and draws the rest.
+//! Every finished frame is written to a [`Journal`]; the same job again verifies what stands there and draws the rest.
 
 mod camera;
 mod check;
@@ -50,10 +50,12 @@ mod written;
 pub use costs::frame_costs;
 pub use error::ReplayError;
 pub use film::write_y4m;
+pub use fingerprint::{Fingerprint, differences};
 pub use folder::RunFolder;
 pub use held::{HeldRun, RUN_RECORD};
 pub use job::{Control, Job, Pictures, Progress};
 pub use joined::{JoinedRun, expect_run_of, read_listed, unfinished_frames};
+pub use journal::{Entry, Found, Journal, read as read_journal};
 pub use names::{
     ANIMATION, CAMERA, CONTACT_SHEET, PAGE, PAGE_DATA, POSES, SCOPE_KIND, SCOPES, TRUTH, is_run_file,
     picture_name, scope_name,

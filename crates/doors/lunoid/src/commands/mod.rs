@@ -9,6 +9,7 @@ mod changed;
 pub mod check;
 pub mod compare;
 pub mod completions;
+pub mod dataset;
 pub mod drive;
 mod elevation;
 pub mod explain;
@@ -53,6 +54,7 @@ pub fn run(cli: &Cli, start: Instant) -> Result<Verdict, Failure> {
         Command::Replay(replay) => replay.run(start),
         Command::Page(page) => page.run(),
         Command::Merge(merge) => merge.run(),
+        Command::Dataset(dataset) => dataset.run(),
         Command::Augment(augment) => augment.run(),
         Command::Compare(compare) => compare.run(),
         Command::Check(check) => check.run(cli.color),

@@ -10,6 +10,7 @@ mod channels;
 mod checks;
 mod colour;
 mod columns;
+mod dataset;
 mod drive;
 mod explain;
 mod first_minutes;

@@ -110,7 +110,7 @@ impl TruthItem {
     }
 
     /// What the record says of it, on a raster of `lines` and `columns`.
-    pub(super) fn description(self, lines: u32, columns: u32) -> Value {
+    pub fn description(self, lines: u32, columns: u32) -> Value {
         let Some(first) = self.kinds().first() else { return self.pose_description() };
         let mut shape = vec![lines, columns];
         shape.extend((self.kinds().len() > 1).then_some(self.kinds().len() as u32));

@@ -1,5 +1,6 @@
 //! `lunoid merge`: the shards of a run into the run of one machine.
 
+mod data_sets;
 mod page;
 mod tell;
 mod timings;
@@ -9,6 +10,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::Args;
+use dataset::is_data_set;
 use merge::{Merge, Outcome, merge};
 use replay::{Control, HeldRun, PAGE, PAGE_DATA, Phases, RunFolder};
 use text::Span;
@@ -29,13 +31,13 @@ const AFTER: &str = "Examples:
 The folders may be given in any order. They must be of one run; frames that several of them have must agree. For each gap the
 command that fills it is printed, and nothing is written. The joined folder is that of one machine, byte for byte, but for
 performance.json, which holds wall times. The same command again goes on where it was interrupted. Files are timing
-records, which are joined alike. docs/shards.md has the laws.";
+records, which are joined alike, and so are the folders of a data set. docs/shards.md has the laws.";
 
 /// Join the shards of a run into the run of one machine.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]
 pub struct MergeCommand {
-    /// Run folders to join, in any order; or timing records.
+    /// Run folders to join, in any order; or data sets; or timing records.
     #[arg(required = true, value_name = "FOLDER")]
     folders: Vec<PathBuf>,
     /// Folder of the joined run; of timing records, the file.
@@ -58,6 +60,9 @@ impl MergeCommand {
     pub fn run(&self) -> Result<Verdict, Failure> {
         if self.folders.iter().all(|path| path.is_file()) {
             return self.timings();
+        }
+        if self.folders.iter().any(|path| is_data_set(path)) {
+            return self.data_sets();
         }
         let mut phases = Phases::since(Instant::now());
         let pool = self.threads.pool()?;
