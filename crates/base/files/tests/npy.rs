@@ -2,7 +2,9 @@
 
 use std::io::Read;
 
-use files::{Npy, NpyData, NpyError, NpyFileError, NpyLayout, npy_layout, parse_npz, read_npy, write_npy, write_npz};
+use files::{
+    Npy, NpyData, NpyError, NpyFileError, NpyLayout, npy_layout, parse_npz, read_npy, write_npy, write_npz,
+};
 use proptest::prelude::{any, prop_assert_eq, proptest};
 
 fn bytes_of(array: &Npy) -> Vec<u8> {

@@ -67,7 +67,10 @@ fn encode(
     let size = (run.view().columns as usize, run.view().lines as usize);
     let attributes = LayerAttributes {
         software_name: Some(Text::from(SOFTWARE.1)),
-        other: HashMap::from([(Text::from(ATTRIBUTE), AttributeValue::Text(about(run, row).to_string().as_str().into()))]),
+        other: HashMap::from([(
+            Text::from(ATTRIBUTE),
+            AttributeValue::Text(about(run, row).to_string().as_str().into()),
+        )]),
         ..LayerAttributes::default()
     };
     let layer = Layer::new(size, attributes, Encoding::SMALL_LOSSLESS, AnyChannels::sort(channels.into()));
@@ -87,7 +90,8 @@ fn light(files: &FrameFiles, transfer: &Transfer) -> Result<Channels, LogError> 
     Ok(match &picture {
         AnyPicture::Grey(grey) => vec![numbers("Y", grey.codes().iter().map(|code| intensity(*code)))],
         AnyPicture::Colour(colour) => {
-            let channel = |(at, name)| numbers(name, colour.pixels().iter().map(|pixel| intensity(pixel[at])));
+            let channel =
+                |(at, name)| numbers(name, colour.pixels().iter().map(|pixel| intensity(pixel[at])));
             ["R", "G", "B"].into_iter().enumerate().map(channel).collect()
         }
     })
@@ -121,9 +125,7 @@ fn numbers(name: &str, values: impl Iterator<Item = f32>) -> AnyChannel<FlatSamp
 /// What the file is of, and what its numbers mean.
 fn about(run: &FinishedRun, row: &PoseRow) -> Value {
     let [vehicle, camera] = [vehicle_in_site(&row.pose), camera_in_vehicle(&row.pose)];
-    let place = |placement: crate::Placement| {
-        json!({ "origin_m": placement.origin.to_array(), "quaternion_xyzw": placement.xyzw() })
-    };
+    let place = |placement: crate::Placement| json!({ "origin_m": placement.origin.to_array(), "quaternion_xyzw": placement.xyzw() });
     json!({
         "schema": "lunoid.exr/1",
         "scenario": run.record().scenario.title,

@@ -45,8 +45,6 @@ mod exr_file;
 mod mcap_file;
 #[cfg(feature = "mcap")]
 mod messages;
-#[cfg(all(test, any(feature = "mcap", feature = "exr")))]
-mod testing;
 
 #[cfg(not(feature = "exr"))]
 pub use absent::write_exr;

@@ -20,7 +20,9 @@ use replay::{Control, Pinhole, Progress, TruthItem};
 use scenario::PoseRow;
 
 use crate::messages::{calibration, depth, labels, late_word, path, picture, timestamp, transforms};
-use crate::{FinishedRun, FrameFiles, LateWord, LateWords, LogError, Outcome, expect_truth_of_log, nanoseconds};
+use crate::{
+    FinishedRun, FrameFiles, LateWord, LateWords, LogError, Outcome, expect_truth_of_log, nanoseconds,
+};
 
 /// First word of the library in the header of our logs.
 const LIBRARY: &str = "lunoid";
@@ -77,7 +79,9 @@ pub fn write_mcap(
     });
     match (written, failure) {
         (_, Some(error)) => Err(error),
-        (Err(_), None) if outcome.done < outcome.frames && control.cancel.load(Ordering::Relaxed) => Ok(outcome),
+        (Err(_), None) if outcome.done < outcome.frames && control.cancel.load(Ordering::Relaxed) => {
+            Ok(outcome)
+        }
         (written, None) => Ok(written.map(|()| outcome)?),
     }
 }

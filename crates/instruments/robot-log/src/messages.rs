@@ -76,8 +76,7 @@ pub fn transforms(time: Timestamp, pose: &Pose) -> FrameTransforms {
         translation: Some(vector(&placement)),
         rotation: Some(quaternion(&placement)),
     };
-    let links =
-        [link(SITE, VEHICLE, vehicle_in_site(pose)), link(VEHICLE, CAMERA, camera_in_vehicle(pose))];
+    let links = [link(SITE, VEHICLE, vehicle_in_site(pose)), link(VEHICLE, CAMERA, camera_in_vehicle(pose))];
     FrameTransforms { transforms: links.into() }
 }
 

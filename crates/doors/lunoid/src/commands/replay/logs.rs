@@ -99,7 +99,8 @@ impl LogArgs {
 
     /// What was written, for the summary of the run in `folder`.
     pub fn told(&self, logged: &Logged, folder: &Path) -> Vec<(&'static str, PathBuf, u64)> {
-        let mcap = logged.mcap.zip(self.mcap.clone()).map(|(made, path)| (Form::Mcap.option(), path, made.frames));
+        let mcap =
+            logged.mcap.zip(self.mcap.clone()).map(|(made, path)| (Form::Mcap.option(), path, made.frames));
         let exr = logged.exr.map(|made| (Form::Exr.option(), folder.join(EXR), made.frames));
         mcap.into_iter().chain(exr).collect()
     }

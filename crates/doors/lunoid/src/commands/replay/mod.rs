@@ -44,7 +44,7 @@ const AFTER: &str = "Examples:
   lunoid replay scenarios/first-light.toml --frames 0..2 --truth range,normal,label,pose
   lunoid replay scenarios/first-light.toml --probe 60:500 --probe '12:300..303:tg.*height,dpp.y'
   lunoid replay scenarios/first-light.toml --machine ideal --machine pra-nominal --frames 0..4
-  lunoid replay scenarios/first-light.toml --frames 0..12 --mcap first-light.mcap
+  lunoid replay scenarios/first-light.toml --frames 0..12 --mcap runs/first-light.mcap
   lunoid replay scenarios/first-light.toml --shard 2/7
 
 The same command again goes on where it was interrupted. Open index.html in the folder to look at the run.
