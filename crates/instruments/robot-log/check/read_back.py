@@ -129,16 +129,18 @@ def by_mcap(run: Path, log: Path) -> tuple[dict, dict]:
 
 def by_rerun(log: Path, raw: dict) -> dict:
     """Reads the log by Rerun's importer and compares with what the package `mcap` found."""
-    rows: dict[str, list] = {topic: [] for topic in COLUMNS}
+    timed: dict[str, list] = {topic: [] for topic in COLUMNS}
     for chunk in McapReader(log).stream():
         topic, batch = str(chunk.entity_path), chunk.to_record_batch()
         name = COLUMNS.get(topic)
         if name in batch.schema.names:
-            rows[topic] += batch.column(name).to_pylist()
+            times = batch.column("message_log_time").cast("int64").to_pylist()
+            timed[topic] += zip(times, batch.column(name).to_pylist())
+    rows = {topic: [row for _, row in sorted(list_, key=lambda pair: pair[0])] for topic, list_ in timed.items()}
     for topic in ("/camera/image", "/camera/depth", "/camera/labels"):
         found = [bytes(row[0]) for row in rows[topic]]
         expect(found == [bytes(data) for data in raw[topic]], f"{topic} in Rerun")
-    quaternions = np.array([row[0] for row in rows["/tf"]])
+    quaternions = np.array([quaternion for row in rows["/tf"] for quaternion in row])
     expect(np.allclose(quaternions, raw["/tf"], atol=1e-6), "quaternions x, y, z, w in Rerun")
     columns_first = [np.array(k).reshape(3, 3).T.ravel() for k in raw["/camera/calibration"]]
     found = np.array([row[0] for row in rows["/camera/calibration"]])
