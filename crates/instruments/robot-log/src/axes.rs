@@ -53,10 +53,11 @@ pub fn camera_in_vehicle(pose: &Pose) -> Placement {
 
 #[cfg(test)]
 mod tests {
-    use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2};
+    use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_2, PI};
 
     use glam::DVec3;
     use landscape::Attitude;
+    use quantities::sin_cos;
     use scenario::Pose;
 
     use super::{camera_in_vehicle, vehicle_in_site};
@@ -87,9 +88,11 @@ mod tests {
     #[test]
     fn nose_up_looks_up_and_starboard_down_lowers_the_starboard_side() {
         let up = vehicle_in_site(&pose(0.0, 0.3, 0.7, 0.0)).rotation * DVec3::X;
-        close(up, [0.7_f64.sin() * 0.3_f64.cos(), 0.7_f64.cos() * 0.3_f64.cos(), 0.3_f64.sin()]);
+        let ((sin_h, cos_h), (sin_p, cos_p)) = (sin_cos(0.7), sin_cos(0.3));
+        close(up, [sin_h * cos_p, cos_h * cos_p, sin_p]);
         let starboard = vehicle_in_site(&pose(0.2, 0.0, 0.0, 0.0)).rotation * DVec3::NEG_Y;
-        close(starboard, [0.2_f64.cos(), 0.0, -(0.2_f64.sin())]);
+        let (sin_r, cos_r) = sin_cos(0.2);
+        close(starboard, [cos_r, 0.0, -sin_r]);
     }
 
     /// Without a yoke the picture stays upright while the vehicle rolls; with a settled yoke it rolls with the vehicle.
@@ -99,7 +102,7 @@ mod tests {
             let pose = pose(0.2, 0.1, 0.7, yoke);
             let (vehicle, camera) = (vehicle_in_site(&pose), camera_in_vehicle(&pose));
             let right = vehicle.rotation * (camera.rotation * DVec3::X);
-            assert!((right.z + yoke.sin() * 0.1_f64.cos()).abs() < 1e-12, "{right}");
+            assert!((right.z + sin_cos(yoke).0 * sin_cos(0.1).1).abs() < 1e-12, "{right}");
             let ahead = vehicle.rotation * (camera.rotation * DVec3::Z);
             close(ahead, (vehicle.rotation * DVec3::X).to_array());
             let down = vehicle.rotation * (camera.rotation * DVec3::Y);
@@ -117,7 +120,7 @@ mod tests {
     #[test]
     fn quaternions_are_the_programs_rotation() {
         for step in 0..200 {
-            let angle = |part: u32| f64::from(step * part % 628) / 100.0 - 3.14;
+            let angle = |part: u32| f64::from(step * part % 628) / 100.0 - PI;
             let pose = pose(angle(7), 0.4 * angle(13), angle(31), angle(11));
             let vehicle = vehicle_in_site(&pose);
             let [x, y, z, w] = vehicle.xyzw();

@@ -92,7 +92,7 @@ enum Fault {
     File(io::Error),
     /// The run has not what is needed.
     Run(LogError),
-    /// Told to end.
+    /// The command was told to end.
     Cancelled,
 }
 

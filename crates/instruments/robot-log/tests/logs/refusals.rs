@@ -17,16 +17,16 @@ fn a_file_of_somebody_else_stays() {
         b"\x89MCAP0\r\n\x01\x0c\0\0\0\0\0\0\0\0\0\0\0\x04\0\0\0mine",
     ] {
         fs::write(&file, theirs).expect("a file");
-        let said = made.log(&file).expect_err("refused").to_string();
+        let said = made.write_log(&file).expect_err("refused").to_string();
         assert!(said.contains("notes.mcap: exists, and is no log that lunoid wrote"), "{said}");
         assert_eq!(fs::read(&file).expect("there"), theirs);
     }
-    let said = made.log(&made.path()).expect_err("refused").to_string();
+    let said = made.write_log(&made.path()).expect_err("refused").to_string();
     assert!(said.contains("folder"), "{said}");
     // Our own log is replaced by the same bytes.
-    made.log(&ours).expect("written");
+    made.write_log(&ours).expect("written");
     let first = fs::read(&ours).expect("there");
-    made.log(&ours).expect("written again");
+    made.write_log(&ours).expect("written again");
     assert!(fs::read(&ours).expect("there") == first);
     // A file in the way of an OpenEXR file stays too.
     fs::create_dir(made.path().join("exr")).expect("a folder");
@@ -42,7 +42,7 @@ fn a_file_of_somebody_else_stays() {
 fn a_log_that_is_told_to_end_leaves_nothing_half_written() {
     let made = Made::new(Wish { cancel_after: Some(2), threads: 1, ..Wish::default() });
     let file = made.beside("a.mcap");
-    assert_eq!(made.log(&file).expect("told to end"), Outcome { frames: 3, done: 2 });
+    assert_eq!(made.write_log(&file).expect("told to end"), Outcome { frames: 3, done: 2 });
     let names: Vec<_> = fs::read_dir(made.beside(""))
         .expect("a folder")
         .map(|entry| entry.expect("an entry").file_name())
@@ -54,7 +54,7 @@ fn a_log_that_is_told_to_end_leaves_nothing_half_written() {
 
 #[test]
 fn truth_that_lacks_what_a_log_needs_and_truth_that_was_changed() {
-    let said = |made: &Made| made.log(&made.beside("a.mcap")).expect_err("refused").to_string();
+    let said = |made: &Made| made.write_log(&made.beside("a.mcap")).expect_err("refused").to_string();
     let made = Made::new(Wish { truth: "range,label", ..Wish::default() });
     assert!(said(&made).contains("the ground truth has no `distance`; expected --truth with label,distance"));
     let made = Made::new(Wish { truth: "distance,label", ..Wish::default() });

@@ -28,7 +28,7 @@ where
 
 fn log_of(made: &Made) -> Vec<u8> {
     let file = made.beside("a.mcap");
-    let outcome = made.log(&file).expect("a log");
+    let outcome = made.write_log(&file).expect("a log");
     assert_eq!(outcome.done, outcome.frames);
     fs::read(file).expect("there")
 }

@@ -73,7 +73,7 @@ impl Made {
     }
 
     /// Writes the robot log.
-    pub fn log(&self, file: &Path) -> Result<Outcome, LogError> {
+    pub fn write_log(&self, file: &Path) -> Result<Outcome, LogError> {
         self.with(self.wish.cancel_after, |job, folder, control| {
             let items = self.truth();
             let run = FinishedRun::read(job, folder, Some(&items))?;

@@ -53,7 +53,7 @@ fn built(form: Form, is_built: bool) -> String {
 pub struct Logged {
     /// Frames of the robot log.
     pub mcap: Option<Outcome>,
-    /// OpenEXR files.
+    /// OpenEXR files of the run.
     pub exr: Option<Outcome>,
 }
 
