@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use files::{NpyData, parse_npz};
+use files::parse_npz;
 use foxglove::Decode;
 use foxglove::messages::{CameraCalibration, CompressedImage, FrameTransforms, Log, PosesInFrame, RawImage};
 use glam::{DQuat, DVec3};
