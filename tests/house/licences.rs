@@ -1,4 +1,4 @@
-//! Every package is free to use under the terms of the house.
+//! Every package is free to use under the terms of the house, those of all features among them.
 
 use std::process::Command;
 
@@ -81,7 +81,7 @@ fn host() -> String {
 
 #[test]
 fn every_package_has_an_allowed_licence() {
-    let metadata = metadata(&["--filter-platform", &host()]);
+    let metadata = metadata(&["--all-features", "--filter-platform", &host()]);
     let mut refused = Vec::new();
     for package in &metadata.packages {
         let licence = package.license.as_deref().unwrap_or("none");

@@ -8,7 +8,7 @@
 //! - [`read_all`] reads a file up to a limit that the caller states, [`FilePieces`] piece by piece to where each stays.
 //! - [`give`] holds a file in memory under a path that begins with `given:`. Readers find it there, and nothing is written there:
 //!   a page has no disk. [`is_file`], [`is_there`] and [`names_in`] look on the disk and among what was given.
-//! - [`Npy`] and [`write_npz`] are numpy's formats; the bytes depend on the values alone. [`npy_layout`] tells where values stand.
+//! - [`Npy`], [`write_npz`] and [`parse_npz`] are numpy's formats; the bytes depend on the values alone. [`npy_layout`] tells where values stand.
 //!
 //! ```
 //! let folder = tempfile::tempdir()?;
@@ -45,7 +45,7 @@ pub use leftovers::{remove_leftovers, remove_leftovers_of};
 pub use lock::{LOCK, Lock};
 pub use npy::{Npy, NpyData, NpyLayout, npy_layout, read_npy, write_npy};
 pub use npy_error::{NpyError, NpyFileError};
-pub use npz::write_npz;
+pub use npz::{parse_npz, write_npz};
 pub use open::{append_own, expect_output, open, open_own, open_stream};
 pub use pieces::{FilePieces, Pieces, PiecesError};
 pub use read::{Most, holds, read_all};

@@ -10,6 +10,12 @@ pub enum NpyError {
     /// The magic bytes are missing.
     #[error("not an NPY file: it does not begin with the bytes 93 4E 55 4D 50 59")]
     NotNpy,
+    /// The bytes are no archive of arrays.
+    #[error("not an NPZ file: {reason}; expected a zip archive of NPY files without compression")]
+    NotNpz {
+        /// What the reader of the archive says.
+        reason: String,
+    },
     /// A version of the format that does not exist yet.
     #[error("NPY version {major}.{minor}, expected 1.0, 2.0 or 3.0")]
     Version {

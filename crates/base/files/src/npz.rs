@@ -7,6 +7,7 @@ use std::path::Path;
 use crate::atomic::write_atomic_file;
 use crate::error::FileError;
 use crate::npy::Npy;
+use crate::npy_error::NpyError;
 
 /// Writes the arrays in the order given, stored without compression and dated 1980-01-01, so that the bytes
 /// depend on names and values alone. Whole or not at all.
@@ -42,6 +43,40 @@ fn write_arrays<'a>(
     _arrays: impl IntoIterator<Item = (&'a str, &'a Npy)>,
 ) -> io::Result<()> {
     Err(io::ErrorKind::Unsupported.into())
+}
+
+/// Reads the bytes of an NPZ file whose arrays are stored without compression: their names and values, in the order of the file.
+///
+/// # Errors
+/// [`NpyError`], if the bytes are no zip archive or an entry is no array.
+#[cfg(not(target_family = "wasm"))]
+pub fn parse_npz(bytes: &[u8]) -> Result<Vec<(String, Npy)>, NpyError> {
+    use std::io::{Cursor, Read};
+
+    let mut zip = zip::ZipArchive::new(Cursor::new(bytes)).map_err(not_npz)?;
+    let entries = 0..zip.len();
+    let one = |index| {
+        let mut entry = zip.by_index(index).map_err(not_npz)?;
+        let name = entry.name().map_err(not_npz)?.trim_end_matches(".npy").to_owned();
+        let mut array = Vec::new();
+        entry.read_to_end(&mut array).map_err(not_npz)?;
+        Ok((name, Npy::parse(&array)?))
+    };
+    entries.map(one).collect()
+}
+
+#[cfg(not(target_family = "wasm"))]
+fn not_npz(error: impl std::fmt::Display) -> NpyError {
+    NpyError::NotNpz { reason: error.to_string() }
+}
+
+/// A page reads no zip.
+///
+/// # Errors
+/// [`NpyError::NotNpz`] always.
+#[cfg(target_family = "wasm")]
+pub fn parse_npz(_bytes: &[u8]) -> Result<Vec<(String, Npy)>, NpyError> {
+    Err(NpyError::NotNpz { reason: "this program has no reader of zip".into() })
 }
 
 #[cfg(not(target_family = "wasm"))]

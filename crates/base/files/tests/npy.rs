@@ -2,7 +2,9 @@
 
 use std::io::Read;
 
-use files::{Npy, NpyData, NpyError, NpyFileError, NpyLayout, npy_layout, read_npy, write_npy, write_npz};
+use files::{
+    Npy, NpyData, NpyError, NpyFileError, NpyLayout, npy_layout, parse_npz, read_npy, write_npy, write_npz,
+};
 use proptest::prelude::{any, prop_assert_eq, proptest};
 
 fn bytes_of(array: &Npy) -> Vec<u8> {
@@ -165,6 +167,12 @@ fn npz_is_a_zip_of_npy_and_always_the_same() {
     assert_eq!(entry.compression(), zip::CompressionMethod::Stored);
     entry.read_to_end(&mut bytes).expect("readable");
     assert_eq!(Npy::parse(&bytes).expect("ours"), y);
+    let read = parse_npz(&written[0]).expect("ours");
+    assert_eq!(read, [("tg.height".to_owned(), x.clone()), ("gate".to_owned(), y)]);
+    for cut in [0, 30, written[0].len() / 2, written[0].len() - 1] {
+        let said = parse_npz(&written[0][..cut]).expect_err("cut short").to_string();
+        assert!(said.contains("not an NPZ file"), "{cut}: {said}");
+    }
     assert!(write_npz(&path, [("x", &x), ("x", &x)]).is_err());
     assert_eq!(std::fs::read(&path).expect("read"), written[0]);
 }

@@ -20,6 +20,7 @@ use picture::PictureFileError;
 use plots::PlotError;
 use replay::ReplayError;
 use report::ReportError;
+use robot_log::LogError;
 use run_compare::RunCompareError;
 use run_page::{PageError, RequestError};
 use scope::ScopeError;
@@ -224,6 +225,18 @@ impl From<ReplayError> for Failure {
             | ReplayError::Picture { .. } => Self::input(error),
             ReplayError::NoFrames(_) | ReplayError::TooManyChecks { .. } => Self::usage(error),
             _ => Self::output(error),
+        }
+    }
+}
+
+impl From<LogError> for Failure {
+    fn from(error: LogError) -> Self {
+        match error {
+            LogError::File(error) => error.into(),
+            LogError::Run(error) => error.into(),
+            LogError::NotInThisBuild(_) | LogError::Lacks { .. } => Self::usage(error),
+            LogError::NotOurs { .. } | LogError::Pack { .. } => Self::output(error),
+            _ => Self::input(error),
         }
     }
 }

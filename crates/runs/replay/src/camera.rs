@@ -2,15 +2,48 @@
 
 use generator::Stage;
 use quantities::degrees;
-use scenario::Projection;
+use scenario::{Projection, View};
 use serde_json::{Value, json};
+
+/// The pinhole camera of a picture: focal lengths and principal point (pixels). The centre of the top left pixel is [0, 0].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pinhole {
+    /// Focal lengths along columns and along lines.
+    pub focal: [f64; 2],
+    /// Column and line of the principal point.
+    pub centre: [f64; 2],
+}
+
+impl Pinhole {
+    /// The pinhole of the pictures of `view`.
+    pub fn of(view: &View) -> Self {
+        let (columns, lines) = (f64::from(view.columns), f64::from(view.lines));
+        Self {
+            focal: [0.5 * columns / view.field.tan_half_width, 0.5 * lines / view.field.tan_half_height],
+            centre: [0.5 * (columns - 1.0), 0.5 * (lines - 1.0)],
+        }
+    }
+
+    /// Rows of the matrix from a place on the view-plane to a pixel.
+    pub fn matrix(&self) -> [[f64; 3]; 3] {
+        let ([fx, fy], [cx, cy]) = (self.focal, self.centre);
+        [[fx, 0.0, cx], [0.0, fy, cy], [0.0, 0.0, 1.0]]
+    }
+
+    /// The pixels for which the pinhole is exact under a law of projection, in words.
+    pub fn reach(law: Projection) -> &'static str {
+        match law {
+            Projection::Exact => "exact: the formulas hold for every pixel",
+            Projection::Corrected => "corrected: the formulas hold for every pixel at zero pitch",
+            Projection::AsReported => "as-reported: the formulas hold on the centre column",
+        }
+    }
+}
 
 /// The camera of a run.
 pub(crate) fn camera(stage: &Stage) -> Value {
     let raster = &stage.view;
     let (half_width, half_height) = (raster.field.tan_half_width, raster.field.tan_half_height);
-    let (columns, lines) = (f64::from(raster.columns), f64::from(raster.lines));
-    let (fx, fy) = (0.5 * columns / half_width, 0.5 * lines / half_height);
     let angle = |tangent: f64| degrees(2.0 * libm::atan(tangent));
     json!({
         "schema": "lunoid.camera/1",
@@ -18,7 +51,7 @@ pub(crate) fn camera(stage: &Stage) -> Value {
         "lines": raster.lines,
         "field_of_view_deg": [angle(half_width), angle(half_height)],
         "tan_half_field": [half_width, half_height],
-        "intrinsic_matrix": [[fx, 0.0, 0.5 * (columns - 1.0)], [0.0, fy, 0.5 * (lines - 1.0)], [0.0, 0.0, 1.0]],
+        "intrinsic_matrix": Pinhole::of(raster).matrix(),
         "intrinsic_matrix_words":
             "pixel [column, line, 1] = matrix [X, Y, 1]; the centre of the top left pixel is [0, 0]",
         "pixel_to_ray":
@@ -38,10 +71,6 @@ pub(crate) fn camera(stage: &Stage) -> Value {
                             poses.csv and may lag behind it",
             },
         },
-        "projection": match stage.view.laws.projection {
-            Projection::Exact => "exact: the formulas hold for every pixel",
-            Projection::Corrected => "corrected: the formulas hold for every pixel at zero pitch",
-            Projection::AsReported => "as-reported: the formulas hold on the centre column",
-        },
+        "projection": Pinhole::reach(stage.view.laws.projection),
     })
 }

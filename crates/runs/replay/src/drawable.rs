@@ -20,7 +20,10 @@ impl Job<'_> {
     }
 
     /// Eye and attitude of `frames`.
-    pub(crate) fn poses(&self, frames: Range<u64>) -> Result<PoseTable, PathProblems> {
+    ///
+    /// # Errors
+    /// If the path cannot be driven.
+    pub fn poses(&self, frames: Range<u64>) -> Result<PoseTable, PathProblems> {
         let view = &self.stage.view;
         let update = view.update;
         PoseTable::resolve(self.scenario, &self.stage.landscape, update, view.yoke, frames)

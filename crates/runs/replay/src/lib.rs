@@ -10,6 +10,7 @@
 //! contact-sheet.png  animation.png
 //! index.html  page.json  scopes/    the page of the run: crate `report` writes it, the folder knows its names
 //! truth/                    what each pixel shows: [`write_truth`]
+//! exr/                      the frames as OpenEXR: crate `robot-log` writes them, the folder knows their names
 //! ```
 //!
 //! A frame is a function of its pose. Some threads *carry* one frame each from pose to disk, one frame more than
@@ -47,6 +48,7 @@ mod truth_files;
 mod world;
 mod written;
 
+pub use camera::Pinhole;
 pub use costs::frame_costs;
 pub use error::ReplayError;
 pub use film::write_y4m;
@@ -57,8 +59,8 @@ pub use job::{Control, Job, Pictures, Progress};
 pub use joined::{JoinedRun, expect_run_of, read_listed, unfinished_frames};
 pub use journal::{Entry, Found, Journal, read as read_journal};
 pub use names::{
-    ANIMATION, CAMERA, CONTACT_SHEET, PAGE, PAGE_DATA, POSES, SCOPE_KIND, SCOPES, TRUTH, is_run_file,
-    picture_name, scope_name,
+    ANIMATION, CAMERA, CONTACT_SHEET, EXR, PAGE, PAGE_DATA, POSES, SCOPE_KIND, SCOPES, TRUTH, exr_name,
+    is_run_file, picture_name, scope_name,
 };
 pub use performance::{Performance, peak_memory};
 pub use phases::{Phase, Phases};

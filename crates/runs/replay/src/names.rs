@@ -24,6 +24,8 @@ pub const PAGE: &str = "index.html";
 pub const PAGE_DATA: &str = "page.json";
 /// Plots of recorded sweeps.
 pub const SCOPES: &str = "scopes";
+/// OpenEXR files of the frames, which whoever asked for the run writes.
+pub const EXR: &str = "exr";
 /// Media type of a plot.
 pub const SCOPE_KIND: &str = "image/svg+xml";
 
@@ -36,7 +38,7 @@ pub(crate) const OWN: [&str; 9] =
     [RUN_RECORD, JOURNAL, PERFORMANCE, POSES, CAMERA, CONTACT_SHEET, ANIMATION, PAGE, PAGE_DATA];
 
 /// Folders that a run makes in its own.
-pub(crate) const FOLDERS: [&str; 3] = [FRAMES, TRUTH, SCOPES];
+pub(crate) const FOLDERS: [&str; 4] = [FRAMES, TRUTH, SCOPES, EXR];
 
 /// Whether a run writes a file of this name, or its user may put the film there.
 pub(crate) fn is_own(name: &str) -> bool {
@@ -49,6 +51,7 @@ pub fn is_run_file(name: &str) -> bool {
         None => OWN.contains(&name),
         Some((FRAMES, name)) => frame_index(name).is_some(),
         Some((SCOPES, name)) => scope_frame(name).is_some(),
+        Some((EXR, name)) => exr_index(name).is_some(),
         Some((TRUTH, name)) => truth_index(name).is_some() || TRUTH_FILES.contains(&name),
         Some(_) => false,
     }
@@ -86,9 +89,22 @@ pub(crate) fn truth_index(name: &str) -> Option<u64> {
     (truth_name(frame) == name).then_some(frame)
 }
 
+/// Name of the OpenEXR file of a frame from the run folder.
+pub fn exr_name(frame: u64) -> String {
+    format!("{EXR}/frame-{frame:06}.exr")
+}
+
+fn exr_index(name: &str) -> Option<u64> {
+    let frame = name.strip_prefix("frame-")?.strip_suffix(".exr")?.parse().ok()?;
+    exr_name(frame).ends_with(&format!("/{name}")).then_some(frame)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{frame_index, is_run_file, picture_name, scope_frame, scope_name, truth_index, truth_name};
+    use super::{
+        exr_index, exr_name, frame_index, is_run_file, picture_name, scope_frame, scope_name, truth_index,
+        truth_name,
+    };
 
     #[test]
     fn files_of_a_run_by_name() {
@@ -97,6 +113,7 @@ mod tests {
         {
             assert!(is_run_file(own), "{own}");
         }
+        assert!(is_run_file("exr/frame-000012.exr") && !is_run_file("exr/frame-000012.png"));
         for foreign in ["video.y4m", "x.json", "frames/run.json", "frames/x.png", "truth/x.npz", "a/run.json"]
         {
             assert!(!is_run_file(foreign), "{foreign}");
@@ -116,6 +133,11 @@ mod tests {
         for foreign in ["frame-12-sweep-500.svg", "frame-000012.svg", "frame-000012-sweep-0500.png", "x.svg"]
         {
             assert_eq!(scope_frame(foreign), None, "{foreign}");
+        }
+        assert_eq!(exr_name(12), "exr/frame-000012.exr");
+        assert_eq!(exr_index("frame-000012.exr"), Some(12));
+        for foreign in ["frame-12.exr", "frame-000012.png", "frame-+00012.exr", "x.exr"] {
+            assert_eq!(exr_index(foreign), None, "{foreign}");
         }
         assert_eq!(truth_index(&truth_name(12)), Some(12));
         for foreign in ["frame-12.npz", "frame-000012.npy", "frame_000012.npz", "frame-+00012.npz"] {

@@ -13,6 +13,9 @@ const HEAD_BYTES: u64 = 1 << 16;
 /// First columns of every table of poses.
 const POSES: &str = "frame,t_s,x_m,y_m,z_m,heading_deg,pitch_deg,roll_deg,";
 
+/// First bytes of an OpenEXR file.
+const EXR_MAGIC: [u8; 4] = [0x76, 0x2f, 0x31, 0x01];
+
 /// Where a zip archive has the name of its first file (bytes).
 const FIRST_NAME: usize = 30;
 
@@ -30,6 +33,7 @@ pub(crate) fn is_written(folder: &Path, name: &str) -> bool {
         "svg" => text.contains("<metadata>lunoid</metadata>"),
         "csv" => text.starts_with(POSES),
         "npz" => has_truth(&head),
+        "exr" => head.starts_with(&EXR_MAGIC) && text.contains("\"schema\":\"lunoid."),
         _ => false,
     }
 }

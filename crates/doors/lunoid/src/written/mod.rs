@@ -24,8 +24,9 @@ use pages::{Kind, Written, root};
 use workspace::Workspace;
 
 /// Commands of others that stand in blocks of a shell.
-const OTHERS: [&str; 11] = [
+const OTHERS: [&str; 12] = [
     ".ci/doors",
+    ".ci/logs",
     ".ci/site",
     "alias",
     "cp",
@@ -41,8 +42,18 @@ const OTHERS: [&str; 11] = [
 const FOLDERS: [&str; 5] = ["scenarios/", "hardware-models/", "tests/", "crates/", "docs/"];
 
 /// Options that name a file or a folder to be written.
-const OUTPUTS: [&str; 9] =
-    ["--out", "-o", "--picture", "--waveforms", "--timing", "--junit", "--y4m", "--page", "--relief"];
+const OUTPUTS: [&str; 10] = [
+    "--out",
+    "-o",
+    "--picture",
+    "--waveforms",
+    "--timing",
+    "--junit",
+    "--y4m",
+    "--mcap",
+    "--page",
+    "--relief",
+];
 /// Where the commands of pages may write: what is not kept, the standard output, and what the repository keeps of what it makes.
 const WRITABLE: [&str; 6] = ["runs/", "-", "docs/", "tests/", "crates/", "scenarios/real/"];
 

@@ -23,6 +23,7 @@ mod overlays;
 mod photo;
 mod refusals;
 mod replays;
+mod robot_logs;
 mod scene;
 mod serve;
 mod shadow;

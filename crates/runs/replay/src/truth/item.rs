@@ -181,6 +181,14 @@ impl TruthItem {
 pub struct TruthItems(Vec<TruthItem>);
 
 impl TruthItems {
+    /// These kinds, each once, in the order of `TruthItem::ALL`.
+    pub fn of(items: impl IntoIterator<Item = TruthItem>) -> Self {
+        let mut items: Vec<TruthItem> = items.into_iter().collect();
+        items.sort_unstable();
+        items.dedup();
+        Self(items)
+    }
+
     /// What is asked for.
     pub fn iter(&self) -> impl Iterator<Item = TruthItem> + '_ {
         self.0.iter().copied()
@@ -228,9 +236,7 @@ impl FromStr for TruthItems {
                 None => return Err(UnknownTruth { found: word.into() }),
             }
         }
-        items.sort_unstable();
-        items.dedup();
-        Ok(Self(items))
+        Ok(Self::of(items))
     }
 }
 

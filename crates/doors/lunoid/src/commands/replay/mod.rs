@@ -1,5 +1,6 @@
 //! `lunoid replay`: a scenario into a folder of frames.
 
+mod logs;
 mod several;
 mod share;
 mod summary;
@@ -31,6 +32,7 @@ use crate::program::program;
 use crate::progress::Saying;
 use crate::sharing::Sharing;
 use crate::{Failure, Verdict, values};
+use logs::{LogArgs, Logged};
 use share::of_one;
 use summary::{Summary, losses};
 use text::{Span, visible};
@@ -42,6 +44,7 @@ const AFTER: &str = "Examples:
   lunoid replay scenarios/first-light.toml --frames 0..2 --truth range,normal,label,pose
   lunoid replay scenarios/first-light.toml --probe 60:500 --probe '12:300..303:tg.*height,dpp.y'
   lunoid replay scenarios/first-light.toml --machine ideal --machine pra-nominal --frames 0..4
+  lunoid replay scenarios/first-light.toml --frames 0..12 --mcap runs/first-light.mcap
   lunoid replay scenarios/first-light.toml --shard 2/7
 
 The same command again goes on where it was interrupted. Open index.html in the folder to look at the run.
@@ -94,6 +97,8 @@ pub struct Replay {
     /// format.
     #[arg(long, value_name = "LIST")]
     truth: Option<TruthItems>,
+    #[command(flatten)]
+    logs: LogArgs,
     /// Record sweeps for the page of the run, as waveforms that a click on their column leads to: of one frame a sweep or
     /// S..T, and signals separated by commas, with * for any run of characters; may be given several times. Sweeps
     /// recorded before stay.
@@ -112,6 +117,13 @@ pub struct Replay {
     fresh: bool,
     #[command(flatten)]
     saying: Saying,
+}
+
+/// What a session came to.
+struct Made {
+    outcome: Outcome,
+    truth: Option<TruthOutcome>,
+    logged: Logged,
 }
 
 /// Help of `--machine` where it may be given several times.
@@ -156,6 +168,7 @@ impl Replay {
 
     fn alone(&self, stage: &StageArgs, opened: &Opened, mut phases: Phases) -> Result<Verdict, Failure> {
         self.expect_one_on_stdout()?;
+        self.logs.expect_possible(self.truth.as_ref())?;
         let shard = self.sharing.asked()?;
         let out = self.out(&of_one(self.options.channel.as_deref(), shard));
         self.expect_apart(stage, &out)?;
@@ -176,8 +189,8 @@ impl Replay {
             None => job,
             Some((shard, frames)) => self.share(shard, job, frames, stage),
         };
-        let (outcome, truth) = self.draw(stage, opened, &job, &folder, (&pool, &mut phases))?;
-        self.tell(opened, &folder, (outcome, truth), phases)
+        let made = self.draw(stage, opened, &job, &folder, (&pool, &mut phases))?;
+        self.tell(opened, &folder, made, phases)
     }
 
     /// The run folder, with room for the run's page where one is to be written.
@@ -216,7 +229,7 @@ impl Replay {
         job: &Job,
         folder: &RunFolder,
         (pool, phases): (&ThreadPool, &mut Phases),
-    ) -> Result<(Outcome, Option<TruthOutcome>), Failure> {
+    ) -> Result<Made, Failure> {
         let cancel = interrupt::listen();
         let display = self.saying.display();
         let progress = |progress| display.hear(progress);
@@ -226,7 +239,7 @@ impl Replay {
         made
     }
 
-    /// The pictures, and then, unless told to end, their page and the truth.
+    /// The pictures, and then, unless told to end, their page, the truth, and logs.
     fn make(
         &self,
         stage: &StageArgs,
@@ -234,7 +247,7 @@ impl Replay {
         folder: &RunFolder,
         control: &Control,
         phases: &mut Phases,
-    ) -> Result<(Outcome, Option<TruthOutcome>), Failure> {
+    ) -> Result<Made, Failure> {
         let outcome = run(job, folder, control, phases)?;
         if matches!(outcome, Outcome::Finished { .. }) && !self.no_page {
             // Of sweeps to be recorded a shard has those of its own frames.
@@ -242,7 +255,8 @@ impl Replay {
             let (words, requests) = (words(stage), &own.cloned().collect::<Vec<_>>());
             Making { job, words, opened, requests, pool: control.pool }.write(folder, phases)?;
         }
-        let truth = match (&outcome, &self.truth) {
+        let items = self.truth_items();
+        let truth = match (&outcome, &items) {
             (Outcome::Finished { .. }, Some(items)) => {
                 let truth = write_truth(job, items, folder, control)?;
                 phases.mark("truth");
@@ -250,7 +264,22 @@ impl Replay {
             }
             _ => None,
         };
-        Ok((outcome, truth))
+        let is_whole = matches!(outcome, Outcome::Finished { .. })
+            && truth.is_none_or(|truth: TruthOutcome| truth.done == truth.frames);
+        let logged = match is_whole && self.logs.is_asked() {
+            true => {
+                let logged = self.logs.write((job, opened), items.as_ref(), folder, control)?;
+                phases.mark("logs");
+                logged
+            }
+            false => Logged::default(),
+        };
+        Ok(Made { outcome, truth, logged })
+    }
+
+    /// The truth that is made: what was asked for, or what a robot log needs.
+    fn truth_items(&self) -> Option<TruthItems> {
+        self.logs.truth(self.truth.as_ref())
     }
 
     /// Only a machine has sweeps that can be checked.
@@ -277,7 +306,7 @@ impl Replay {
     fn expect_apart(&self, stage: &StageArgs, folder: &Path) -> Result<(), Failure> {
         let run = Place::folder("--out", folder, is_run_file);
         let film = self.y4m.iter().filter(|path| !is_stdout(path)).map(|path| Place::file("--y4m", path));
-        let outputs: Vec<Place> = [run].into_iter().chain(film).collect();
+        let outputs: Vec<Place> = [run].into_iter().chain(film).chain(self.logs.place()).collect();
         expect_outputs(&outputs, &stage.sources())
     }
 
@@ -299,10 +328,13 @@ impl Replay {
         &self,
         opened: &Opened,
         folder: &RunFolder,
-        made: (Outcome, Option<TruthOutcome>),
+        Made { outcome, truth, logged }: Made,
         mut phases: Phases,
     ) -> Result<Verdict, Failure> {
-        match made {
+        if let Some((what, made)) = logged.unfinished() {
+            return Ok(interrupted(what, made.done, made.frames));
+        }
+        match (outcome, truth) {
             (Outcome::Interrupted { done, of }, _) => Ok(interrupted("frames", done, of)),
             (_, Some(TruthOutcome { frames, done, .. })) if done < frames => {
                 Ok(interrupted("frames' ground truth", done, frames))
@@ -317,6 +349,7 @@ impl Replay {
                     frames: [frames.start, frames.end],
                     drawn,
                     truth,
+                    logs: self.logs.told(&logged, folder.path()),
                     check: held.check.as_ref().filter(|_| self.check > 0).map(|check| json!(check)),
                     losses: losses(&held),
                     open: Some(folder.path().join(first)),

@@ -90,7 +90,7 @@ impl Replay {
             if !self.saying.quiet && !self.saying.no_progress {
                 tell(&format!("{name}\n"));
             }
-            match self.draw(stage, opened, job, folder, (&pool, &mut phases))?.0 {
+            match self.draw(stage, opened, job, folder, (&pool, &mut phases))?.outcome {
                 Outcome::Interrupted { done, of } => {
                     return Ok(interrupted(&format!("frames of {name}"), done, of));
                 }
@@ -102,6 +102,7 @@ impl Replay {
                         frames: [frames.start, frames.end],
                         drawn,
                         truth: None,
+                        logs: Vec::new(),
                         check: None,
                         losses,
                         open: None,
@@ -154,7 +155,7 @@ impl Replay {
             (self.no_page, "--no-page"),
             (self.sharing.shard.is_some(), "--shard"),
         ];
-        match given.iter().find(|(is_given, _)| *is_given) {
+        match given.iter().chain(&self.logs.given()).find(|(is_given, _)| *is_given) {
             Some((_, option)) => Err(Failure::usage(format!(
                 "{option}: this belongs to one run, and several are asked for; draw them first, then ask one of them: \
                  {one} {option} ..."

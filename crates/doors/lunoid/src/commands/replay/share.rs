@@ -48,7 +48,7 @@ impl Replay {
     /// Words of the command that draws the whole run.
     fn words_of_whole(&self, stage: &StageArgs) -> Vec<String> {
         let depth = (self.depth == DepthWord::Sixteen).then(|| ["--depth", "16"].map(str::to_owned));
-        let truth = self.truth.as_ref().map(|items| ["--truth".to_owned(), items.to_string()]);
+        let truth = self.truth_items().map(|items| ["--truth".to_owned(), items.to_string()]);
         let flags = [(self.refresh, "--refresh"), (self.apng, "--apng"), (self.no_page, "--no-page")];
         let flags = flags.into_iter().filter(|(is_given, _)| *is_given).map(|(_, word)| word.to_owned());
         let pairs = depth.into_iter().chain(truth).flatten();

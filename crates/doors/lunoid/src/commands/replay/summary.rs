@@ -14,6 +14,8 @@ pub struct Summary<'a> {
     pub frames: [u64; 2],
     pub drawn: u64,
     pub truth: Option<TruthOutcome>,
+    /// Robot log and OpenEXR files: option, where they are, number of frames.
+    pub logs: Vec<(&'static str, PathBuf, u64)>,
     /// As it stands in the record of the run, where one was asked for.
     pub check: Option<Value>,
     pub limits: Vec<String>,
@@ -44,6 +46,11 @@ impl Summary<'_> {
             "drawn": self.drawn,
             "kept": self.frames[1] - self.frames[0] - self.drawn,
             "truth": self.truth.map(|truth| json!({ "frames": truth.frames, "made": truth.made })),
+            "logs": self.logs.iter().map(|(option, path, frames)| json!({
+                "option": option,
+                "path": path.display().to_string(),
+                "frames": frames,
+            })).collect::<Vec<_>>(),
             "check": self.check,
             "limits": self.limits,
             "losses": self.losses.iter().cloned().collect::<BTreeMap<_, _>>(),
@@ -64,13 +71,16 @@ impl Summary<'_> {
         let truth = self.truth.map(|TruthOutcome { frames, made, .. }| {
             format!("  ground truth of {frames} frames, {made} made now\n")
         });
+        let logs = self.logs.iter().map(|(option, path, frames)| {
+            format!("  {} of {frames} frames: {}\n", option.trim_start_matches('-'), path.display())
+        });
         let limits = self.limits.iter().map(|limit| format!("  beyond the vehicle: {limit}\n"));
         let check = self.check.as_ref().map(checked);
         let losses: Vec<String> =
             self.losses.iter().map(|(name, count)| format!("{count} {}", name.replace('_', " "))).collect();
         let losses = (!losses.is_empty()).then(|| format!("  in all frames: {}\n", losses.join(", ")));
         let open = self.open.as_ref().map(|path| format!("open {}\n", path.display()));
-        let lines = truth.into_iter().chain(check).chain(limits).chain(losses).chain(open);
+        let lines = truth.into_iter().chain(logs).chain(check).chain(limits).chain(losses).chain(open);
         text.trim_end().to_owned() + "\n" + &lines.collect::<String>()
     }
 
