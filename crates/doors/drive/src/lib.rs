@@ -5,7 +5,9 @@
 //!                            │                      ▲       ├─ names ──▶ Truth    exact planes, each with its bound
 //!                            │                      │       ├─ globs ──▶ Traces   signals of sweeps
 //!                            │                      │       ├─ pixel ──▶ Explained
-//!                            │                      │       └─ sweeps ─▶ Events   digital events
+//!                            │                      │       ├─ sweeps ─▶ Events   digital events
+//!                            │                      │       ├─ condition ─▶ Triggered   places where it is met
+//!                            │                      │       └─ late word ─▶ LateWordsEffect   pixels that it changed
 //!                            └─▶ Loop ─ last frame ─┘
 //!                                 ├─ pose ─▶ Seen ─▶ your controller ─▶ pose ...
 //!                                 └─▶ saved: a scenario and a path, which `lunoid replay` draws again
@@ -23,10 +25,12 @@
 //! `docs/python.md`: the same from Python. `front-door`: scenario, model and wishes. `replay`: runs in folders.
 
 mod bench;
+mod built;
 mod closed_loop;
 mod digital;
 mod error;
 mod explained;
+mod late;
 mod open;
 mod parameters;
 mod pose;
@@ -36,6 +40,7 @@ mod seen;
 mod studied;
 mod threads;
 mod traces;
+mod triggered;
 mod truth;
 mod viewpoint;
 mod wires;
@@ -45,9 +50,11 @@ pub use digital::{EventWishes, Events};
 pub use error::{DriveError, Fault};
 pub use event_list::Filter;
 pub use explained::Explained;
+pub use late::LateWordsEffect;
 pub use front_door::Wishes;
 pub use generator::{Fact, Omission, PlaneKind, Weight};
 pub use hardware_model::Economy;
+pub use machine::Link;
 pub use open::{Drive, Raster};
 pub use parameters::Parameter;
 pub use pose::EyePose;
@@ -57,6 +64,7 @@ pub use seen::Seen;
 #[cfg(feature = "studies")]
 pub use studied::Study;
 pub use traces::{Trace, Traces};
+pub use triggered::{TriggerPlace, TriggerWishes, Triggered};
 pub use truth::{Codes, Truth, TruthPlane};
 pub use viewpoint::Viewpoint;
 pub use wires::{BlockRow, FaultRow, SignalRow};

@@ -93,6 +93,8 @@ impl<H: Home> Session<H> {
             "probe" => self.probe(keys),
             "explain" => self.explain(keys),
             "events" => self.events(keys),
+            "trigger" => self.trigger(keys),
+            "effect" => self.effect(keys),
             "omissions" => self.omissions(keys),
             "signals" => self.signals(keys),
             "blocks" => self.blocks(keys),
