@@ -1,0 +1,162 @@
+// The block diagram: blocks, their ways, the values of the wires at the cursor, and the registers. Drawn from what the machine tells.
+
+import { SHEET, SIZE, places, way } from "./diagram-plan.js";
+import { short, valueAt } from "./scope-values.js";
+
+const SVG = "http://www.w3.org/2000/svg";
+const COLOURS = ["yellow", "green", "black", "red"];
+const REGISTERS = ["hold", "xfirst", "yfirst"];
+/** Side of the mark of a register, and the way from one to the next. */
+const MARK = [10, 13];
+
+export class Diagram {
+  #svg;
+  #choose;
+  #signals = new Map();
+  #labels = new Map();
+  #marks = new Map();
+  #traces = null;
+
+  /** `choose.wire` is called with the name of a wire that was chosen, `choose.block` with a block. */
+  constructor(svg, choose) {
+    [this.#svg, this.#choose] = [svg, choose];
+    svg.setAttribute("viewBox", `0 0 ${SHEET.join(" ")}`);
+  }
+
+  /** Wires whose values the drawing shows: those of the ways and of the registers that the machine has. */
+  get wires() {
+    return [...this.#labels.keys(), ...this.#marks.keys()].filter((name) => this.#signals.get(name)?.is_wired);
+  }
+
+  /** Draws the blocks of a machine with the rows of its signals. */
+  show(blocks, signals) {
+    this.#signals = new Map(signals.map((row) => [row.name, row]));
+    this.#labels.clear();
+    this.#marks.clear();
+    this.#traces = null;
+    const place = places(blocks.map(({ name }) => name));
+    const links = blocks.flatMap((block) => block.links.map((link) => ({ ...link, from: block.name, isPale: block.left_out })));
+    const known = links.filter(({ to }) => place.has(to));
+    this.#svg.replaceChildren(
+      ...known.map((link) => this.#line(link, place)),
+      ...blocks.map((block) => this.#block(block, place.get(block.name))),
+      ...known.flatMap((link) => this.#values(link, place)),
+    );
+  }
+
+  /** Takes waveforms of the sweep of the cursor. */
+  take(traces) {
+    this.#traces = traces;
+  }
+
+  /** Shows the values at an instant of the sweep (samples). */
+  at(instant) {
+    if (!this.#traces) return;
+    for (const [name, label] of this.#labels) this.#write(name, label, this.#value(name, instant));
+    for (const [name, mark] of this.#marks) {
+      const corner = this.#value(name, instant);
+      mark.classList.toggle("loaded", corner !== null);
+      mark.firstElementChild.textContent = `${name}: ${corner === null ? "empty" : `corner ${corner}`}`;
+    }
+  }
+
+  /** The value of a wire; of one down the display, that of the line where the beam is. */
+  #value(name, instant) {
+    if (!this.#traces.planes[name] || this.#traces.left_out.includes(name)) return null;
+    const { axis } = this.#traces.signals.find((row) => row.name === name);
+    if (axis !== "display") return valueAt(this.#traces, name, instant);
+    const line = this.#traces.planes["dpp.y"] ? valueAt(this.#traces, "dpp.y", instant) : null;
+    return line === null ? null : (this.#traces.planes[name].values[Math.round(line)] ?? null);
+  }
+
+  #write(name, label, value) {
+    const { unit } = this.#signals.get(name);
+    const text = value === null ? "–" : `${short(value)}${unit === "1" ? "" : ` ${unit}`}`;
+    label.lastElementChild.textContent = `${name} ${text}`;
+    label.setAttribute("aria-label", `${name}: ${value === null ? "no value" : text}. Put on the scope.`);
+  }
+
+  #line({ from, to, carries, isPale }, place) {
+    const points = way(from, to, place).map((point) => point.join(",")).join(" ");
+    const line = made("polyline", { points, class: isPale ? "way left-out" : "way" });
+    line.append(titled(`${from} to ${to}: ${carries}`));
+    return line;
+  }
+
+  #block(block, [x, y]) {
+    const { name, left_out: isLeftOut, parts } = block;
+    const group = made("g", { class: isLeftOut ? "block left-out" : "block", transform: `translate(${x} ${y})` });
+    const [width, height] = SIZE;
+    const isTerrain = name === "terrain-generator" && !isLeftOut;
+    group.append(made("rect", { width, height: isTerrain ? height + REGISTERS.length * MARK[1] + 10 : height, rx: 4 }));
+    const words = name.split("-");
+    const rows = words.length > 2 ? [words.slice(0, 2).join(" "), words.slice(2).join(" ")] : [words.join(" ")];
+    rows.forEach((row, at) => group.append(texted(row, width / 2, height / 2 + 4 + (at - (rows.length - 1) / 2) * 15, "middle")));
+    if (isTerrain) this.#registers(group);
+    button(group, `${name}${isLeftOut ? ", left out" : ""}. ${parts.join("; ")}`, () => this.#choose.block(block));
+    return group;
+  }
+
+  /** A mark for each register of each colour; it is full in the colour that is loaded. */
+  #registers(group) {
+    COLOURS.forEach((colour, column) => REGISTERS.forEach((register, row) => {
+      const [side, step] = MARK;
+      const mark = made("rect", { class: `register ${colour}`, x: 52 + column * (step + 5), y: 44 + row * step, width: side, height: side });
+      mark.append(titled(""));
+      this.#marks.set(`tg.${colour}.${register}`, mark);
+      group.append(mark);
+    }));
+    REGISTERS.forEach((register, row) => group.append(texted(register, 46, 53 + row * MARK[1], "end")));
+  }
+
+  /** The wires of a way, each once in the drawing, with their values. */
+  #values({ from, to, signals }, place) {
+    const fresh = signals.filter((name) => this.#signals.has(name) && !this.#labels.has(name));
+    const [x, y] = beside(way(from, to, place), from, place);
+    return fresh.map((name, row) => {
+      const label = made("g", { class: "wire" });
+      label.append(made("rect", { x: x - 2, y: y + row * 15 - 11, width: 150, height: 15 }), texted(name, x, y + row * 15, "start"));
+      this.#labels.set(name, label);
+      button(label, `${name}. Put on the scope.`, () => this.#choose.wire(name));
+      return label;
+    });
+  }
+}
+
+/** Where the values of a way stand: right behind its block, below or above its line. */
+function beside(points, from, place) {
+  const [[x, y], [width, height]] = [place.get(from), SIZE];
+  const isUp = points[1][0] === points[0][0];
+  return isUp ? [x + width / 2 + 4, y - 40] : [x + width + 4, y + height / 2 + 14];
+}
+
+function made(name, attributes) {
+  const element = document.createElementNS(SVG, name);
+  for (const [key, value] of Object.entries(attributes)) element.setAttribute(key, value);
+  return element;
+}
+
+function texted(text, x, y, anchor) {
+  const element = made("text", { x, y, "text-anchor": anchor });
+  element.textContent = text;
+  return element;
+}
+
+function titled(text) {
+  const element = made("title", {});
+  element.textContent = text;
+  return element;
+}
+
+/** Makes a part of the drawing a button for pointer, keyboard and screen reader. */
+function button(element, label, press) {
+  element.setAttribute("role", "button");
+  element.setAttribute("tabindex", "0");
+  element.setAttribute("aria-label", label);
+  element.addEventListener("click", press);
+  element.addEventListener("keydown", (event) => {
+    if (event.key !== "Enter" && event.key !== " ") return;
+    event.preventDefault();
+    press();
+  });
+}
