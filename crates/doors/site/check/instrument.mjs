@@ -2,31 +2,9 @@
 
 import { writeFile } from "node:fs/promises";
 import { join } from "node:path";
+import { drawn, hash, press, put, text } from "./reader.mjs";
 
 const LATE = "#scenario=scenarios%2Ffirst-light.toml&set=loader.access_ns%3A90&frame=60&colour=red";
-
-/** Waits until the page has drawn what it was asked for. */
-async function drawn(chromium) {
-  for (let turn = 0; turn < 600; turn += 1) {
-    if (await chromium.run(`return document.body.dataset.busy === "false" && document.getElementById("state").textContent !== "The machine draws.";`)) return;
-    await new Promise((resolve) => setTimeout(resolve, 100));
-  }
-  throw new Error("the page still draws after a minute");
-}
-
-const hash = (chromium) => chromium.run(`return document.getElementById("tube").dataset.hash;`);
-const text = (chromium, id) => chromium.run(`return document.getElementById(values[0]).textContent;`, id);
-
-/** Sets a field as a reader does, and waits. */
-async function put(chromium, id, value) {
-  await chromium.run(`const field = document.getElementById(values[0]); field.value = values[1]; field.dispatchEvent(new Event("change", { bubbles: true }));`, id, value);
-  await drawn(chromium);
-}
-
-async function press(chromium, id) {
-  await chromium.run(`document.getElementById(values[0]).click();`, id);
-  await drawn(chromium);
-}
 
 export async function instrument(chromium, host, native, expect, folder) {
   const [healed, torn] = native;

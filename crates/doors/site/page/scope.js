@@ -1,8 +1,9 @@
 // The scope: analog traces in panels by unit, digital lanes below them, what was before behind, two cursors; or one wire over another.
 
-import { curve, trace } from "./curve.js";
+import { curve } from "./curve.js";
 import { ScopeHand } from "./scope-hand.js";
 import { short, told } from "./scope-values.js";
+import { over } from "./scope-xy.js";
 
 const LEFT = 88;
 const TOP = 14;
@@ -143,7 +144,12 @@ export class Scope {
     if (!this.#traces) return;
     const analog = this.#traces.signals.filter((row) => row.kind === "analog").slice(0, MOST.analog);
     const digital = this.#traces.signals.filter((row) => row.kind !== "analog").slice(0, MOST.digital);
-    if (this.#across === "xy" && analog.length > 1) return this.#over(context, analog);
+    if (this.#across === "xy" && analog.length > 1) {
+      const box = { left: LEFT, top: TOP, width: canvas.width - LEFT - 8, height: canvas.height - TOP - AXIS };
+      const extents = [this.#extent([analog[0]]), this.#extent([analog[1]])];
+      over(context, { wires: analog, box, extents, traces: this.#traces, before: this.#before, cursors: this.#cursors, ink: this.#ink, colour: COLOURS[0] });
+      return this.#tell();
+    }
     const panels = [...Map.groupBy(analog, (row) => row.unit)];
     const room = canvas.height - TOP - AXIS - digital.length * LANE;
     const height = panels.length ? room / panels.length : 0;
@@ -161,37 +167,6 @@ export class Scope {
   /** What stands behind: the reference, and what persists. */
   get #before() {
     return this.#reference ? [...this.#behind, this.#reference] : this.#behind;
-  }
-
-  /** The first wire across, the second up. */
-  #over(context, [across, up]) {
-    const [width, height] = [this.#canvas.width - LEFT - 8, this.#canvas.height - TOP - AXIS];
-    const [[left, right], [low, high]] = [this.#extent([across]), this.#extent([up])];
-    const place = {
-      x: (value) => LEFT + ((value - left) / (right - left)) * width,
-      y: (value) => TOP + height - ((value - low) / (high - low)) * height,
-    };
-    const drawn = ({ planes }, colour) => {
-      if (planes[across.name] && planes[up.name]) trace(context, planes[across.name].values, planes[up.name].values, { ...place, colour });
-    };
-    context.globalAlpha = 0.35;
-    this.#before.forEach((traces) => drawn(traces, this.#ink));
-    context.globalAlpha = 1;
-    drawn(this.#traces, COLOURS[0]);
-    context.fillStyle = this.#ink;
-    context.strokeStyle = this.#ink;
-    this.#cursors.forEach((sample, which) => {
-      if (sample === null) return;
-      const [x, y] = [place.x(this.#traces.planes[across.name].values[Math.round(sample)]), place.y(this.#traces.planes[up.name].values[Math.round(sample)])];
-      context.strokeRect(x - 4, y - 4, 8, 8);
-      context.fillText("AB"[which], x + 7, y - 5);
-    });
-    context.textAlign = "right";
-    context.fillText(short(high), LEFT - 4, TOP + 10);
-    context.fillText(short(low), LEFT - 4, TOP + height);
-    context.textAlign = "center";
-    context.fillText(`${short(left)} to ${short(right)}: ${across.name}; up: ${up.name}`, LEFT + width / 2, TOP + height + 22);
-    this.#tell();
   }
 
   /** Lowest and highest finite value of the rows, with what stands behind. */

@@ -2,6 +2,7 @@
 
 import { Drives, PATH } from "./drives.js";
 import { LoopKeeper } from "./loop-keeper.js";
+import { Opening } from "./opening.js";
 import { Trigger } from "./trigger.js";
 
 /** Most that the report lets the vehicle do (section 3): 16 km/h, and 30 degrees a second here (chosen). */
@@ -13,12 +14,11 @@ export const MOST = { kmh: 16, turn: 30 };
  */
 export class ViewModel extends EventTarget {
   #machine;
-  #given;
+  #opening;
   #keeper;
   #at = 0;
   #shown = {};
   #runs = false;
-  #opened = null;
   /** What the picture, and the explanation, that stand were made of. */
   #drawn = null;
   #told = null;
@@ -27,7 +27,7 @@ export class ViewModel extends EventTarget {
   constructor(machine, given) {
     super();
     this.#machine = machine;
-    this.#given = given;
+    this.#opening = new Opening(machine, given);
     this.view = { scenario: null, machine: null, faults: [], set: {}, frame: 0, sweep: 0, sample: null, column: null, line: null, wires: "" };
     /** The lane that is looked at: the path of the scenario, or a drive. `view.frame` counts in it. */
     this.lane = PATH;
@@ -38,7 +38,7 @@ export class ViewModel extends EventTarget {
     /** Wires of the block diagram; none while nobody looks at it. */
     this.diagram = [];
     this.facts = null;
-    this.#keeper = new LoopKeeper(machine, this.drives, { now: () => this.#wishes, restored: (wishes) => this.#restored(wishes) });
+    this.#keeper = new LoopKeeper(machine, this.drives, { now: () => this.#wishes, restored: (wishes) => this.#opening.restored(wishes) });
   }
 
   /** Whether a driven frame is looked at, in place of one of the path. */
@@ -86,8 +86,9 @@ export class ViewModel extends EventTarget {
 
   /** Wires whose values somebody shows beside the scope. */
   watch(wires) {
+    const isSame = wires.join() === this.diagram.join();
     this.diagram = wires;
-    if (this.facts) this.#wish();
+    if (!isSame && this.facts) this.#wish();
   }
 
   /** Puts the cursor on an instant of the sweep (samples). */
@@ -128,13 +129,11 @@ export class ViewModel extends EventTarget {
   /** The picture that stands without faults and settings of the reader: from the same pose, at the same time. */
   async healthy() {
     while (this.#runs) await this.settled();
-    const { machine, set } = this.view;
     const { pose } = this.#shown;
     this.#runs = true;
     this.#tell("busy", true);
     try {
-      await this.#machine.set(Object.fromEntries(Object.keys(set).map((key) => [key, null])), { machine: machine || null, overlays: [] });
-      this.#restored({ machine, faults: [], set: {} });
+      await this.#opening.heal(this.#wishes);
       return await (this.isDriven ? this.#machine.look(pose, { frame: this.view.frame }) : this.#machine.frame(this.view.frame));
     } finally {
       this.#runs = false;
@@ -183,11 +182,6 @@ export class ViewModel extends EventTarget {
     return { machine, faults: [...faults], set: { ...set } };
   }
 
-  /** The machine has other settings than those that were asked for last. */
-  #restored(wishes) {
-    this.#opened = { ...this.#opened, wanted: wanted(this.view.scenario, wishes), set: wishes.set };
-  }
-
   #wish() {
     this.#at += 1;
     this.#run();
@@ -216,7 +210,7 @@ export class ViewModel extends EventTarget {
 
   /** What the picture of now is made of. */
   get #key() {
-    return JSON.stringify([this.#opened.wanted, this.lane, this.view.frame, this.planes]);
+    return JSON.stringify([this.#opening.key, this.lane, this.view.frame, this.planes]);
   }
 
   /** The picture of the frame that is looked at. A driven frame that no look can draw is driven once more. */
@@ -238,21 +232,12 @@ export class ViewModel extends EventTarget {
   }
 
   async #open() {
-    const { scenario, machine, faults, set } = this.view;
-    const asked = wanted(scenario, this.#wishes);
-    if (asked === this.#opened?.wanted) return;
-    const isSame = this.#opened?.scenario === scenario;
-    const taken = Object.keys(this.#opened?.set ?? {}).filter((key) => !(key in set));
-    const changed = { ...Object.fromEntries(taken.map((key) => [key, null])), ...set };
-    const wishes = { machine: machine || null, overlays: faults };
-    const facts = isSame
-      ? await this.#machine.set(changed, wishes)
-      : await this.#machine.open(scenario, { ...wishes, set, files: await this.#given(scenario) });
-    this.#opened = { wanted: asked, scenario, set: { ...set } };
-    if (!isSame) this.#begin();
-    this.facts = { ...facts, driven: this.isDriven ? this.frames : 0 };
+    const opened = await this.#opening.open(this.view.scenario, this.#wishes);
+    if (opened === null) return;
+    if (opened.isOther) this.#begin();
+    this.facts = { ...opened.facts, driven: this.isDriven ? this.frames : 0 };
     this.drives.forgetPath();
-    this.view.sweep = Math.min(this.view.sweep, Math.max(0, facts.sweeps - 1));
+    this.view.sweep = Math.min(this.view.sweep, Math.max(0, this.facts.sweeps - 1));
     this.#tell("opened", this.facts);
   }
 
@@ -304,11 +289,6 @@ export class ViewModel extends EventTarget {
     if (place) this.#tell("cursor", place.instant);
     return shows;
   }
-}
-
-/** What an opened scenario is made of, to be compared. */
-function wanted(scenario, { machine, faults, set }) {
-  return JSON.stringify([scenario, machine || null, faults, set]);
 }
 
 /** The sweep that drew a pixel, where its generator has sweeps. */
