@@ -1,65 +1,68 @@
 // Where the blocks stand in the drawing, after the report's overall figure (fig. 14): from the data banks at the left to the tube at the right.
 
 /** Width and height of a block. */
-export const SIZE = [128, 46];
+export const SIZE = [140, 46];
 /** Size of the drawing. */
-export const SHEET = [1180, 590];
+export const SHEET = [1400, 600];
 
 /** Upper left corners of the blocks. */
 const PLACES = {
   "data-bank": [10, 260],
   dpu: [180, 260],
-  "sweep-generator": [390, 20],
-  "terrain-generator": [560, 120],
-  "feature-generator": [560, 250],
-  "shadow-controller": [560, 330],
-  "texture-generator": [560, 410],
-  "polyhedron-generator": [560, 490],
-  "mixing-unit": [760, 250],
-  "display-projection-processor": [760, 110],
-  "sweep-memory": [1020, 250],
-  "picture-tube": [1020, 110],
-  "vehicle-shadow": [1020, 490],
+  "sweep-generator": [330, 20],
+  "terrain-generator": [610, 150],
+  "feature-generator": [610, 270],
+  "shadow-controller": [610, 350],
+  "texture-generator": [610, 430],
+  "polyhedron-generator": [610, 510],
+  "mixing-unit": [920, 270],
+  "display-projection-processor": [920, 110],
+  "sweep-memory": [1220, 270],
+  "picture-tube": [1220, 110],
+  "vehicle-shadow": [1220, 430],
 };
 
-/** Corners between the ends of a way, where a straight one would cross blocks: the columns and lines at which it turns. */
+/** Where the values of a block's wires stand, if not right of it. */
+const VALUES = { "data-bank": [10, 322], "sweep-memory": [1296, 200] };
+
+/** The way between two blocks where it is not straight: the columns and lines at which it turns. */
 const TURNS = {
   "dpu>sweep-generator": [["y", 43]],
-  "dpu>terrain-generator": [["x", 340], ["y", 156]],
-  "dpu>feature-generator": [["x", 340], ["y", 273]],
-  "dpu>shadow-controller": [["x", 340], ["y", 353]],
-  "dpu>polyhedron-generator": [["x", 340], ["y", 513]],
-  "dpu>sweep-memory": [["y", 570], ["x", 1160], ["y", 273]],
-  "sweep-generator>dpu": [["x", 360], ["y", 283]],
-  "sweep-generator>terrain-generator": [["x", 540], ["y", 130]],
-  "sweep-generator>feature-generator": [["x", 540], ["y", 260]],
-  "sweep-generator>shadow-controller": [["x", 540], ["y", 340]],
-  "sweep-generator>texture-generator": [["x", 540], ["y", 433]],
-  "sweep-generator>display-projection-processor": [["y", 43], ["x", 824]],
+  "dpu>terrain-generator": [["x", 500], ["y", 190]],
+  "dpu>feature-generator": [["x", 500], ["y", 300]],
+  "dpu>shadow-controller": [["x", 500], ["y", 380]],
+  "dpu>polyhedron-generator": [["x", 500], ["y", 533]],
+  "dpu>sweep-memory": [["y", 590], ["x", 1380], ["y", 293]],
+  "sweep-generator>dpu": [["y", 270]],
+  "sweep-generator>terrain-generator": [["x", 590], ["y", 165]],
+  "sweep-generator>feature-generator": [["x", 590], ["y", 283]],
+  "sweep-generator>shadow-controller": [["x", 590], ["y", 363]],
+  "sweep-generator>texture-generator": [["x", 590], ["y", 453]],
+  "sweep-generator>display-projection-processor": [["y", 43]],
+  "terrain-generator>mixing-unit": [["x", 880], ["y", 293]],
+  "shadow-controller>mixing-unit": [["x", 880], ["y", 293]],
+  "texture-generator>mixing-unit": [["x", 880], ["y", 293]],
+  "display-projection-processor>sweep-memory": [["x", 1130], ["y", 285]],
+  "polyhedron-generator>sweep-memory": [["x", 1130], ["y", 303]],
 };
+
+/** Where the first value of the wires of a block stands. */
+export function valuesOf(name, [x, y]) {
+  return VALUES[name] ?? [x + SIZE[0] + 5, y + SIZE[1] / 2 + 14];
+}
 
 /** The place of each block by name; those of another generator stand in rows. */
 export function places(names) {
   const free = names.filter((name) => !(name in PLACES));
-  const row = (name) => [10 + (free.indexOf(name) % 8) * 146, 20 + Math.floor(free.indexOf(name) / 8) * 70];
+  const row = (name) => [10 + (free.indexOf(name) % 9) * 154, 20 + Math.floor(free.indexOf(name) / 9) * 70];
   return new Map(names.map((name) => [name, PLACES[name] ?? row(name)]));
 }
 
-/** The points of a way from block to block, at right angles. */
+/** The points of a way from the middle of a block to that of another, at right angles. */
 export function way(from, to, place) {
-  const [[x, y], [u, v]] = [place.get(from), place.get(to)];
-  const [width, height] = SIZE;
-  const turns = TURNS[`${from}>${to}`];
-  if (turns) return turned([x + width / 2, y + height / 2], turns, [u + width / 2, v + height / 2]);
-  const [start, end] = [[x + width / 2, y + height / 2], [u + width / 2, v + height / 2]];
-  if (start[0] === end[0] || start[1] === end[1]) return [start, end];
-  const middle = u > x ? (x + width + u) / 2 : start[0];
-  return turned(start, [["x", middle], ["y", end[1]]], end);
-}
-
-function turned(start, turns, end) {
+  const [start, end] = [from, to].map((name) => place.get(name).map((corner, axis) => corner + SIZE[axis] / 2));
   const points = [start];
-  for (const [axis, at] of turns) {
+  for (const [axis, at] of TURNS[`${from}>${to}`] ?? []) {
     const [x, y] = points.at(-1);
     points.push(axis === "x" ? [at, y] : [x, at]);
   }

@@ -1,6 +1,6 @@
 // The block diagram: blocks, their ways, the values of the wires at the cursor, and the registers. Drawn from what the machine tells.
 
-import { SHEET, SIZE, places, way } from "./diagram-plan.js";
+import { SHEET, SIZE, places, valuesOf, way } from "./diagram-plan.js";
 import { short, valueAt } from "./scope-values.js";
 
 const SVG = "http://www.w3.org/2000/svg";
@@ -40,7 +40,7 @@ export class Diagram {
     this.#svg.replaceChildren(
       ...known.map((link) => this.#line(link, place)),
       ...blocks.map((block) => this.#block(block, place.get(block.name))),
-      ...known.flatMap((link) => this.#values(link, place)),
+      ...blocks.flatMap((block) => this.#values(block, place.get(block.name))),
     );
   }
 
@@ -101,33 +101,26 @@ export class Diagram {
   #registers(group) {
     COLOURS.forEach((colour, column) => REGISTERS.forEach((register, row) => {
       const [side, step] = MARK;
-      const mark = made("rect", { class: `register ${colour}`, x: 52 + column * (step + 5), y: 44 + row * step, width: side, height: side });
+      const mark = made("rect", { class: `register ${colour}`, x: 58 + column * (step + 5), y: 44 + row * step, width: side, height: side });
       mark.append(titled(""));
       this.#marks.set(`tg.${colour}.${register}`, mark);
       group.append(mark);
     }));
-    REGISTERS.forEach((register, row) => group.append(texted(register, 46, 53 + row * MARK[1], "end")));
+    REGISTERS.forEach((register, row) => group.append(texted(register, 52, 53 + row * MARK[1], "end")));
   }
 
-  /** The wires of a way, each once in the drawing, with their values. */
-  #values({ from, to, signals }, place) {
-    const fresh = signals.filter((name) => this.#signals.has(name) && !this.#labels.has(name));
-    const [x, y] = beside(way(from, to, place), from, place);
-    return fresh.map((name, row) => {
+  /** The wires that leave a block, each once, with their values. */
+  #values({ name: block, links }, place) {
+    const names = [...new Set(links.flatMap(({ signals }) => signals))].filter((name) => this.#signals.has(name));
+    const [x, y] = valuesOf(block, place);
+    return names.map((name, row) => {
       const label = made("g", { class: "wire" });
-      label.append(made("rect", { x: x - 2, y: y + row * 15 - 11, width: 150, height: 15 }), texted(name, x, y + row * 15, "start"));
+      label.append(texted(name, x, y + row * 15, "start"));
       this.#labels.set(name, label);
       button(label, `${name}. Put on the scope.`, () => this.#choose.wire(name));
       return label;
     });
   }
-}
-
-/** Where the values of a way stand: right behind its block, below or above its line. */
-function beside(points, from, place) {
-  const [[x, y], [width, height]] = [place.get(from), SIZE];
-  const isUp = points[1][0] === points[0][0];
-  return isUp ? [x + width / 2 + 4, y - 40] : [x + width + 4, y + height / 2 + 14];
 }
 
 function made(name, attributes) {
