@@ -5,7 +5,7 @@ use std::fmt;
 use crate::{CrossingServer, FoldDetect, HardwareModel, ShadowParts};
 
 /// Tables of a model's file by the block that they describe. A table that several blocks share stands at each of them.
-pub const BLOCK_TABLES: [(&str, &[&str]); 13] = [
+pub const BLOCK_TABLES: [(&str, &[&str]); 12] = [
     ("data-bank", &["drum", "channel", "feature_bank", "shadow_bank", "polyhedron_bank", "io_processor", "buffer"]),
     ("dpu", &["dpu", "cpu", "loader"]),
     ("sweep-generator", &["raster", "range", "sweep"]),
@@ -18,7 +18,6 @@ pub const BLOCK_TABLES: [(&str, &[&str]); 13] = [
     ("display-projection-processor", &["dpp", "sample_hold", "comparator"]),
     ("sweep-memory", &["sweep_memory", "roll"]),
     ("picture-tube", &["video", "picture_tube"]),
-    ("vehicle-shadow", &[]),
 ];
 
 const TERRAIN: &[&str] = &[

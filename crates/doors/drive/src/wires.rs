@@ -59,7 +59,7 @@ impl Drive {
         table.map(|signal| SignalRow { signal: *signal, wire: wire(signal) }).collect()
     }
 
-    /// Blocks that drive signals, in the order of the signal table.
+    /// Blocks that drive signals, in the order of the signal table; then those that only take some.
     pub fn blocks(&self) -> Vec<BlockRow> {
         let (mut blocks, omissions) = (Vec::<BlockRow>::new(), self.omissions());
         for row in self.signals() {
@@ -71,6 +71,13 @@ impl Drive {
             }
             blocks[at].left_out &= row.wire.is_none();
             blocks[at].signals.push(row.signal.name);
+        }
+        // The tube has its signals along the lines of the display, in a table of its own.
+        let ends = LINKS.iter().map(|link| link.to).filter(|_| self.opened.is_machine());
+        for name in ends {
+            if blocks.iter().all(|block| block.name != name) {
+                blocks.push(BlockRow { left_out: false, ..self.block(name) });
+            }
         }
         blocks
     }

@@ -19,7 +19,6 @@ const PLACES = {
   "display-projection-processor": [920, 110],
   "sweep-memory": [1220, 270],
   "picture-tube": [1220, 110],
-  "vehicle-shadow": [1220, 430],
 };
 
 /** Where the values of a block's wires stand, if not right of it. */

@@ -5,6 +5,7 @@ import { short, valueAt } from "./scope-values.js";
 
 const SVG = "http://www.w3.org/2000/svg";
 const COLOURS = ["yellow", "green", "black", "red"];
+const TERRAIN = "terrain-generator";
 const REGISTERS = ["hold", "xfirst", "yfirst"];
 /** Side of the mark of a register, and the way from one to the next. */
 const MARK = [10, 13];
@@ -40,6 +41,7 @@ export class Diagram {
     this.#svg.replaceChildren(
       ...known.map((link) => this.#line(link, place)),
       ...blocks.map((block) => this.#block(block, place.get(block.name))),
+      ...(place.has(TERRAIN) ? this.#registers(place.get(TERRAIN)) : []),
       ...blocks.flatMap((block) => this.#values(block, place.get(block.name))),
     );
   }
@@ -87,26 +89,25 @@ export class Diagram {
     const { name, left_out: isLeftOut, parts } = block;
     const group = made("g", { class: isLeftOut ? "block left-out" : "block", transform: `translate(${x} ${y})` });
     const [width, height] = SIZE;
-    const isTerrain = name === "terrain-generator" && !isLeftOut;
-    group.append(made("rect", { width, height: isTerrain ? height + REGISTERS.length * MARK[1] + 10 : height, rx: 4 }));
+    group.append(made("rect", { width, height: name === TERRAIN ? height + REGISTERS.length * MARK[1] + 10 : height, rx: 4 }));
     const words = name.split("-");
-    const rows = words.length > 2 ? [words.slice(0, 2).join(" "), words.slice(2).join(" ")] : [words.join(" ")];
+    const rows = words.length > 2 ? [`${words.slice(0, 2).join(" ")} `, words.slice(2).join(" ")] : [words.join(" ")];
     rows.forEach((row, at) => group.append(texted(row, width / 2, height / 2 + 4 + (at - (rows.length - 1) / 2) * 15, "middle")));
-    if (isTerrain) this.#registers(group);
-    button(group, `${name}${isLeftOut ? ", left out" : ""}. ${parts.join("; ")}`, () => this.#choose.block(block));
+    button(group, `${words.join(" ")}${isLeftOut ? ", left out" : ""}. ${parts.join("; ")}`, () => this.#choose.block(block));
     return group;
   }
 
   /** A mark for each register of each colour; it is full in the colour that is loaded. */
-  #registers(group) {
-    COLOURS.forEach((colour, column) => REGISTERS.forEach((register, row) => {
-      const [side, step] = MARK;
-      const mark = made("rect", { class: `register ${colour}`, x: 58 + column * (step + 5), y: 44 + row * step, width: side, height: side });
+  #registers([x, y]) {
+    const [side, step] = MARK;
+    const marks = COLOURS.flatMap((colour, column) => REGISTERS.map((register, row) => {
+      const at = { x: x + 58 + column * (step + 5), y: y + 44 + row * step, width: side, height: side };
+      const mark = made("rect", { class: `register ${colour}`, ...at });
       mark.append(titled(""));
       this.#marks.set(`tg.${colour}.${register}`, mark);
-      group.append(mark);
+      return mark;
     }));
-    REGISTERS.forEach((register, row) => group.append(texted(register, 52, 53 + row * MARK[1], "end")));
+    return [...marks, ...REGISTERS.map((register, row) => texted(register, x + 52, y + 53 + row * step, "end"))];
   }
 
   /** The wires that leave a block, each once, with their values. */

@@ -40,7 +40,7 @@ export function effectsPanel(at, model, tube, { failed }) {
     if (shown !== standing) return;
     tube.changed(pixels);
     const most = largest ? ` The largest is ${largest[2]} levels at column ${largest[0]}, line ${largest[1]}.` : "";
-    at("effect").textContent = `The word changed ${changed} pixels, ${levels} of them by a grey level or more.${most} Orange pixels are brighter by it, blue ones darker. ${told.later}.`;
+    at("effect").textContent = `The word changed ${changed} pixels, ${levels} of them by a grey level or more.${most} Orange pixels are brighter by it, blue ones darker. Other frames: ${told.later}.`;
   };
   const tell = (late) => effect(late).catch((error) => { at("effect").textContent = ""; failed(error); });
 

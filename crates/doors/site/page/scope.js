@@ -251,19 +251,19 @@ export class Scope {
     context.fillText(says, (LEFT + this.#canvas.width) / 2, top + 22);
   }
 
-  /** The mark of the trigger: a line in its colour, with a T above it. */
+  /** The mark of the trigger: a line in its colour, with a T beside it. */
   #drawTrigger(context, bottom) {
     this.#canvas.dataset.mark = "";
     if (this.#trigger === null) return;
     const x = this.#x(this.#trigger);
     this.#canvas.dataset.mark = x;
     context.strokeStyle = context.fillStyle = MARK;
-    context.textAlign = "center";
+    context.textAlign = "right";
     context.beginPath();
     context.moveTo(x, TOP);
     context.lineTo(x, bottom);
     context.stroke();
-    context.fillText("T", x, TOP - 2);
+    context.fillText("T", x - 3, TOP + 10);
   }
 
   #drawCursors(context, bottom) {

@@ -4,6 +4,8 @@ import { PATH } from "./drives.js";
 
 const LANE = 26;
 const TOP = 6;
+/** Room for the name of a lane. */
+const LEFT = 64;
 const COLOURS = { late: "#d32f2f", inTime: "#0b8a4b", switched: "#e08a00", mark: "#0b6fc2" };
 
 export class TimeBar {
@@ -50,7 +52,7 @@ export class TimeBar {
 
   /** Where a frame lies across the canvas. */
   #x(frame) {
-    return TOP + (frame / (this.#most - 1)) * (this.#canvas.width - 2 * TOP);
+    return LEFT + (frame / (this.#most - 1)) * (this.#canvas.width - LEFT - TOP);
   }
 
   #click(event) {
@@ -59,7 +61,7 @@ export class TimeBar {
     const x = ((event.clientX - left) / width) * this.#canvas.width;
     const y = ((event.clientY - top) / height) * this.#canvas.height;
     const lane = this.#lanes[Math.max(0, Math.min(this.#lanes.length - 1, Math.floor((y - TOP) / LANE)))];
-    const frame = Math.round(((x - TOP) / (this.#canvas.width - 2 * TOP)) * (this.#most - 1));
+    const frame = Math.round(((x - LEFT) / (this.#canvas.width - LEFT - TOP)) * (this.#most - 1));
     this.#model.look(lane, Math.max(0, Math.min(this.#frames(lane) - 1, frame)));
   }
 
@@ -109,7 +111,7 @@ export class TimeBar {
     for (const { frame } of drives.switched(lane)) triangle(context, this.#x(frame), middle + 4, COLOURS.switched);
     for (const mark of drives.marks.filter((mark) => mark.lane === lane)) triangle(context, this.#x(mark.frame), middle + 4, COLOURS.mark);
     context.fillStyle = ink;
-    context.fillText(name(lane), this.#x(0) + 2, top + 21);
+    context.fillText(name(lane), TOP, middle + 4);
   }
 
   /** A button for each mark: switched settings and the reader's own, in the order of lanes and frames. */
