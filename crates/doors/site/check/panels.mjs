@@ -6,6 +6,14 @@ const TORN = "#scenario=scenarios%2Ffirst-light.toml&set=loader.access_ns%3A90&f
 /** What `lunoid trigger scenarios/first-light.toml --set loader.access_ns=90 --on 'rising tg.height 12' --frames 60..61` finds first. */
 const FIRST = { sweep: 0, sample: 907, instant: 906.9878588177583 };
 
+/** In the page: the bytes of a canvas, from a copy, since Chromium warns of a canvas that is read twice. */
+const DATA = `((id) => {
+  const canvas = document.getElementById(id);
+  const context = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
+  context.drawImage(canvas, 0, 0);
+  return context.getImageData(0, 0, canvas.width, canvas.height).data;
+})`;
+
 export async function panels(chromium, host, native, expect) {
   await chromium.go("about:blank");
   await chromium.go(`${host.address}instrument.html${TORN}`);
@@ -29,8 +37,9 @@ async function trigger(chromium, expect) {
   expect(found.sweep === FIRST.sweep && found.trigger === FIRST.instant, `the trigger is the native one, to the bit: ${JSON.stringify(found)}`);
   const red = await chromium.run(
     `const [x] = values;
-     const { data } = document.getElementById("scope").getContext("2d").getImageData(Math.round(x) - 1, 40, 3, 1);
-     return [0, 4, 8].some((at) => data[at] > 150 && data[at + 1] < 120 && data[at + 3] > 60);`,
+     const data = ${DATA}("scope");
+     const row = 4 * 40 * document.getElementById("scope").width;
+     return [-1, 0, 1].map((by) => row + 4 * (Math.round(x) + by)).some((at) => data[at] > 150 && data[at + 1] < 120 && data[at + 3] > 60);`,
     found.mark,
   );
   expect(red, "the mark T stands at the instant");
@@ -90,10 +99,7 @@ async function slowMotion(chromium, native, expect) {
   expect(await until(chromium, `${built} > 40 && ${built} < 900`), "the picture builds up");
   await press(chromium, "slow-pause");
   const half = await chromium.run(`
-    const tube = document.getElementById("tube");
-    const { data } = tube.getContext("2d").getImageData(0, 300, tube.width, 1);
-    const own = [...Array(tube.width).keys()].filter((column) => data[4 * column] > 0).length;
-    return { built: ${built}, sweep: Number(document.getElementById("sweep").value), own };`);
+    return { built: ${built}, sweep: Number(document.getElementById("sweep").value) };`);
   expect(half.sweep === half.built || half.sweep === half.built - 1, `the cursor is at the sweep that is written: ${JSON.stringify(half)}`);
   await press(chromium, "sweep-on");
   const next = await chromium.run(`return ${built};`);
@@ -110,15 +116,14 @@ async function slowMotion(chromium, native, expect) {
      const { picture, sweep } = (await machine.frame(60, { planes: ["picture", "sweep"] })).planes;
      machine.close();
      const tube = document.getElementById("tube");
-     const { data } = tube.getContext("2d").getImageData(0, 0, tube.width, tube.height);
+     const data = ${DATA}("tube");
      const now = Number(tube.dataset.built);
      let wrong = 0;
      picture.values.forEach((code, pixel) => { wrong += data[4 * pixel] !== (sweep.values[pixel] < now ? code : before[pixel]); });
      return [wrong, new Set(sweep.values).size];`,
     half.built,
   );
-  // The marker of the pixel is the only thing that lies over the picture.
-  expect(wrong < 60 && checked === 1000, `the tube has the new picture up to the sweep and the old one behind: ${wrong} pixels are otherwise`);
+  expect(wrong === 0 && checked > 990, `the tube has the new picture up to the sweep and the old one behind: ${wrong} pixels are otherwise, by ${checked} sweeps`);
   await press(chromium, "slow-leave");
   expect((await hash(chromium)) === native[1].hash, "the whole picture comes back");
 }
@@ -255,7 +260,7 @@ async function hands(chromium, expect) {
   await chromium.run(`window.pad.connected = false; await new Promise((resolve) => setTimeout(resolve, 500));`);
   await drawn(chromium);
   const says = await text(chromium, "values");
-  const drawing = () => chromium.run(`return document.getElementById("scope").toDataURL();`);
+  const drawing = () => chromium.run(`return ${DATA}("scope").reduce((sum, value, at) => (sum * 31 + value * (at % 97)) % 1000003, 7);`);
   const before = await drawing();
   await pointer("scope", "pointerdown", 0.4, 0.5, 1);
   await pointer("scope", "pointerdown", 0.6, 0.5, 2);

@@ -76,6 +76,7 @@ function agree() {
   at("frame").value = view.frame;
   at("sweep").value = view.sweep;
   at("frame-says").textContent = model.isDriven ? `${name(model.lane)}, frame ${view.frame} of ${model.frames}` : `frame ${view.frame} of ${facts.frames}`;
+  tube.mark(view.column, view.line);
   // A link carries no drive.
   at("link").href = written(model.isDriven ? { ...view, frame: null } : view);
 }
