@@ -7,6 +7,7 @@
 //!                            │                      │       ├─ pixel ──▶ Explained
 //!                            │                      │       ├─ sweeps ─▶ Events   digital events
 //!                            │                      │       ├─ condition ─▶ Triggered   places where it is met
+//!                            │                      │       ├──────────▶ FrameCounts   deadlines that were not met
 //!                            │                      │       └─ late word ─▶ LateWordsEffect   pixels that it changed
 //!                            └─▶ Loop ─ last frame ─┘
 //!                                 ├─ pose ─▶ Seen ─▶ your controller ─▶ pose ...
@@ -39,6 +40,7 @@ mod seen;
 #[cfg(feature = "studies")]
 mod studied;
 mod threads;
+mod timed;
 mod traces;
 mod triggered;
 mod truth;
@@ -63,6 +65,7 @@ pub use scenario::Scalar;
 pub use seen::Seen;
 #[cfg(feature = "studies")]
 pub use studied::Study;
+pub use timed::FrameCounts;
 pub use traces::{Trace, Traces};
 pub use triggered::{TriggerPlace, TriggerWishes, Triggered};
 pub use truth::{Codes, Truth, TruthPlane};

@@ -17,7 +17,7 @@ pub struct RequestRow {
 pub const COMMON: [&str; 2] = ["id", "do"];
 
 /// All kinds of requests, in the order of the documentation.
-pub const REQUESTS: [RequestRow; 21] = [
+pub const REQUESTS: [RequestRow; 22] = [
     row("hello", "Say what is known and what is opened.", &[]),
     row("open", "Open a scenario.", &["scenario", "machine", "overlays", "channel", "set"]),
     row("frame", "Draw a frame of the path.", &["frame", "planes"]),
@@ -41,6 +41,7 @@ pub const REQUESTS: [RequestRow; 21] = [
         &["on", "frame", "pose", "sweeps", "samples", "after", "limit"],
     ),
     row("effect", "Say which pixels late words changed.", &["late", "frame", "pose"]),
+    row("timing", "Count what of a frame was late.", &["frame", "pose"]),
     row("omissions", "List what was left out, and why.", &[]),
     row("signals", "List the signals.", &[]),
     row("blocks", "List the blocks with their signals.", &[]),

@@ -1,6 +1,6 @@
-//! The requests `trigger` and `effect`.
+//! The requests `trigger`, `effect` and `timing`.
 
-use drive::{DriveError, TriggerPlace, TriggerWishes, Triggered};
+use drive::{DriveError, FrameCounts, TriggerPlace, TriggerWishes, Triggered};
 use serde_json::{Map, Value, json};
 
 use crate::keys::Keys;
@@ -30,6 +30,13 @@ impl<H: Home> Session<H> {
         keys.finish()?;
         let effect = which.at(self.held()?)?.late_effect(&late)?;
         Ok(json!({ "text": effect.text, "document": effect.document }).into())
+    }
+
+    pub(crate) fn timing(&mut self, keys: Keys) -> Result<Reply, DriveError> {
+        let which = Which::of(&keys);
+        keys.finish()?;
+        let FrameCounts { frame, folds, late_words, missed } = which.at(self.held()?)?.timing()?;
+        Ok(json!({ "frame": frame, "folds": folds, "late_words": late_words, "missed": missed }).into())
     }
 }
 

@@ -95,6 +95,7 @@ impl<H: Home> Session<H> {
             "events" => self.events(keys),
             "trigger" => self.trigger(keys),
             "effect" => self.effect(keys),
+            "timing" => self.timing(keys),
             "omissions" => self.omissions(keys),
             "signals" => self.signals(keys),
             "blocks" => self.blocks(keys),

@@ -1,7 +1,4 @@
-// Late frames of a lane: the digital events of one frame after another are asked for until all are known or the reader stops it.
-
-/** Events that tell of late words and late set-ups. */
-const LATE = ["late", "crater-late", "segment-late", "set-up-late", "tables-late"];
+// Late frames of a lane: the missed deadlines of one frame after another are asked for until all are known or the reader stops it.
 
 export class LateFrames {
   #model;
@@ -30,7 +27,7 @@ export class LateFrames {
   async #isLate(lane, frame) {
     const driven = this.#model.drives.list[lane]?.frames[frame];
     const which = driven ? { frame, pose: driven.pose } : { frame };
-    const { events } = await this.#model.beside((machine) => machine.events({ ...which, event: LATE, limit: 1 }));
-    return events.length > 0;
+    const { missed } = await this.#model.beside((machine) => machine.timing(which));
+    return missed > 0;
   }
 }

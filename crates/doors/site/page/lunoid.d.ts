@@ -148,6 +148,7 @@ export class Lunoid {
   /** `sweeps` and `samples` are one, or the first and the one after the last; `after` is an instant of the first sweep, in samples. */
   trigger(on: string, options?: Which & RequestOptions & { sweeps?: number | [number, number]; samples?: number | [number, number]; after?: number; limit?: number }): Promise<{ frame: number; places: Place[]; sweeps: number } & Planes>;
   effect(late: string, options?: Which & RequestOptions): Promise<any>;
+  timing(options?: Which & RequestOptions): Promise<{ frame: number; folds: number; late_words: number; missed: number } & Planes>;
   omissions(options?: RequestOptions): Promise<any>;
   signals(options?: RequestOptions): Promise<any>;
   blocks(options?: RequestOptions): Promise<any>;

@@ -91,6 +91,11 @@ export class Lunoid {
     return this.request({ do: "effect", late, ...wanted({ frame, pose }) }, [], options);
   }
 
+  /** What of a frame was late: folds, late words, missed deadlines. */
+  timing({ frame, pose, ...options } = {}) {
+    return this.request({ do: "timing", ...wanted({ frame, pose }) }, [], options);
+  }
+
   omissions(options) {
     return this.request({ do: "omissions" }, [], options);
   }

@@ -85,6 +85,7 @@ fn what_cannot_be_searched_is_told() {
     for request in [
         json!({ "do": "trigger", "frame": 0, "on": "rising mu.height 3" }),
         json!({ "do": "effect", "frame": 0, "late": "3:0" }),
+        json!({ "do": "timing", "frame": 0 }),
         json!({ "do": "frame", "frame": 0, "planes": ["sweep"] }),
     ] {
         let text = Value::from(problems(&mut guest, request.clone())).to_string();
@@ -96,10 +97,14 @@ fn what_cannot_be_searched_is_told() {
 #[test]
 fn late_words_have_pixels() {
     let mut session = Scene::by("ideal").session();
+    let in_time = ok(&mut session, json!({ "do": "timing", "frame": 1 }));
+    assert_eq!((&in_time["missed"], &in_time["late_words"]), (&json!(0), &json!(0)));
     ok(&mut session, json!({ "do": "set", "set": { "loader.access_ns": 3000 } }));
     let events = ok(&mut session, json!({ "do": "events", "frame": 1, "event": ["late"] }));
     let late = events["events"].as_array().unwrap();
     assert!(late.len() > 3, "{events}");
+    let timing = ok(&mut session, json!({ "do": "timing", "frame": 1 }));
+    assert!(timing["missed"].as_u64() >= Some(late.len() as u64) && timing["folds"].as_u64() > Some(0), "{timing}");
     let mut changed = 0;
     for event in late {
         let of_line = ok(&mut session, json!({ "do": "effect", "frame": 1, "late": event.to_string() }));
