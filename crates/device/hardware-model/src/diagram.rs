@@ -6,7 +6,10 @@ use crate::{CrossingServer, FoldDetect, HardwareModel, ShadowParts};
 
 /// Tables of a model's file by the block that they describe. A table that several blocks share stands at each of them.
 pub const BLOCK_TABLES: [(&str, &[&str]); 12] = [
-    ("data-bank", &["drum", "channel", "feature_bank", "shadow_bank", "polyhedron_bank", "io_processor", "buffer"]),
+    (
+        "data-bank",
+        &["drum", "channel", "feature_bank", "shadow_bank", "polyhedron_bank", "io_processor", "buffer"],
+    ),
     ("dpu", &["dpu", "cpu", "loader"]),
     ("sweep-generator", &["raster", "range", "sweep"]),
     ("terrain-generator", TERRAIN),

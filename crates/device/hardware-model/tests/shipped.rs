@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use hardware_model::{
-    AnalogParts, BLOCK_TABLES, BUILT_IN, Channels, CrossingServer, DrumQueue, FAULTS, FoldDetect, Grade, HardwareModel,
-    IoProcessor, LoadedModel, ModelSource, PartCounts, WriteCompensation, prediction, proof,
+    AnalogParts, BLOCK_TABLES, BUILT_IN, Channels, CrossingServer, DrumQueue, FAULTS, FoldDetect, Grade,
+    HardwareModel, IoProcessor, LoadedModel, ModelSource, PartCounts, WriteCompensation, prediction, proof,
 };
 
 const STATUS: [&str; 6] = ["reported", "inferred", "period", "unsourced", "chosen", "measured"];

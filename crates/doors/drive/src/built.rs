@@ -25,7 +25,10 @@ impl Viewpoint<'_> {
             let of_line = |line: usize| {
                 let sweeps = &sweeps;
                 let place = move |column| sweeps.place_of(pose, [column, line])[0];
-                (0..columns).map(place).map(|place| place.ceil().clamp(0.0, last) as u16).collect::<Vec<u16>>()
+                (0..columns)
+                    .map(place)
+                    .map(|place| place.ceil().clamp(0.0, last) as u16)
+                    .collect::<Vec<u16>>()
             };
             Ok((0..lines).into_par_iter().flat_map_iter(of_line).collect())
         })

@@ -54,7 +54,10 @@ impl Viewpoint<'_> {
             PlaceOf::Crossing(crossing) => Ok(LateOf::Crossing { level: 0, crossing }),
             PlaceOf::LineGenerator(number, range) => {
                 let of = boundary_at(sweeps, place.sweep, number, range);
-                let title = format!("no word of line-generator.{number} was late at {range} m in sweep {}", place.sweep);
+                let title = format!(
+                    "no word of line-generator.{number} was late at {range} m in sweep {}",
+                    place.sweep
+                );
                 of.ok_or_else(|| DriveError::asked(self.drive.file(), title, "a late event of this frame"))
             }
         }

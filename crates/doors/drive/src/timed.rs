@@ -28,7 +28,7 @@ impl Viewpoint<'_> {
             let title = format!("{} has no deadlines", drive.drawn_by());
             return Err(DriveError::asked(drive.file(), title, "a hardware model"));
         }
-        let timing = drive.pool.install(|| bench.control().frame_for_totals(*frame, pose));
+        let timing = drive.pool.install(|| Timed::frame_for_totals(bench.control(), *frame, pose));
         let timing = timing.map_err(|error| DriveError::of(drive.file(), &error))?;
         let missed = timing.misses.len() as u64;
         Ok(FrameCounts { frame: *frame, folds: timing.folds, late_words: timing.late_words, missed })

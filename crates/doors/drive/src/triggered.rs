@@ -111,7 +111,8 @@ impl Viewpoint<'_> {
         }
         let settings = &bench.machine.settings;
         let sample_us = 1e6 / settings.timebase.sample_rate().hertz();
-        let condition = Condition::parse(&wishes.on, machine::signals()).map_err(|error| self.no_condition(&error))?;
+        let condition =
+            Condition::parse(&wishes.on, machine::signals()).map_err(|error| self.no_condition(&error))?;
         let wires = bench.session.wires();
         let own = Machine { wires: &wires, saturation: settings.analog.amplifier.saturation, sample_us };
         let trigger = Trigger::new(&condition, &own).map_err(|error| self.no_condition(&error))?;

@@ -24,9 +24,14 @@ fn every_way_leads_from_a_block_to_a_block_by_its_own_signals() {
 fn a_drive_tells_every_block_of_the_diagram() {
     let blocks = Scene::new("", &[]).drive().blocks();
     for link in &LINKS {
-        assert!(blocks.iter().any(|block| block.name == link.from && block.links.contains(&link)), "{link:?}");
+        assert!(
+            blocks.iter().any(|block| block.name == link.from && block.links.contains(&link)),
+            "{link:?}"
+        );
         assert!(blocks.iter().any(|block| block.name == link.to), "{link:?}");
     }
     let guest = Scene::new("", &[]).by("exact").drive().blocks();
-    assert!(guest.iter().all(|block| block.links.is_empty() && block.parts.is_empty() && block.tables.is_empty()));
+    assert!(
+        guest.iter().all(|block| block.links.is_empty() && block.parts.is_empty() && block.tables.is_empty())
+    );
 }

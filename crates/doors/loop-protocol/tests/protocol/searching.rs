@@ -30,7 +30,8 @@ fn crossings(probe: &Message, level: f64) -> Vec<(u64, u64, f64)> {
 #[test]
 fn a_trigger_finds_every_crossing_where_it_is() {
     let mut session = Scene::by("ideal").session();
-    let probe = ask(&mut session, json!({ "do": "probe", "signals": ["mu.height"], "frame": 1, "sweeps": [0, 40] }));
+    let probe =
+        ask(&mut session, json!({ "do": "probe", "signals": ["mu.height"], "frame": 1, "sweeps": [0, 40] }));
     let own = crossings(&probe, 0.5);
     let found = places(&mut session, json!({ "limit": 10_000 }));
     assert!(own.len() > 5 && own.len() == found.len(), "{} {}", own.len(), found.len());
@@ -104,7 +105,10 @@ fn late_words_have_pixels() {
     let late = events["events"].as_array().unwrap();
     assert!(late.len() > 3, "{events}");
     let timing = ok(&mut session, json!({ "do": "timing", "frame": 1 }));
-    assert!(timing["missed"].as_u64() >= Some(late.len() as u64) && timing["folds"].as_u64() > Some(0), "{timing}");
+    assert!(
+        timing["missed"].as_u64() >= Some(late.len() as u64) && timing["folds"].as_u64() > Some(0),
+        "{timing}"
+    );
     let mut changed = 0;
     for event in late {
         let of_line = ok(&mut session, json!({ "do": "effect", "frame": 1, "late": event.to_string() }));
@@ -156,7 +160,10 @@ fn sweeps_complete_their_columns() {
     let values = completes.values::<u16>().unwrap();
     for line in values.chunks(40) {
         assert!(line.is_sorted(), "{line:?}");
-        assert!(line.iter().enumerate().all(|(column, sweep)| (i64::from(*sweep) - column as i64).abs() <= 1), "{line:?}");
+        assert!(
+            line.iter().enumerate().all(|(column, sweep)| (i64::from(*sweep) - column as i64).abs() <= 1),
+            "{line:?}"
+        );
     }
 }
 
@@ -169,11 +176,21 @@ fn blocks_have_links_parts_and_tables() {
     assert_eq!(terrain["links"][0]["to"], "mixing-unit");
     assert!(terrain["parts"].to_string().contains("108 analog multipliers"), "{}", terrain["parts"]);
     let keys = ok(&mut session, json!({ "do": "parameters" }));
-    let tables: Vec<&str> = blocks.iter().flat_map(|block| block["tables"].as_array().unwrap()).map(|table| table.as_str().unwrap()).collect();
+    let tables: Vec<&str> = blocks
+        .iter()
+        .flat_map(|block| block["tables"].as_array().unwrap())
+        .map(|table| table.as_str().unwrap())
+        .collect();
     for row in keys["parameters"].as_array().unwrap() {
         let table = row["key"].as_str().unwrap().split_once('.').map(|(table, _)| table);
         assert!(table.is_none_or(|table| tables.contains(&table)), "{row}: no block has this table");
     }
     let faults = ok(&mut session, json!({ "do": "faults" }));
-    assert!(faults["faults"].as_array().unwrap().iter().all(|fault| fault["predicts"].as_str().unwrap().len() > 20));
+    assert!(
+        faults["faults"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .all(|fault| fault["predicts"].as_str().unwrap().len() > 20)
+    );
 }
