@@ -125,6 +125,10 @@ async function slowMotion(chromium, native, expect) {
   );
   expect(wrong === 0 && checked > 990, `the tube has the new picture up to the sweep and the old one behind: ${wrong} pixels are otherwise, by ${checked} sweeps`);
   await press(chromium, "slow-leave");
+  await put(chromium, "machine", "exact");
+  await press(chromium, "slow-on");
+  expect(await until(chromium, `document.getElementById("state").textContent.includes("exact has no sweeps")`), "a generator without sweeps says so");
+  await put(chromium, "machine", "");
   expect((await hash(chromium)) === native[1].hash, "the whole picture comes back");
 }
 

@@ -32,8 +32,7 @@ export class SlowMotion extends EventTarget {
     this.#pictures.set(key, planes.picture);
     if (this.#pictures.size > KEPT) this.#pictures.delete(this.#pictures.keys().next().value);
     this.#completes = planes.sweep?.values ?? null;
-    if (!this.#isOn || !this.#completes) return null;
-    return { sweep: Math.floor(this.#written), completes: this.#completes, before: this.#before };
+    return this.#isOn && this.#completes ? this.#build : null;
   }
 
   /** Runs on with so many sweeps a second, or back where they are below 0, until something else is wished for. */
@@ -85,6 +84,7 @@ export class SlowMotion extends EventTarget {
   /** Begins with the frame that stands: dark forwards, whole backwards. */
   async #begin(way) {
     if (this.#isOn) return;
+    if (this.#sweeps === 0) throw new Error(`${this.#model.facts.drawn_by} has no sweeps; expected a hardware model`);
     this.#isOn = true;
     await this.#enter(this.#model.view.frame, way > 0 ? 0 : this.#sweeps);
   }
@@ -114,14 +114,21 @@ export class SlowMotion extends EventTarget {
 
   /** Goes to a frame of the lane, of which so many sweeps are written. */
   async #enter(frame, written) {
-    this.#before = frame === 0 ? null : (this.#pictures.get(this.#key(frame - 1)) ?? (await this.#model.picture(frame - 1)));
-    this.#written = written;
-    this.#completes = null;
+    const before = this.#pictures.get(this.#key(frame - 1));
+    [this.#before, this.#written, this.#completes] = [before ?? null, written, null];
     this.#model.planes = ["picture", "sweep"];
     const settled = this.#model.settled();
     this.#model.look(this.#model.lane, frame);
     await settled;
     // What cannot be built up has told its fault.
-    if (!this.#completes) this.leave();
+    if (!this.#completes) return this.leave();
+    if (before || frame === 0) return;
+    this.#before = await this.#model.picture(frame - 1);
+    this.#tube.built(this.#build);
+  }
+
+  /** How far the picture is built up. */
+  get #build() {
+    return { sweep: Math.floor(this.#written), completes: this.#completes, before: this.#before };
   }
 }
