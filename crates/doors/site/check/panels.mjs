@@ -1,6 +1,6 @@
 // The panels of the instrument: trigger, bar of time, slow motion, block diagram, effects, pad and gamepad.
 
-import { click, drawn, hash, press, put, text, until } from "./reader.mjs";
+import { click, drawn, hash, press, put, text, until } from "./instrument.mjs";
 
 const TORN = "#scenario=scenarios%2Ffirst-light.toml&set=loader.access_ns%3A90&frame=60&wires=tg.height";
 /** What `lunoid trigger scenarios/first-light.toml --set loader.access_ns=90 --on 'rising tg.height 12' --frames 60..61` finds first. */

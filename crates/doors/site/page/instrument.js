@@ -1,10 +1,10 @@
 // The instrument: tube, scope, fault board and time over one view model. The page knows nothing of where the machine runs.
 
 import { Lunoid, WorkerHome } from "./lunoid.js";
+import { showEvents } from "./events-table.js";
 import { diagramPanel } from "./diagram-panel.js";
 import { DrivePad } from "./drive-pad.js";
 import { effectsPanel } from "./effects-panel.js";
-import { showEvents } from "./events-table.js";
 import { showFaults, showNumbers } from "./fault-board.js";
 import { Gamepads } from "./gamepad.js";
 import { read, setting, written } from "./link.js";
