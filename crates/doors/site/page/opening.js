@@ -7,6 +7,8 @@ export class Opening {
   #set = {};
   /** What is opened, as text that can be compared; null where nothing is. */
   key = null;
+  /** The wishes that the next request finds: those that were sent last. */
+  wishes = null;
 
   /** `machine` answers requests; `given` finds the files of a shipped scenario by its name. */
   constructor(machine, given) {
@@ -19,11 +21,19 @@ export class Opening {
     if (asked === this.key) return null;
     const isOther = scenario !== this.#scenario;
     const over = { machine: wishes.machine || null, overlays: wishes.faults };
-    const facts = isOther
-      ? await this.#machine.open(scenario, { ...over, set: wishes.set, files: await this.#given(scenario) })
-      : await this.#machine.set({ ...this.#back(wishes.set), ...wishes.set }, over);
-    this.#note(scenario, wishes);
-    return { facts, isOther };
+    const files = isOther ? await this.#given(scenario) : {};
+    const before = this.wishes;
+    this.wishes = wishes;
+    try {
+      const facts = isOther
+        ? await this.#machine.open(scenario, { ...over, set: wishes.set, files })
+        : await this.#machine.set({ ...this.#back(wishes.set), ...wishes.set }, over);
+      this.#note(scenario, wishes);
+      return { facts, isOther };
+    } catch (error) {
+      this.wishes = before;
+      throw error;
+    }
   }
 
   /** Takes faults and settings of the reader back; the next opening brings them again. */
@@ -39,6 +49,7 @@ export class Opening {
 
   #note(scenario, wishes) {
     this.key = keyOf(scenario, wishes);
+    this.wishes = wishes;
     this.#scenario = scenario;
     this.#set = { ...wishes.set };
   }

@@ -38,7 +38,7 @@ export class ViewModel extends EventTarget {
     /** Wires of the block diagram; none while nobody looks at it. */
     this.diagram = [];
     this.facts = null;
-    this.#keeper = new LoopKeeper(machine, this.drives, { now: () => this.#wishes, restored: (wishes) => this.#opening.restored(wishes) });
+    this.#keeper = new LoopKeeper(machine, this.drives, { now: () => this.#opening.wishes, restored: (wishes) => this.#opening.restored(wishes) });
   }
 
   /** Whether a driven frame is looked at, in place of one of the path. */
@@ -151,8 +151,9 @@ export class ViewModel extends EventTarget {
     await (this.isDriven ? this.#keeper.goOn(this.lane, this.view.frame) : this.#keeper.leave());
     await this.#open();
     const { pose } = await this.#machine.ahead({ ...way, pose: from });
+    const { wishes } = this.#opening;
     const seen = await this.#machine.step(pose, { planes: this.planes });
-    [this.lane, this.view.frame] = this.#keeper.driven({ pose: seen.pose, hash: seen.hash, wishes: this.#wishes });
+    [this.lane, this.view.frame] = this.#keeper.driven({ pose: seen.pose, hash: seen.hash, wishes });
     this.facts.driven = this.frames;
     this.#draw(seen);
     this.#tell("driven", this.frames);
