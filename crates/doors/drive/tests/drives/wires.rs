@@ -8,7 +8,7 @@ use crate::scene::Scene;
 
 #[test]
 fn every_way_leads_from_a_block_to_a_block_by_its_own_signals() {
-    let blocks: BTreeSet<&str> = signals().iter().chain(&LINE_SIGNALS).map(|signal| signal.block()).collect();
+    let blocks: BTreeSet<&str> = signals().iter().chain(LINE_SIGNALS).map(|signal| signal.block()).collect();
     for link in &LINKS {
         assert!(blocks.contains(link.from) && blocks.contains(link.to), "{link:?}");
         for name in link.signals {
