@@ -189,6 +189,12 @@ async function compared(chromium, native, expect) {
   await put(chromium, "machine", "");
 }
 
+/** Waits until the last frame of a drive stands. */
+async function stands(chromium) {
+  await until(chromium, `document.getElementById("drive").dataset.runs === "false"`);
+  await drawn(chromium);
+}
+
 /** A drive with a fault switched under way, gone back to, and driven anew from there. */
 async function drives(chromium, expect) {
   const drive = async (frames) => {
@@ -200,9 +206,7 @@ async function drives(chromium, expect) {
        document.getElementById("drive").click();`,
       frames,
     );
-    await until(chromium, `document.getElementById("drive").getAttribute("aria-pressed") === "false"`);
-    await new Promise((resolve) => setTimeout(resolve, 500));
-    await drawn(chromium);
+    await stands(chromium);
   };
   await drive(3);
   await chromium.run(`document.querySelector('#faults input[value="tear"]').click();`);
@@ -225,8 +229,7 @@ async function drives(chromium, expect) {
   await chromium.run(`window.before = document.getElementById("driven").textContent; document.getElementById("turn").value = 20; document.getElementById("drive").click();`);
   expect(await until(chromium, `document.getElementById("frame-says").textContent.startsWith("drive 2, frame")`), "driven on from there, a second drive begins");
   await chromium.run(`document.getElementById("drive").click();`);
-  await new Promise((resolve) => setTimeout(resolve, 500));
-  await drawn(chromium);
+  await stands(chromium);
   const height = await chromium.run(`return document.getElementById("bar").clientHeight;`);
   const lanes = Math.round((height - 12) / 26);
   expect(lanes === 3, `the bar has the path and two drives: ${height} pixels`);
@@ -261,8 +264,7 @@ async function hands(chromium, expect) {
   await pointer("pad", "pointerup", 0.75, 0.25);
   const free = await state();
   expect(free.speed === 0 && free.turn === 0 && !free.drives, `let go, it stands: ${JSON.stringify(free)}`);
-  await new Promise((resolve) => setTimeout(resolve, 500));
-  await drawn(chromium);
+  await stands(chromium);
   await chromium.run(`
     window.pad = { connected: true, axes: [-0.5, -1], buttons: Array.from({ length: 16 }, () => ({ pressed: false })) };
     navigator.getGamepads = () => [window.pad];
@@ -273,8 +275,8 @@ async function hands(chromium, expect) {
   await chromium.run(`window.pad.axes = [0.05, 0.02]; await new Promise((resolve) => setTimeout(resolve, 200));`);
   const rest = await state();
   expect(rest.speed === 0 && !rest.drives, `at rest it stands: ${JSON.stringify(rest)}`);
-  await chromium.run(`window.pad.connected = false; await new Promise((resolve) => setTimeout(resolve, 500));`);
-  await drawn(chromium);
+  await chromium.run(`window.pad.connected = false;`);
+  await stands(chromium);
   const says = await text(chromium, "values");
   const drawing = () => chromium.run(`return ${DATA}("scope").reduce((sum, value, at) => (sum * 31 + value * (at % 97)) % 1000003, 7);`);
   const before = await drawing();

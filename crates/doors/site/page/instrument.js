@@ -134,10 +134,12 @@ function repeat(button, once) {
     slow.leave();
     goes = button;
     button.setAttribute("aria-pressed", "true");
+    button.dataset.runs = true;
     while (goes === button) {
       await once().catch((error) => { failed(error); stop(); });
       await new Promise(requestAnimationFrame);
     }
+    button.dataset.runs = false;
   });
 }
 
