@@ -4,6 +4,37 @@ use std::fmt;
 
 use crate::{CrossingServer, FoldDetect, HardwareModel, ShadowParts};
 
+/// Tables of a model's file by the block that they describe. A table that several blocks share stands at each of them.
+pub const BLOCK_TABLES: [(&str, &[&str]); 12] = [
+    (
+        "data-bank",
+        &["drum", "channel", "feature_bank", "shadow_bank", "polyhedron_bank", "io_processor", "buffer"],
+    ),
+    ("dpu", &["dpu", "cpu", "loader"]),
+    ("sweep-generator", &["raster", "range", "sweep"]),
+    ("terrain-generator", TERRAIN),
+    ("feature-generator", &["feature_generator"]),
+    ("shadow-controller", &["shadow_controller", "comparator"]),
+    ("texture-generator", &["texture_generator"]),
+    ("polyhedron-generator", &["polyhedron_generator"]),
+    ("mixing-unit", &["mixing_unit", "video_switch", "summer"]),
+    ("display-projection-processor", &["dpp", "sample_hold", "comparator"]),
+    ("sweep-memory", &["sweep_memory", "roll"]),
+    ("picture-tube", &["video", "picture_tube"]),
+];
+
+const TERRAIN: &[&str] = &[
+    "analog",
+    "amplifier",
+    "function_generator",
+    "multiplier",
+    "multiplying_dac",
+    "summer",
+    "reflectivity",
+    "spread",
+    "wires",
+];
+
 /// Corners of a region and words of each: one product for each of them.
 const PRODUCTS: u32 = 36;
 /// Height, slope to the north, slope to the east: the products are made for each.
@@ -89,6 +120,25 @@ impl PartCounts {
             occlusion_comparators: 1,
             sample_holds: 1,
             tubes: model.analog.memory.tubes,
+        }
+    }
+
+    /// The parts of a block of the diagram, in words; none of a block that has no counts.
+    pub fn of_block(&self, block: &str) -> Vec<String> {
+        match block {
+            "data-bank" => vec![
+                format!("{} of each level", plural(self.drums, "drum")),
+                format!("storage buffer: {}", plural(self.buffer_banks, "bank")),
+            ],
+            "dpu" => vec![self.pointers()],
+            "sweep-generator" => vec![self.sweep_parts()],
+            "terrain-generator" => vec![self.basis(), self.products(), self.words_and_sums()],
+            "feature-generator" => vec![number(self.sub_generators, "sub-generator")],
+            "shadow-controller" => vec![number(self.line_generators, "line generator")],
+            "mixing-unit" => vec![plural(self.video_switches, "video switch")],
+            "display-projection-processor" => vec![self.occlusion()],
+            "sweep-memory" => vec![plural(self.tubes, "tube")],
+            _ => Vec::new(),
         }
     }
 

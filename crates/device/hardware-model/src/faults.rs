@@ -34,3 +34,11 @@ pub fn proof(text: &str) -> &str {
     let rest = rest.lines().next().unwrap_or_default();
     rest.trim_end_matches('.').split(" (").next().unwrap_or_default()
 }
+
+/// What the head of an overlay of one fault predicts of the picture: its sentences behind what it proves; nothing where it says nothing.
+pub fn prediction(text: &str) -> String {
+    let head = text.split("format =").next().unwrap_or_default();
+    let behind = head.lines().skip_while(|line| !line.contains("Proves ")).skip(1);
+    let sentences = behind.map_while(|line| line.strip_prefix("# "));
+    sentences.collect::<Vec<_>>().join(" ")
+}

@@ -36,12 +36,12 @@ pub use budget::{
     Budget, BudgetLine, CpuBudget, CrossingBudget, DrumBudget, GroundScale, LoaderBudget, SweepBudget,
 };
 pub use check::{Finding, Grade};
-pub use diagram::PartCounts;
+pub use diagram::{BLOCK_TABLES, PartCounts};
 pub use digital::{
     BankPlace, Channels, Cpu, CrossingServer, DataBanks, Drum, DrumQueue, IoProcessor, KindBank, KindBanks,
     LatePolicy, LoadDelay, Loader,
 };
-pub use faults::{FAULTS, proof};
+pub use faults::{FAULTS, prediction, proof};
 pub use loaded::{EffectiveValue, LoadedModel};
 pub use model::{HardwareModel, ModelRaster, SweepMemoryKind};
 pub use parts::{Economy, FeatureParts, Forced, Gate, MixingParts, Organisation, ShadowParts};

@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use hardware_model::{
-    AnalogParts, BUILT_IN, Channels, CrossingServer, DrumQueue, FAULTS, FoldDetect, Grade, HardwareModel,
-    IoProcessor, LoadedModel, ModelSource, PartCounts, WriteCompensation,
+    AnalogParts, BLOCK_TABLES, BUILT_IN, Channels, CrossingServer, DrumQueue, FAULTS, FoldDetect, Grade,
+    HardwareModel, IoProcessor, LoadedModel, ModelSource, PartCounts, WriteCompensation, prediction, proof,
 };
 
 const STATUS: [&str; 6] = ["reported", "inferred", "period", "unsourced", "chosen", "measured"];
@@ -213,4 +213,24 @@ fn parts_are_counted() {
         assert!(text.contains(part), "{part}:\n{text}");
     }
     assert!(!text.contains(" \n"), "{text}");
+}
+
+#[test]
+fn every_fault_proves_and_predicts() {
+    for (name, text) in FAULTS {
+        assert!(!proof(text).is_empty() && prediction(text).len() > 20, "{name}: {}", prediction(text));
+    }
+    let text = "# One fault. Proves A1, tears (hardware 5).\n# Words\n# come late.\nformat = 1\n# not this\n";
+    assert_eq!((proof(text), &*prediction(text)), ("A1, tears", "Words come late."));
+    assert_eq!(prediction("format = 1\n"), "");
+}
+
+/// Every table of the ideal model describes a block of the diagram.
+#[test]
+fn tables_belong_to_blocks() {
+    let tables: BTreeSet<&str> = BLOCK_TABLES.iter().flat_map(|(_, tables)| tables.iter().copied()).collect();
+    let (_, text) = BUILT_IN.iter().find(|(name, _)| *name == "ideal").unwrap();
+    let written: BTreeSet<&str> =
+        text.lines().filter_map(|line| line.strip_prefix('[')?.strip_suffix(']')).collect();
+    assert!(written.len() > 20 && tables == written, "{:?}", tables.symmetric_difference(&written));
 }

@@ -5,7 +5,10 @@
 //!                            │                      ▲       ├─ names ──▶ Truth    exact planes, each with its bound
 //!                            │                      │       ├─ globs ──▶ Traces   signals of sweeps
 //!                            │                      │       ├─ pixel ──▶ Explained
-//!                            │                      │       └─ sweeps ─▶ Events   digital events
+//!                            │                      │       ├─ sweeps ─▶ Events   digital events
+//!                            │                      │       ├─ condition ─▶ Triggered   places where it is met
+//!                            │                      │       ├──────────▶ FrameCounts   deadlines that were not met
+//!                            │                      │       └─ late word ─▶ LateWordsEffect   pixels that it changed
 //!                            └─▶ Loop ─ last frame ─┘
 //!                                 ├─ pose ─▶ Seen ─▶ your controller ─▶ pose ...
 //!                                 └─▶ saved: a scenario and a path, which `lunoid replay` draws again
@@ -23,10 +26,12 @@
 //! `docs/python.md`: the same from Python. `front-door`: scenario, model and wishes. `replay`: runs in folders.
 
 mod bench;
+mod built;
 mod closed_loop;
 mod digital;
 mod error;
 mod explained;
+mod late;
 mod open;
 mod parameters;
 mod placed;
@@ -36,7 +41,9 @@ mod seen;
 #[cfg(feature = "studies")]
 mod studied;
 mod threads;
+mod timed;
 mod traces;
+mod triggered;
 mod truth;
 mod viewpoint;
 mod wires;
@@ -49,6 +56,8 @@ pub use explained::Explained;
 pub use front_door::Wishes;
 pub use generator::{Fact, FrameCounts, Omission, PlaneKind, Weight};
 pub use hardware_model::Economy;
+pub use late::LateWordsEffect;
+pub use machine::Link;
 pub use open::{Drive, Raster};
 pub use parameters::Parameter;
 pub use placed::{Flight, Place, Unplaced};
@@ -58,7 +67,9 @@ pub use scenario::Scalar;
 pub use seen::Seen;
 #[cfg(feature = "studies")]
 pub use studied::Study;
+pub use timed::FrameCounts;
 pub use traces::{Trace, Traces};
+pub use triggered::{TriggerPlace, TriggerWishes, Triggered};
 pub use truth::{Codes, Truth, TruthPlane};
 pub use viewpoint::Viewpoint;
 pub use wires::{BlockRow, FaultRow, SignalRow};

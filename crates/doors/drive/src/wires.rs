@@ -1,7 +1,8 @@
 //! The machine as it stands: its signals, its blocks, and the faults that ship for it.
 
 use generator::Omission;
-use hardware_model::{FAULTS, proof};
+use hardware_model::{BLOCK_TABLES, FAULTS, PartCounts, prediction, proof};
+use machine::{LINKS, Link};
 use serde_json::Value;
 use signal::{Signal, Wire};
 use toml::Table;
@@ -28,6 +29,12 @@ pub struct BlockRow {
     pub signals: Vec<&'static str>,
     /// What was left out in it, and why.
     pub omissions: Vec<Omission>,
+    /// Ways from it to other blocks; none of other generators than the hybrid machine.
+    pub links: Vec<&'static Link>,
+    /// Its parts with their numbers, in words; empty where nothing is counted.
+    pub parts: Vec<String>,
+    /// Tables of the hardware model that describe it.
+    pub tables: &'static [&'static str],
 }
 
 /// An overlay of one fault that ships with the program.
@@ -37,6 +44,8 @@ pub struct FaultRow {
     pub name: &'static str,
     /// What the overlay proves.
     pub proves: &'static str,
+    /// What it predicts of the picture, in words.
+    pub predicts: String,
     /// Dotted keys that it sets, with their values.
     pub keys: Vec<(String, Value)>,
 }
@@ -50,7 +59,7 @@ impl Drive {
         table.map(|signal| SignalRow { signal: *signal, wire: wire(signal) }).collect()
     }
 
-    /// Blocks that drive signals, in the order of the signal table.
+    /// Blocks that drive signals, in the order of the signal table; then those that only take some.
     pub fn blocks(&self) -> Vec<BlockRow> {
         let (mut blocks, omissions) = (Vec::<BlockRow>::new(), self.omissions());
         for row in self.signals() {
@@ -58,12 +67,29 @@ impl Drive {
             let at = blocks.iter().position(|block| block.name == name).unwrap_or(blocks.len());
             if at == blocks.len() {
                 let omissions = omissions.iter().filter(|omission| omission.block == name).cloned().collect();
-                blocks.push(BlockRow { name, left_out: true, signals: Vec::new(), omissions });
+                blocks.push(BlockRow { omissions, ..self.block(name) });
             }
             blocks[at].left_out &= row.wire.is_none();
             blocks[at].signals.push(row.signal.name);
         }
+        // The tube has its signals along the lines of the display, in a table of its own.
+        let ends = LINKS.iter().map(|link| link.to).filter(|_| self.opened.is_machine());
+        for name in ends {
+            if blocks.iter().all(|block| block.name != name) {
+                blocks.push(BlockRow { left_out: false, ..self.block(name) });
+            }
+        }
         blocks
+    }
+
+    /// A block without its signals and omissions.
+    fn block(&self, name: &'static str) -> BlockRow {
+        let is_machine = self.opened.is_machine();
+        let links = LINKS.iter().filter(|link| is_machine && link.from == name).collect();
+        let parts = if is_machine { PartCounts::of(&self.opened.model).of_block(name) } else { Vec::new() };
+        let tables = BLOCK_TABLES.iter().find(|(block, _)| is_machine && *block == name);
+        let tables = tables.map_or(&[][..], |(_, tables)| tables);
+        BlockRow { name, left_out: true, signals: Vec::new(), omissions: Vec::new(), links, parts, tables }
     }
 
     /// Overlays of one fault that ship for what draws.
@@ -80,7 +106,7 @@ fn fault((name, text): &(&'static str, &'static str)) -> FaultRow {
     // A test reads every overlay that ships.
     let table = text.parse::<Table>().unwrap_or_default();
     table.into_iter().filter(|(key, _)| key != "format").for_each(|(key, value)| put(key, value, &mut keys));
-    FaultRow { name, proves: proof(text), keys }
+    FaultRow { name, proves: proof(text), predicts: prediction(text), keys }
 }
 
 /// Adds the values below `key`, tables by their own keys.

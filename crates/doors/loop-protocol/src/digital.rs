@@ -77,7 +77,7 @@ fn parameter_json(parameter: &Parameter) -> Value {
             "source": source })
 }
 
-fn fault_json(FaultRow { name, proves, keys }: &FaultRow) -> Value {
+fn fault_json(FaultRow { name, proves, predicts, keys }: &FaultRow) -> Value {
     let keys: Map<String, Value> = keys.iter().cloned().collect();
-    json!({ "name": name, "proves": proves, "keys": keys })
+    json!({ "name": name, "proves": proves, "predicts": predicts, "keys": keys })
 }

@@ -23,10 +23,12 @@ const RECORD: &str = "record.json";
 
 impl<H: Home> Session<H> {
     pub(crate) fn state(&mut self, keys: Keys) -> Result<Reply, DriveError> {
+        let frames = keys.whole("frames");
         keys.finish()?;
         let held = self.held()?;
-        let state = state_json(held).to_string().into_bytes();
-        let ok = json!({ "frames": held.driven.frames() });
+        let frames = expect_driven(held, frames)?;
+        let state = state_json(held, frames).to_string().into_bytes();
+        let ok = json!({ "frames": frames });
         Ok(Reply { ok, planes: vec![Plane::of_file(STATE, state)] })
     }
 
@@ -110,18 +112,31 @@ impl State {
     }
 }
 
-fn state_json(held: &Held) -> Value {
+/// The number of frames that a state is asked to have; all that were driven if none is asked for.
+fn expect_driven(held: &Held, frames: Option<u64>) -> Result<usize, DriveError> {
+    let driven = held.driven.frames();
+    let frames = frames.unwrap_or(driven);
+    if frames <= driven {
+        return Ok(frames as usize);
+    }
+    let problem = Problem::of_file(NAME, "the loop has driven fewer frames").key("frames");
+    Err(problem.found(frames.to_string()).expected(format!("at most {driven}")).into())
+}
+
+/// The state after the first `frames` frames, with the settings of now.
+fn state_json(held: &Held, frames: usize) -> Value {
     let pose = |pose: &EyePose| {
         let EyePose { time_s, eye_m: [x, y, z], heading_deg, pitch_deg, roll_deg, yoke_deg } = *pose;
         json!([time_s, x, y, z, heading_deg, pitch_deg, roll_deg, yoke_deg])
     };
     let stretch = |stretch: &Stretch| json!({ "from": stretch.from, "opening": stretch.opening.json(), "options": stretch.options });
+    let stretches = held.log.stretches.iter().filter(|stretch| stretch.from < frames as u64);
     json!({
         "schema": SCHEMA,
         "opening": held.opening.json(),
-        "poses": held.driven.poses().iter().map(pose).collect::<Vec<_>>(),
-        "pixels_blake3": held.log.hashes,
-        "stretches": held.log.stretches.iter().map(stretch).collect::<Vec<_>>(),
+        "poses": held.driven.poses()[..frames].iter().map(pose).collect::<Vec<_>>(),
+        "pixels_blake3": held.log.hashes[..frames],
+        "stretches": stretches.map(stretch).collect::<Vec<_>>(),
     })
 }
 

@@ -103,12 +103,26 @@ impl<'a> Keys<'a> {
         self.optional(key, "an array of texts", texts).unwrap_or_default()
     }
 
+    /// A text that must be there.
+    pub fn needed_text(&self, key: &str) -> Option<String> {
+        self.required(key, "a text", |value| value.as_str().map(str::to_owned))
+    }
+
     /// Sweeps: a number, or the first and the one after the last.
     pub fn sweeps(&self, key: &str) -> Option<Range<u32>> {
+        self.span(key, "a sweep, or two: the first, and the one after the last")
+    }
+
+    /// Samples: a number, or the first and the one after the last.
+    pub fn samples(&self, key: &str) -> Option<Range<u32>> {
+        self.span(key, "a sample, or two: the first, and the one after the last")
+    }
+
+    fn span(&self, key: &str, expected: &str) -> Option<Range<u32>> {
         let number = |value: &Value| value.as_u64().and_then(|number| u32::try_from(number).ok());
-        self.optional(key, "a sweep, or two: the first, and the one after the last", |value| match value {
+        self.optional(key, expected, |value| match value {
             Value::Array(ends) if ends.len() == 2 => Some(number(&ends[0])?..number(&ends[1])?),
-            single => number(single).map(|sweep| sweep..sweep.saturating_add(1)),
+            single => number(single).map(|place| place..place.saturating_add(1)),
         })
     }
 

@@ -31,6 +31,7 @@ mod pictures;
 mod plane;
 mod poses;
 mod requests;
+mod searching;
 mod session;
 mod signals;
 mod wire;

@@ -25,7 +25,8 @@ pub(crate) struct Listed {
     pub count: u64,
 }
 
-/// Takes the list of planes out of `header`. Together they must have `bytes` bytes. Problems are told of `file`.
+/// Takes the list of planes out of `header`. Together they must have `bytes` bytes. Problems are told of `file`. Texts are no planes: with them
+/// a request without planes names those of its answer, and they stay.
 pub(crate) fn listed(
     file: &str,
     header: &mut Map<String, Value>,
@@ -37,6 +38,10 @@ pub(crate) fn listed(
     };
     let rows = match header.remove(PLANES) {
         None => Vec::new(),
+        Some(Value::Array(names)) if bytes == 0 && names.iter().all(Value::is_string) => {
+            header.insert(PLANES.into(), names.into());
+            Vec::new()
+        }
         Some(Value::Array(rows)) => rows,
         Some(other) => {
             tell(PLANES.into(), "the planes are no list", kind(&other), "an array".into());

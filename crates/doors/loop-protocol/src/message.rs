@@ -4,7 +4,7 @@ use serde_json::{Map, Value, json};
 
 use crate::Plane;
 
-/// Key of the header that lists the planes. Only the wire has it.
+/// Key of the header that lists the planes on the wire. In a request without planes it names those that the answer is to have.
 pub(crate) const PLANES: &str = "planes";
 
 /// First bytes of every message.

@@ -15,6 +15,9 @@ const PICTURE: &str = "picture";
 /// Plane of the linear light.
 const LIGHT: &str = "light";
 
+/// Plane of the sweeps that complete the pixels.
+const SWEEP: &str = "sweep";
+
 impl<H: Home> Session<H> {
     pub(crate) fn frame(&mut self, keys: Keys) -> Result<Reply, DriveError> {
         let frame = keys.required("frame", "a whole number from 0", Value::as_u64);
@@ -56,6 +59,7 @@ impl<H: Home> Session<H> {
 struct Wanted {
     picture: bool,
     light: bool,
+    sweep: bool,
     /// Names of planes of truth, joined by commas.
     truth: String,
 }
@@ -72,13 +76,13 @@ impl Wanted {
         let has = |name: &str| names.iter().any(|other| other == name);
         let truth = Drive::truth_names().into_iter().filter(|name| has(name));
         let truth = truth.collect::<Vec<_>>().join(",");
-        Ok(Self { picture: has(PICTURE), light: has(LIGHT), truth })
+        Ok(Self { picture: has(PICTURE), light: has(LIGHT), sweep: has(SWEEP), truth })
     }
 }
 
 /// Names of all planes.
 fn known() -> Vec<&'static str> {
-    [PICTURE, LIGHT].into_iter().chain(Drive::truth_names()).collect()
+    [PICTURE, LIGHT, SWEEP].into_iter().chain(Drive::truth_names()).collect()
 }
 
 /// A picture from `at` with the planes that are wanted.
@@ -90,6 +94,10 @@ fn seen(at: &Viewpoint<'_>, seen: Seen, wanted: &Wanted) -> Result<Reply, DriveE
     let mut planes = Vec::new();
     planes.extend(wanted.picture.then(|| picture(&seen)));
     planes.extend(wanted.light.then(|| light(&seen)));
+    if wanted.sweep {
+        let shape = [seen.picture.lines(), seen.picture.columns()];
+        planes.push(Plane::of(SWEEP, &shape, &at.completing_sweeps()?));
+    }
     if !wanted.truth.is_empty() {
         let Truth { planes: truth, error, .. } = at.truth(&wanted.truth)?;
         let rows: Vec<Value> = truth.iter().map(truth_json).collect();

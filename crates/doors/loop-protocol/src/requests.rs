@@ -17,7 +17,7 @@ pub struct RequestRow {
 pub const COMMON: [&str; 2] = ["id", "do"];
 
 /// All kinds of requests, in the order of the documentation.
-pub const REQUESTS: [RequestRow; 19] = [
+pub const REQUESTS: [RequestRow; 22] = [
     row("hello", "Say what is known and what is opened.", &[]),
     row("open", "Open a scenario.", &["scenario", "machine", "overlays", "channel", "set"]),
     row("frame", "Draw a frame of the path.", &["frame", "planes"]),
@@ -25,7 +25,7 @@ pub const REQUESTS: [RequestRow; 19] = [
     row("step", "Drive the next frame of the loop to a pose and draw it.", &["pose", "planes"]),
     row("ahead", "Say where the vehicle is after a turn and a way.", &["pose", "metres", "turn_deg"]),
     row("set", "Change the settings and keep the loop.", &["machine", "overlays", "channel", "set"]),
-    row("state", "Hand out the state of the loop.", &[]),
+    row("state", "Hand out the state of the loop.", &["frames"]),
     row("restore", "Take a state up.", &[]),
     row("record", "Hand out what was driven, as files that `lunoid replay` draws.", &["name"]),
     row("probe", "Record signals.", &["signals", "frame", "pose", "sweeps"]),
@@ -35,6 +35,13 @@ pub const REQUESTS: [RequestRow; 19] = [
         "List digital events.",
         &["frame", "pose", "sweeps", "unit", "event", "colour", "level", "from", "to", "limit"],
     ),
+    row(
+        "trigger",
+        "Find where in a frame a condition on signals is met.",
+        &["on", "frame", "pose", "sweeps", "samples", "after", "limit"],
+    ),
+    row("effect", "Say which pixels late words changed.", &["late", "frame", "pose"]),
+    row("timing", "Count what of a frame was late.", &["frame", "pose"]),
     row("omissions", "List what was left out, and why.", &[]),
     row("signals", "List the signals.", &[]),
     row("blocks", "List the blocks with their signals.", &[]),

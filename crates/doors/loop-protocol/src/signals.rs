@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use diagnostics::Problem;
-use drive::{BlockRow, Drive, DriveError, SignalRow, Trace, Traces};
+use drive::{BlockRow, Drive, DriveError, Link, SignalRow, Trace, Traces};
 use limits::Limit;
 use serde_json::{Value, json};
 
@@ -93,7 +93,14 @@ fn signal_json(SignalRow { signal, wire }: &SignalRow) -> Value {
     })
 }
 
-fn block_json(BlockRow { name, left_out, signals, omissions }: &BlockRow) -> Value {
+fn block_json(row: &BlockRow) -> Value {
+    let BlockRow { name, left_out, signals, omissions, links, parts, tables } = row;
     let omissions: Vec<Value> = omissions.iter().map(omission_json).collect();
-    json!({ "name": name, "left_out": left_out, "signals": signals, "omissions": omissions })
+    let links: Vec<Value> = links.iter().map(|link| link_json(link)).collect();
+    json!({ "name": name, "left_out": left_out, "signals": signals, "omissions": omissions, "links": links,
+            "parts": parts, "tables": tables })
+}
+
+fn link_json(Link { to, carries, signals, .. }: &Link) -> Value {
+    json!({ "to": to, "carries": carries, "signals": signals })
 }

@@ -104,3 +104,28 @@ async function widths(chromium, expect, folder) {
     return fields.filter((field) => !(field.labels?.length || field.getAttribute("aria-label") || field.textContent.trim())).map((field) => field.id || field.outerHTML);`);
   expect(nameless.length === 0, `every control has a name: ${nameless}`);
 }
+
+/** Waits until `body`, a condition in the page, holds; answers whether it came to. */
+async function until(chromium, body, seconds = 60) {
+  for (let turn = 0; turn < 10 * seconds; turn += 1) {
+    if (await chromium.run(`return Boolean(${body});`)) return true;
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  }
+  return false;
+}
+
+/** Clicks a place of an element, in shares of its width and height. */
+async function click(chromium, id, across, down) {
+  await chromium.run(
+    `const [id, across, down] = values;
+     const element = document.getElementById(id);
+     const { left, top, width, height } = element.getBoundingClientRect();
+     element.dispatchEvent(new MouseEvent("click", { clientX: left + across * width, clientY: top + down * height, bubbles: true }));`,
+    id,
+    across,
+    down,
+  );
+  await drawn(chromium);
+}
+
+export { click, press, put, until };

@@ -3,12 +3,20 @@
 import { FIRST, Here } from "./here.js";
 import { Lunoid } from "./lunoid.js";
 import { showEvents } from "./events-table.js";
+import { diagramPanel } from "./diagram-panel.js";
+import { DrivePad } from "./drive-pad.js";
+import { effectsPanel } from "./effects-panel.js";
 import { showFaults, showNumbers } from "./fault-board.js";
+import { Gamepads } from "./gamepad.js";
 import { read, setting, written } from "./link.js";
 import { Scope } from "./scope.js";
 import { contents, scenarios } from "./shipped.js";
+import { SlowMotion } from "./slow-motion.js";
+import { name } from "./time-bar.js";
+import { timePanel } from "./time-panel.js";
+import { triggerPanel } from "./trigger-panel.js";
 import { Tube } from "./tube.js";
-import { ViewModel } from "./view-model.js";
+import { MOST, ViewModel } from "./view-model.js";
 
 /** Most bytes of files that are read at a time. */
 const MOST_BYTES = 256 * 2 ** 20;
@@ -23,7 +31,8 @@ const START = { scenario: rows[0].scenario, ...FIRST };
 const machine = new Lunoid(new Here({ hear }));
 const model = new ViewModel(machine, given);
 const tube = new Tube(at("tube"), (column, line) => model.show({ column, line }));
-const scope = new Scope(at("scope"), (text) => { at("values").textContent = text; });
+const scope = new Scope(at("scope"), (text) => { at("values").textContent = text; }, (sample, which) => { if (which === 0) model.point(sample); });
+const slow = new SlowMotion(model, tube);
 let parameters = [];
 let goes = null;
 
@@ -64,22 +73,23 @@ function agree() {
   const { view, facts } = model;
   at("scenario").value = view.scenario;
   at("machine").value = view.machine ?? "";
+  at("frame").max = model.frames - 1;
   at("frame").value = view.frame;
   at("sweep").value = view.sweep;
-  at("frame-says").textContent = model.isDriven ? `driven ${facts.driven}` : `frame ${view.frame} of ${facts.frames}`;
-  at("link").href = written(view);
+  at("frame-says").textContent = model.isDriven ? `${name(model.lane)}, frame ${view.frame} of ${model.frames}` : `frame ${view.frame} of ${facts.frames}`;
+  tube.mark(view.column, view.line);
+  // A link carries no drive.
+  at("link").href = written(model.isDriven ? { ...view, frame: null } : view);
 }
 
 async function opened({ detail: facts }) {
-  at("frame").max = facts.frames - 1;
   at("sweep").max = Math.max(0, facts.sweeps - 1);
   at("driven").textContent = facts.driven > 0 ? `${facts.driven} frames driven` : "";
   at("record").disabled = facts.driven === 0;
-  const [told, shipped, blocks] = await Promise.all([model.parameters(), model.faults(), model.blocks()]);
+  const [told, shipped] = await Promise.all([model.parameters(), model.faults()]);
   parameters = told.parameters;
   showFaults(at("faults"), shipped.faults, model.view.faults, (faults) => model.show({ faults }));
   numbers();
-  showBlocks(blocks.blocks);
 }
 
 function numbers() {
@@ -90,64 +100,49 @@ function numbers() {
   showNumbers(at("numbers"), parameters, model.view.set, at("find").value.trim(), change);
 }
 
-/** Blocks with their wires; a click puts a wire on the scope. What is left out is pale and says why. */
-function showBlocks(blocks) {
-  const item = ({ name, left_out, signals, omissions }) => {
-    const made = document.createElement("li");
-    made.className = left_out ? "left-out" : "";
-    const details = document.createElement("details");
-    const head = Object.assign(document.createElement("summary"), { textContent: left_out ? `${name} (left out)` : name });
-    details.append(head, ...omissions.map(({ what, why }) => Object.assign(document.createElement("p"), { textContent: `Left out: ${what}; ${why}.` })));
-    details.append(...signals.map(wire));
-    made.append(details);
-    return made;
-  };
-  at("blocks").replaceChildren(...blocks.map(item));
-}
-
+/** Puts a wire on the scope, as the last one. */
 function wire(name) {
-  const button = Object.assign(document.createElement("button"), { type: "button", textContent: name });
-  button.addEventListener("click", () => {
-    const wires = at("wires").value.split(",").map((word) => word.trim()).filter((word) => word && word !== name);
-    at("wires").value = [...wires, name].join(",");
-    model.show({ wires: at("wires").value });
-  });
-  return button;
+  const wires = at("wires").value.split(",").map((word) => word.trim()).filter((word) => word && word !== name);
+  at("wires").value = [...wires, name].join(",");
+  model.show({ wires: at("wires").value });
 }
 
 /** Steps the frame, and comes round at the ends. */
 function turn(by) {
-  const { frames } = model.facts;
-  model.show({ frame: (model.view.frame + by + frames) % frames });
+  slow.leave();
+  model.look(model.lane, (model.view.frame + by + model.frames) % model.frames);
+}
+
+/** Ends playing and driving. */
+function stop() {
+  goes = null;
+  for (const button of [at("play"), at("drive")]) button.setAttribute("aria-pressed", "false");
+}
+
+/** Turn and speed from pad or stick, from -1 to 1 each; driving goes on while it is held. */
+function steer(turn, speed, isHeld) {
+  at("turn").value = Math.round(turn * MOST.turn);
+  at("speed").value = Math.round(speed * MOST.kmh);
+  if ((goes === at("drive")) !== isHeld) at("drive").click();
 }
 
 /** Plays or drives for as long as the button is pressed; each picture is shown before the next is asked for. */
 function repeat(button, once) {
-  const stop = () => {
-    goes = null;
-    for (const other of [at("play"), at("drive")]) other.setAttribute("aria-pressed", "false");
-  };
   button.addEventListener("click", async () => {
     const was = goes;
     stop();
     if (was === button) return;
+    slow.leave();
     goes = button;
     button.setAttribute("aria-pressed", "true");
+    button.dataset.runs = true;
     while (goes === button) {
       await once().catch((error) => { failed(error); stop(); });
       await new Promise(requestAnimationFrame);
     }
+    button.dataset.runs = false;
   });
 }
-
-/** Waits until the picture of the newest wish stands. */
-const settled = () => new Promise((resolve) => {
-  model.addEventListener("busy", function hear({ detail }) {
-    if (detail) return;
-    model.removeEventListener("busy", hear);
-    resolve();
-  });
-});
 
 function failed(error) {
   say(error.message);
@@ -179,7 +174,7 @@ async function take(files) {
 
 model.addEventListener("opened", opened);
 model.addEventListener("picture", ({ detail: { planes, hash } }) => {
-  tube.show(planes.picture, hash);
+  tube.show(planes.picture, hash, slow.drawn(planes));
   tube.mark(model.view.column, model.view.line);
   tube.zoom(at("zoom").value);
 });
@@ -187,11 +182,12 @@ model.addEventListener("explained", ({ detail: { cause, text, document: told } }
   at("pixel").textContent = `Column ${model.view.column}, line ${model.view.line}: ${cause}.`;
   at("explained").textContent = text;
   tube.mark(model.view.column, model.view.line);
-  if (told.ground) scope.point(told.ground.sample);
+  if (told.ground) model.point(told.ground.sample);
 });
-model.addEventListener("traces", ({ detail }) => scope.show(detail));
+model.addEventListener("cursor", ({ detail }) => scope.point(detail));
+model.addEventListener("traces", ({ detail }) => scope.show(detail, model.trigger.place?.instant ?? null));
 model.addEventListener("events", ({ detail: { events, tick_us } }) => {
-  const late = showEvents(at("events"), events, tick_us);
+  const late = showEvents(at("events"), events, tick_us, effect);
   at("late").textContent = events.length === 0 ? "" : `${late} late of ${events.length}`;
 });
 model.addEventListener("driven", ({ detail }) => {
@@ -209,11 +205,18 @@ model.addEventListener("busy", ({ detail }) => {
   else if (at("state").dataset.fault) delete at("state").dataset.fault;
 });
 
+const effect = effectsPanel(at, model, tube, { failed });
+triggerPanel(at, model, { stop, failed });
+timePanel(at, model, slow, { stop, failed });
+diagramPanel(at, model, { scope: wire, failed });
+new DrivePad(at("pad"), steer);
+new Gamepads(steer, (name) => at(name).click());
+
 fillMenus();
 at("scenario").addEventListener("change", ({ target }) => model.show({ scenario: target.value, set: {}, faults: [], frame: 0, column: null, line: null }));
 at("machine").addEventListener("change", ({ target }) => model.show({ machine: target.value || null, faults: [] }));
 at("files").addEventListener("change", ({ target }) => take(target.files).catch(failed));
-at("frame").addEventListener("input", ({ target }) => model.show({ frame: Number(target.value) }));
+at("frame").addEventListener("input", ({ target }) => { slow.leave(); model.look(model.lane, Number(target.value)); });
 at("back").addEventListener("click", () => turn(-1));
 at("on").addEventListener("click", () => turn(1));
 at("zoom").addEventListener("change", ({ target }) => tube.zoom(target.value));
@@ -230,7 +233,7 @@ at("tube").addEventListener("keydown", ({ key }) => {
   const by = { w: ["speed", 1], s: ["speed", -1], a: ["turn", -2], d: ["turn", 2] }[key.toLowerCase()];
   if (by) at(by[0]).value = Number(at(by[0]).value) + by[1];
 });
-repeat(at("play"), () => { const done = settled(); turn(1); return done; });
+repeat(at("play"), () => { const done = model.settled(); turn(1); return done; });
 repeat(at("drive"), () => model.drive(at("speed").value, at("turn").value));
 addEventListener("hashchange", follow);
 document.body.addEventListener("dragover", (event) => event.preventDefault());

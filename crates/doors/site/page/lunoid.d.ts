@@ -108,6 +108,18 @@ export interface Seen {
   hash: string;
 }
 
+/** A place where a condition is met. Instants are in samples of the sweep, or lines of the display. */
+export interface Place {
+  sweep: number;
+  sample: number;
+  instant: number;
+  instant_us: number | null;
+  range_m: number | null;
+  values: Record<string, number>;
+  pixel: [number, number] | null;
+  is_blanked: boolean;
+}
+
 export type Planes = { planes: Record<string, Plane> };
 export type Setting = number | string | boolean | null;
 
@@ -140,12 +152,16 @@ export class Lunoid {
   explain(column: number, line: number, options?: Which & RequestOptions): Promise<any>;
   set(set?: Record<string, Setting>, options?: Omit<Wishes, "set"> & RequestOptions): Promise<Facts & Planes>;
   events(options?: Which & RequestOptions & { sweeps?: number | [number, number]; unit?: string[]; event?: string[]; colour?: string[]; level?: string; from?: number; to?: number; limit?: number }): Promise<any>;
+  /** `sweeps` and `samples` are one, or the first and the one after the last; `after` is an instant of the first sweep, in samples. */
+  trigger(on: string, options?: Which & RequestOptions & { sweeps?: number | [number, number]; samples?: number | [number, number]; after?: number; limit?: number }): Promise<{ frame: number; places: Place[]; sweeps: number } & Planes>;
+  effect(late: string, options?: Which & RequestOptions): Promise<any>;
+  timing(options?: Which & RequestOptions): Promise<{ frame: number; folds: number; late_words: number; missed: number } & Planes>;
   omissions(options?: RequestOptions): Promise<any>;
   signals(options?: RequestOptions): Promise<any>;
   blocks(options?: RequestOptions): Promise<any>;
   parameters(options?: RequestOptions): Promise<any>;
   faults(options?: RequestOptions): Promise<any>;
-  state(options?: RequestOptions): Promise<Plane>;
+  state(options?: RequestOptions & { frames?: number }): Promise<Plane>;
   restore(state: Plane, options?: RequestOptions): Promise<Facts & Planes>;
   record(name?: string, options?: RequestOptions): Promise<any>;
   close(): void;

@@ -83,6 +83,21 @@ export class Lunoid {
     return this.request({ do: "events", ...keys }, [], options);
   }
 
+  /** Places of a frame where a condition is met, in the language of `lunoid trigger`; the first one unless `limit` asks for more. */
+  trigger(on, { frame, pose, sweeps, samples, after, limit, ...options } = {}) {
+    return this.request({ do: "trigger", on, ...wanted({ frame, pose, sweeps, samples, after, limit }) }, [], options);
+  }
+
+  /** The pixels that late words changed; `late` is a late event as text, or its sweep and crossing, as "260:60". */
+  effect(late, { frame, pose, ...options } = {}) {
+    return this.request({ do: "effect", late, ...wanted({ frame, pose }) }, [], options);
+  }
+
+  /** What of a frame was late: folds, late words, missed deadlines. */
+  timing({ frame, pose, ...options } = {}) {
+    return this.request({ do: "timing", ...wanted({ frame, pose }) }, [], options);
+  }
+
   omissions(options) {
     return this.request({ do: "omissions" }, [], options);
   }
@@ -103,9 +118,9 @@ export class Lunoid {
     return this.request({ do: "faults" }, [], options);
   }
 
-  /** The plane with which `restore` goes on, in this page or another. */
-  async state(options) {
-    return (await this.request({ do: "state" }, [], options)).planes.state;
+  /** The plane with which `restore` goes on, in this page or another; with `frames` after so many frames of the loop. */
+  async state({ frames, ...options } = {}) {
+    return (await this.request({ do: "state", ...wanted({ frames }) }, [], options)).planes.state;
   }
 
   restore(state, options) {

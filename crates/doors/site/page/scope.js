@@ -1,12 +1,16 @@
 // The scope: analog traces in panels by unit, digital lanes below them, what was before behind, two cursors; or one wire over another.
 
-import { curve, trace } from "./curve.js";
+import { curve } from "./curve.js";
+import { ScopeHand } from "./scope-hand.js";
+import { short, told } from "./scope-values.js";
+import { over } from "./scope-xy.js";
 
 const LEFT = 88;
 const TOP = 14;
 const LANE = 22;
 const AXIS = 34;
 const COLOURS = ["#0b6fc2", "#c2480b", "#0b8a4b", "#8a3fc2", "#a67c00", "#00838f", "#ad1457", "#5d4037"];
+const MARK = "#d32f2f";
 const MOST = { analog: 8, digital: 16, behind: 24 };
 
 export class Scope {
@@ -19,26 +23,37 @@ export class Scope {
   #window = [0, 1];
   #cursors = [null, null];
   #across = "sample";
-  #drag = null;
+  /** The instant of the trigger (samples), where one was found. */
+  #trigger = null;
 
-  /** `say` is told the values at the cursor, in words. */
-  constructor(canvas, say) {
+  /** `say` is told the values at the cursors, in words; `pick` the sample that the reader puts cursor A or B on. */
+  constructor(canvas, say, pick = () => {}) {
     this.#canvas = canvas;
     this.#say = say;
-    canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
-    canvas.addEventListener("pointerdown", (event) => this.#press(event));
-    canvas.addEventListener("pointermove", (event) => this.#move(event));
-    canvas.addEventListener("pointerup", (event) => this.#release(event));
-    canvas.addEventListener("keydown", (event) => this.#key(event));
+    new ScopeHand(canvas, {
+      isReady: () => this.#traces !== null,
+      last: () => this.#last,
+      cursor: (which) => this.#cursors[which],
+      sample: (x) => this.#sample(x),
+      point: (sample, which) => {
+        this.point(sample, which);
+        pick(sample, which);
+      },
+      slide: (by) => this.#slide(by),
+      scale: (factor, at) => this.#scale(factor, at),
+    });
     new ResizeObserver(() => this.#draw()).observe(canvas);
   }
 
-  /** Shows waveforms of one sweep. */
-  show(traces) {
+  /** Shows waveforms of one sweep. The instant `trigger` (samples) gets a mark, which stays at its place of the canvas from sweep to sweep. */
+  show(traces, trigger = null) {
     if (this.#persists && this.#traces) this.#behind = [...this.#behind, this.#traces].slice(-MOST.behind);
-    this.#traces = traces;
+    const before = this.#traces && this.#trigger !== null ? this.#share(this.#trigger) : null;
+    [this.#traces, this.#trigger] = [traces, trigger];
     this.#canvas.dataset.sweep = traces.sweeps[0];
-    this.#draw();
+    this.#canvas.dataset.trigger = trigger ?? "";
+    const by = before === null || trigger === null ? 0 : this.#share(trigger) - before;
+    this.#slide(by / (this.#window[1] - this.#window[0]));
   }
 
   /** Lays what is shown now behind what comes, or takes it away. */
@@ -87,12 +102,13 @@ export class Scope {
     return LEFT + ((this.#share(sample) - from) / (to - from)) * (this.#canvas.width - LEFT - 8);
   }
 
-  /** The sample nearest to a pixel of the page. */
-  #sample(event) {
-    const { left, width } = this.#canvas.getBoundingClientRect();
-    const x = ((event.clientX - left) / width) * this.#canvas.width;
-    const last = this.#traces.planes.places.values.length - 1;
-    let [low, high] = [0, last];
+  get #last() {
+    return this.#traces.planes.places.values.length - 1;
+  }
+
+  /** The sample nearest to a column of the canvas. */
+  #sample(x) {
+    let [low, high] = [0, this.#last];
     while (high - low > 1) {
       const middle = (low + high) >> 1;
       if (this.#x(middle) <= x) low = middle;
@@ -117,45 +133,6 @@ export class Scope {
     this.#draw();
   }
 
-  #wheel(event) {
-    if (!this.#traces) return;
-    event.preventDefault();
-    const { left, width } = this.#canvas.getBoundingClientRect();
-    if (event.shiftKey) this.#slide(Math.sign(event.deltaY) * 0.1);
-    else this.#scale(event.deltaY > 0 ? 1.25 : 0.8, Math.max(0, Math.min(1, (event.clientX - left) / width)));
-  }
-
-  #press(event) {
-    this.#drag = { x: event.clientX, moved: false };
-    this.#canvas.setPointerCapture(event.pointerId);
-  }
-
-  #move(event) {
-    if (!this.#drag || !this.#traces) return;
-    const by = event.clientX - this.#drag.x;
-    if (Math.abs(by) < 3 && !this.#drag.moved) return;
-    this.#drag = { x: event.clientX, moved: true };
-    this.#slide(-by / this.#canvas.getBoundingClientRect().width);
-  }
-
-  #release(event) {
-    if (this.#drag && !this.#drag.moved && this.#traces) this.point(this.#sample(event), Number(event.shiftKey));
-    this.#drag = null;
-  }
-
-  #key(event) {
-    if (!this.#traces) return;
-    const last = this.#traces.planes.places.values.length - 1;
-    const which = Number(event.shiftKey);
-    const at = this.#cursors[which];
-    const to = { ArrowLeft: (at ?? 1) - 1, ArrowRight: (at ?? -1) + 1, PageUp: (at ?? 0) - 20, PageDown: (at ?? 0) + 20 }[event.key];
-    if (to !== undefined) this.point(Math.max(0, Math.min(last, to)), which);
-    else if (event.key === "+") this.#scale(0.8, 0.5);
-    else if (event.key === "-") this.#scale(1.25, 0.5);
-    else return;
-    event.preventDefault();
-  }
-
   #draw() {
     const canvas = this.#canvas;
     const ratio = globalThis.devicePixelRatio || 1;
@@ -167,7 +144,12 @@ export class Scope {
     if (!this.#traces) return;
     const analog = this.#traces.signals.filter((row) => row.kind === "analog").slice(0, MOST.analog);
     const digital = this.#traces.signals.filter((row) => row.kind !== "analog").slice(0, MOST.digital);
-    if (this.#across === "xy" && analog.length > 1) return this.#over(context, analog);
+    if (this.#across === "xy" && analog.length > 1) {
+      const box = { left: LEFT, top: TOP, width: canvas.width - LEFT - 8, height: canvas.height - TOP - AXIS };
+      const extents = [this.#extent([analog[0]]), this.#extent([analog[1]])];
+      over(context, { wires: analog, box, extents, traces: this.#traces, before: this.#before, cursors: this.#cursors, ink: this.#ink, colour: COLOURS[0] });
+      return this.#tell();
+    }
     const panels = [...Map.groupBy(analog, (row) => row.unit)];
     const room = canvas.height - TOP - AXIS - digital.length * LANE;
     const height = panels.length ? room / panels.length : 0;
@@ -175,6 +157,7 @@ export class Scope {
     panels.forEach(([unit, rows], at) => this.#panel(context, unit, rows, colour, TOP + at * height, height - 12));
     digital.forEach((row, at) => this.#lane(context, row, TOP + room + at * LANE));
     this.#axis(context, canvas.height - AXIS + 8);
+    this.#drawTrigger(context, canvas.height - AXIS);
     this.#drawCursors(context, canvas.height - AXIS);
     this.#tell();
   }
@@ -184,37 +167,6 @@ export class Scope {
   /** What stands behind: the reference, and what persists. */
   get #before() {
     return this.#reference ? [...this.#behind, this.#reference] : this.#behind;
-  }
-
-  /** The first wire across, the second up. */
-  #over(context, [across, up]) {
-    const [width, height] = [this.#canvas.width - LEFT - 8, this.#canvas.height - TOP - AXIS];
-    const [[left, right], [low, high]] = [this.#extent([across]), this.#extent([up])];
-    const place = {
-      x: (value) => LEFT + ((value - left) / (right - left)) * width,
-      y: (value) => TOP + height - ((value - low) / (high - low)) * height,
-    };
-    const drawn = ({ planes }, colour) => {
-      if (planes[across.name] && planes[up.name]) trace(context, planes[across.name].values, planes[up.name].values, { ...place, colour });
-    };
-    context.globalAlpha = 0.35;
-    this.#before.forEach((traces) => drawn(traces, this.#ink));
-    context.globalAlpha = 1;
-    drawn(this.#traces, COLOURS[0]);
-    context.fillStyle = this.#ink;
-    context.strokeStyle = this.#ink;
-    this.#cursors.forEach((sample, which) => {
-      if (sample === null) return;
-      const [x, y] = [place.x(this.#traces.planes[across.name].values[sample]), place.y(this.#traces.planes[up.name].values[sample])];
-      context.strokeRect(x - 4, y - 4, 8, 8);
-      context.fillText("AB"[which], x + 7, y - 5);
-    });
-    context.textAlign = "right";
-    context.fillText(short(high), LEFT - 4, TOP + 10);
-    context.fillText(short(low), LEFT - 4, TOP + height);
-    context.textAlign = "center";
-    context.fillText(`${short(left)} to ${short(right)}: ${across.name}; up: ${up.name}`, LEFT + width / 2, TOP + height + 22);
-    this.#tell();
   }
 
   /** Lowest and highest finite value of the rows, with what stands behind. */
@@ -299,6 +251,21 @@ export class Scope {
     context.fillText(says, (LEFT + this.#canvas.width) / 2, top + 22);
   }
 
+  /** The mark of the trigger: a line in its colour, with a T beside it. */
+  #drawTrigger(context, bottom) {
+    this.#canvas.dataset.mark = "";
+    if (this.#trigger === null) return;
+    const x = this.#x(this.#trigger);
+    this.#canvas.dataset.mark = x;
+    context.strokeStyle = context.fillStyle = MARK;
+    context.textAlign = "right";
+    context.beginPath();
+    context.moveTo(x, TOP);
+    context.lineTo(x, bottom);
+    context.stroke();
+    context.fillText("T", x - 3, TOP + 10);
+  }
+
   #drawCursors(context, bottom) {
     context.fillStyle = this.#ink;
     context.textAlign = "center";
@@ -316,34 +283,8 @@ export class Scope {
     });
   }
 
-  /** The values of a sample, with its place; of a signal that is told when it changes, none. */
-  #values(sample) {
-    const analog = this.#traces.signals.filter(({ name }) => !this.#traces.planes[`times:${name}`]);
-    const value = ({ name, unit }) => ({ name, unit: unit === "1" ? "" : ` ${unit}`, value: this.#traces.planes[name].values[sample] });
-    return [{ name: this.#traces.place, unit: "", value: this.#traces.planes.places.values[sample] }, ...analog.map(value)];
-  }
-
-  /** Says the values at both cursors, their difference, and what the reference has at A. */
+  /** Says the values at the cursors and at the trigger. */
   #tell() {
-    const last = this.#traces.planes.places.values.length - 1;
-    const [a, b] = this.#cursors.map((sample) => (sample === null ? null : Math.max(0, Math.min(last, Math.round(sample)))));
-    const at = (sample) => this.#values(sample).map(({ name, unit, value }) => `${name} ${short(value)}${unit}`).join(", ");
-    const told = [];
-    if (a !== null) told.push(`A, sample ${a}: ${at(a)}.`);
-    if (a !== null && this.#reference) {
-      const behind = this.#values(a).filter(({ name }) => this.#reference.planes[name]);
-      told.push(`Reference: ${behind.map(({ name, unit }) => `${name} ${short(this.#reference.planes[name].values[a])}${unit}`).join(", ")}.`);
-    }
-    if (b !== null) told.push(`B, sample ${b}: ${at(b)}.`);
-    if (a !== null && b !== null) {
-      const before = this.#values(a);
-      told.push(`B less A, ${b - a} samples: ${this.#values(b).map(({ name, unit, value }, row) => `${name} ${short(value - before[row].value)}${unit}`).join(", ")}.`);
-    }
-    if (told.length) this.#say(told.join(" "));
+    this.#say(told({ traces: this.#traces, reference: this.#reference, cursors: this.#cursors, trigger: this.#trigger }));
   }
-}
-
-/** A number in five digits. */
-function short(value) {
-  return Number.isFinite(value) ? String(Number(value.toPrecision(5))) : "none";
 }

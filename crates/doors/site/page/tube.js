@@ -1,14 +1,18 @@
-// The tube: a picture, a marker, and the pixel that is pointed at.
+// The tube: a picture, how far it has built up, the pixels that a word changed, a marker, and the pixel that is pointed at.
 
 import { pixels } from "./picture.js";
 
 /** How far an arrow key moves the marker, and with Shift (pixels). */
 const STEPS = [1, 10];
+/** Pixels that a late word made brighter, and darker: orange and blue. */
+const CHANGED = [[255, 152, 0], [66, 165, 245]];
 
 export class Tube {
   #canvas;
   #image = null;
   #marker = null;
+  #build = null;
+  #changed = [];
 
   /** `pick` is called with the column and the line of a pixel that was chosen. */
   constructor(canvas, pick) {
@@ -24,12 +28,37 @@ export class Tube {
     });
   }
 
-  /** Shows a plane `picture` and the hash of its pixels. */
-  show(picture, hash) {
+  /** Shows a plane `picture` and the hash of its pixels, built up as far as `build` says: see `built`. */
+  show(picture, hash, build = null) {
     this.#image = pixels(picture);
     this.#canvas.width = this.#image.width;
     this.#canvas.height = this.#image.height;
     this.#canvas.dataset.hash = hash;
+    this.#changed = [];
+    this.built(build);
+  }
+
+  /**
+   * Shows the picture as far as sweep `sweep` has written it: `{ sweep, completes, before }`. `completes` has the sweep that completes each
+   * pixel, and `before` is the plane of the picture that stood, or null for a dark tube. Null shows all of it.
+   */
+  built(build) {
+    this.#build = build && { ...build, before: build.before && pixels(build.before) };
+    this.#canvas.dataset.built = build ? build.sweep : "";
+    this.#draw();
+  }
+
+  /** Goes on to another sweep of the same build-up. */
+  reach(sweep) {
+    this.#build.sweep = sweep;
+    this.#canvas.dataset.built = sweep;
+    this.#draw();
+  }
+
+  /** Marks pixels that something changed, each `[column, line, levels]`; none until the next picture where the list is empty. */
+  changed(list) {
+    this.#changed = list;
+    this.#canvas.dataset.changed = list.length;
     this.#draw();
   }
 
@@ -57,10 +86,21 @@ export class Tube {
     return [Math.max(0, Math.min(width - 1, column)), Math.max(0, Math.min(height - 1, line))];
   }
 
+  /** The picture with what is not written yet, and what was changed. */
+  #composed() {
+    if (!this.#build && this.#changed.length === 0) return this.#image;
+    const composed = new ImageData(new Uint8ClampedArray(this.#image.data), this.#image.width);
+    if (this.#build) unwritten(composed, this.#build);
+    for (const [column, line, levels] of this.#changed) {
+      composed.data.set(CHANGED[Number(levels < 0)], 4 * (line * composed.width + column));
+    }
+    return composed;
+  }
+
   #draw() {
     if (!this.#image) return;
     const context = this.#canvas.getContext("2d");
-    context.putImageData(this.#image, 0, 0);
+    context.putImageData(this.#composed(), 0, 0);
     if (!this.#marker) return;
     const [x, y] = this.#marker.map((at) => at + 0.5);
     for (const [width, colour] of [[3, "#000"], [1, "#ffd54a"]]) {
@@ -75,5 +115,15 @@ export class Tube {
       }
       context.stroke();
     }
+  }
+}
+
+/** Puts the picture before into the pixels that are still to come. */
+function unwritten(image, { sweep, completes, before }) {
+  const now = new Uint32Array(image.data.buffer);
+  const was = before && new Uint32Array(before.data.buffer);
+  const dark = new Uint32Array(new Uint8Array([0, 0, 0, 255]).buffer)[0];
+  for (let pixel = 0; pixel < now.length; pixel += 1) {
+    if (completes[pixel] >= sweep) now[pixel] = was ? was[pixel] : dark;
   }
 }

@@ -28,6 +28,7 @@
 //! | 1 | `omissions` | what the elaborated machine leaves out |
 //! | 1 | `pool` | buffers that are used again |
 //! | 1 | `residue` | pictures as they were written, for a tube |
+//! | 1 | `wiring` | which block drives which |
 //! | 2 | `picture` | a picture while it is written |
 //! | 3 | `elaborated` | the machine of a stage: its tables, and what the groups of a frame share |
 //! | 4 | `groups` | the groups of a frame |
@@ -58,6 +59,7 @@ mod resumed;
 mod session;
 mod tube;
 mod unprobed;
+mod wiring;
 
 pub use counts::COUNTERS;
 pub use hybrid_machine::HybridMachine;
@@ -65,6 +67,7 @@ pub use on_time::{OnTime, Twice, prepare_twice};
 pub use prepare::Prepare;
 pub use resumed::{Memory, Resumes, Sizes, prepare_resumes};
 pub use unprobed::prepare_unprobed;
+pub use wiring::{LINKS, Link};
 
 // The command still asks the machine for what the planes hold.
 pub use control_plane::{

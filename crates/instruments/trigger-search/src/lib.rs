@@ -17,5 +17,6 @@ mod write;
 pub use around::{Around, BEAM};
 pub use error::SearchError;
 pub use find::{Area, Ended, Finder, Found};
+pub use pixel::pixel_of;
 pub use report::Report;
 pub use write::{page, write_waveforms};

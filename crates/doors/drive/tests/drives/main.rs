@@ -4,3 +4,4 @@ mod errors;
 mod looped;
 mod same;
 mod scene;
+mod wires;

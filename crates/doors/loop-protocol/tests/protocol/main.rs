@@ -4,6 +4,7 @@ mod home;
 mod hostile;
 mod page;
 mod parts;
+mod searching;
 mod session;
 mod states;
 mod wire;

@@ -44,7 +44,7 @@ fn requests_that_are_wrong_name_all_their_faults() {
         (json!({ "do": "frame", "frame": -1 }), &["whole number"], 1),
         (
             json!({ "do": "frame", "frame": 0, "planes": ["picture", "deep"] }),
-            &["no plane `deep`", "picture, light, range"],
+            &["no plane `deep`", "picture, light, sweep, range"],
             1,
         ),
         (json!({ "do": "probe", "signals": ["zz.*"], "sweeps": 0, "frame": 0 }), &["zz.*"], 1),

@@ -4,6 +4,8 @@ use loop_protocol::{Dtype, Message, Plane};
 use quantities::unit_interval;
 use serde_json::json;
 
+use crate::home::Scene;
+
 fn number(key: u64) -> f64 {
     2e6 * unit_interval(11, &[key]) - 1e6
 }
@@ -59,6 +61,22 @@ fn bytes_of_the_format() {
     bytes.extend([0, 0, 128, 63, 0, 0, 0, 192, 2, 1]);
     assert_eq!(message.encode(), bytes);
     assert_eq!(Message::decode(&bytes).unwrap(), message);
+}
+
+/// A request names planes under the key that lists them.
+#[test]
+fn names_of_planes_are_kept() {
+    for names in [json!(["picture", "range"]), json!([])] {
+        let request = Message::new(json!({ "id": 1, "do": "frame", "frame": 0, "planes": names }));
+        assert_eq!(Message::decode(&request.encode()).unwrap(), request);
+        let answer = Message::decode(&Scene::by("ideal").session().answer_bytes(&request.encode())).unwrap();
+        let planes: Vec<&str> = answer.planes.iter().map(Plane::name).collect();
+        assert_eq!(json!(planes), names);
+    }
+    let mut bytes = Message::new(json!({ "id": 1, "planes": ["a"] })).encode();
+    bytes[16] = 1;
+    bytes.push(7);
+    assert!(Message::decode(&bytes).is_err(), "a byte of a plane that is a name alone");
 }
 
 #[test]

@@ -1,0 +1,50 @@
+//! The requests `trigger`, `effect` and `timing`.
+
+use drive::{DriveError, FrameCounts, TriggerPlace, TriggerWishes, Triggered};
+use serde_json::{Map, Value, json};
+
+use crate::keys::Keys;
+use crate::poses::Which;
+use crate::session::Reply;
+use crate::{Home, Session};
+
+impl<H: Home> Session<H> {
+    pub(crate) fn trigger(&mut self, keys: Keys) -> Result<Reply, DriveError> {
+        let which = Which::of(&keys);
+        let wishes = TriggerWishes {
+            on: keys.needed_text("on").unwrap_or_default(),
+            sweeps: keys.sweeps("sweeps"),
+            samples: keys.samples("samples"),
+            after: keys.optional("after", "a number", Value::as_f64),
+            limit: keys.whole("limit").unwrap_or(1),
+        };
+        keys.finish()?;
+        let Triggered { frame, places, sweeps } = which.at(self.held()?)?.trigger(&wishes)?;
+        let places: Vec<Value> = places.iter().map(place_json).collect();
+        Ok(json!({ "frame": frame, "places": places, "sweeps": sweeps }).into())
+    }
+
+    pub(crate) fn effect(&mut self, keys: Keys) -> Result<Reply, DriveError> {
+        let which = Which::of(&keys);
+        let late = keys.needed_text("late").unwrap_or_default();
+        keys.finish()?;
+        let effect = which.at(self.held()?)?.late_effect(&late)?;
+        Ok(json!({ "text": effect.text, "document": effect.document }).into())
+    }
+
+    pub(crate) fn timing(&mut self, keys: Keys) -> Result<Reply, DriveError> {
+        let which = Which::of(&keys);
+        keys.finish()?;
+        let FrameCounts { frame, folds, late_words, missed } = which.at(self.held()?)?.timing()?;
+        Ok(json!({ "frame": frame, "folds": folds, "late_words": late_words, "missed": missed }).into())
+    }
+}
+
+/// A place, with the words that `lunoid trigger --json` has for it.
+fn place_json(place: &TriggerPlace) -> Value {
+    let TriggerPlace { sweep, hit, instant_us, pixel, is_blanked } = place;
+    let values: Map<String, Value> =
+        hit.readings.iter().map(|reading| (reading.signal.name.to_owned(), reading.value.into())).collect();
+    json!({ "sweep": sweep, "sample": hit.sample, "instant": hit.time, "instant_us": instant_us, "range_m": hit.range,
+            "values": values, "pixel": pixel, "is_blanked": is_blanked })
+}
