@@ -31,7 +31,8 @@ FIGURES = {
 }
 SLIDER = {"key", "label", "from", "to", "step", "value", "unit"}
 AGAINST = {"machine", "faults", "set"}
-TASKS = SCENE | {"sweep", "unit", "count", "of", "wire", "is", "key", "step"}
+TASKS = SCENE | {"sweep", "asks", "measure", "says", "unit", "within", "key", "step"}
+MEASURES = {"events", "wire", "take"}
 
 
 def on_config(config):
@@ -95,6 +96,7 @@ def figure(found, place):
 def task(found, place):
     asked = read(found["task"], place, "task")
     known(asked, TASKS, place)
+    known(asked["measure"], MEASURES, place)
     return f'<section class="task" data-task="{written(asked)}" markdown="1">\n{found["question"]}</section>\n'
 
 
@@ -118,7 +120,8 @@ def written(value):
 def on_post_page(output, **_):
     """Without the date of the build, and without styles inside the page, which its policy refuses."""
     output = re.sub(r"<!--\s*MkDocs version.*?-->\s*", "", output, flags=re.DOTALL)
-    return re.sub(r' style="text-align: (\w+);"', r' class="\1"', output)
+    output = re.sub(r' style="text-align: (\w+);"', r' class="\1"', output)
+    return re.sub(r' style="[^"]*"', "", output)
 
 
 def on_post_build(config, **_):
