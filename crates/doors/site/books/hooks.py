@@ -26,7 +26,7 @@ TASK = re.compile(r"^<!-- task: (?P<task>\{.*?\}) -->\n" + LINES % "question", r
 SCENE = {"scenario", "machine", "faults", "set", "frame"}
 FIGURES = {
     "picture": SCENE | {"vary"},
-    "wave": SCENE | {"vary", "sweep", "wires", "across"},
+    "wave": SCENE | {"vary", "sweep", "wires", "across", "against"},
     "difference": SCENE | {"vary", "against"},
 }
 SLIDER = {"key", "label", "from", "to", "step", "value", "unit"}

@@ -11,15 +11,26 @@ function picture(canvas, [model]) {
   model.addEventListener("picture", ({ detail: { planes } }) => shown(canvas, planes.picture));
 }
 
-/** Wires of a sweep on a scope. */
-function wave(canvas, [model], { across = "sample" }, say) {
+/** Wires of a sweep on a scope; those of another machine stand behind, where there is one. */
+function wave(canvas, models, { across = "sample" }, say) {
   const scope = new Scope(canvas, say);
   scope.along(across);
-  model.addEventListener("traces", ({ detail }) => {
+  const traces = models.map(() => null);
+  const drawn = () => {
+    if (traces.includes(null)) return;
     canvas.classList.add("shown");
-    scope.show(detail);
-    told(canvas, detail.planes);
-  });
+    if (traces[1]) {
+      scope.show(traces[1]);
+      // The first call of a pair lays the traces behind, the second takes them away.
+      if (!scope.keep()) scope.keep();
+    }
+    scope.show(traces[0]);
+    told(canvas, traces[0].planes);
+  };
+  models.forEach((model, at) => model.addEventListener("traces", ({ detail }) => {
+    traces[at] = detail;
+    drawn();
+  }));
 }
 
 /** Where two machines disagree, and by how much. */
