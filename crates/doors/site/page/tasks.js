@@ -4,33 +4,43 @@ import { first, given } from "./figure-scenes.js";
 import { Here } from "./here.js";
 import { Lunoid } from "./lunoid.js";
 
+/** Counts the places of `values` where `is` holds for a value and the one before. */
+const count = (values, is) => values.reduce((sum, value, at) => sum + Number(at > 0 && is(values[at - 1], value)), 0);
+
 /** What is taken of a wire in one sweep. */
 const TAKES = {
   largest: (values) => values.reduce((most, value) => Math.max(most, value), -Infinity),
-  smallest: (values) => values.reduce((least, value) => Math.min(least, value), Infinity),
-  rises: (values) => values.reduce((count, value, at) => count + Number(at > 0 && value > 0.5 && values[at - 1] <= 0.5), 0),
+  changes: (values) => count(values, (before, value) => value !== before),
+  rises: (values) => count(values, (before, value) => before <= 0.5 && value > 0.5),
 };
 
-/** How each kind of task judges an answer; `measured` measures with a value of the key of the task. A verdict is right or not, with the reason. */
+/** How each kind of task judges an answer; `measured` measures with a value for the key of the task. */
 const JUDGES = {
   /** The answer is the number that is measured. */
-  async value({ within = 0, unit = "" }, answer, measured) {
+  async value({ within = 0, unit }, answer, measured) {
     const is = await measured();
-    if (Math.abs(is - answer) <= within) return { right: true, says: `Right: the machine has ${short(is)} ${unit}.` };
-    return { right: false, says: `Not so: the machine has ${answer < is ? "more" : "less"} than ${answer} ${unit}.` };
+    const told = (number) => [short(number), unit].filter(Boolean).join(" ");
+    if (Math.abs(is - answer) <= within) return { right: true, says: `Right: the machine has ${told(is)}.` };
+    return { right: false, says: `Not so: the machine has ${answer < is ? "more" : "less"} than ${told(answer)}.` };
   },
 
-  /** The answer is the last value of the key with which nothing is measured. */
-  async largest({ step, unit = "", says }, answer, measured) {
-    const steps = Math.round(answer / step);
-    if (Math.abs(steps * step - answer) > 1e-9) return { right: false, says: `Expected a multiple of ${step} ${unit}.` };
-    const [here, further] = [await measured(answer), await measured(answer + step)];
-    const at = (value, count) => `with ${value} ${unit} ${count} ${says}`;
-    if (here > 0) return { right: false, says: `Too much: ${at(answer, here)}.` };
-    if (further === 0) return { right: false, says: `It can be more: ${at(answer + step, "none of the")} either.` };
-    return { right: true, says: `Right: ${at(answer, "none of the")}, ${at(answer + step, further)}.` };
-  },
+  /** The answer is the largest value of the key with which nothing is measured. */
+  largest: (task, answer, measured) => bound(task, answer, measured, task.step),
+
+  /** The answer is the smallest such value. */
+  smallest: (task, answer, measured) => bound(task, answer, measured, -task.step),
 };
+
+/** Whether nothing is measured with `answer`, and something one step beyond it. */
+async function bound({ step, unit = "", says }, answer, measured, further) {
+  if (Math.abs(answer / step - Math.round(answer / step)) > 1e-9) return { right: false, says: `Found ${answer}, expected a multiple of ${step} ${unit}.` };
+  const at = (value, number) => `with ${value} ${unit} the machine has ${number} ${says}`;
+  const here = await measured(answer);
+  if (here > 0) return { right: false, says: `Not so: ${at(answer, here)}.` };
+  const beyond = await measured(answer + further);
+  if (beyond === 0) return { right: false, says: `Not yet at the end: ${at(answer + further, "no")} either.` };
+  return { right: true, says: `Right: ${at(answer, "no")}, and ${at(answer + further, beyond)}.` };
+}
 
 /** A number in five digits. */
 function short(value) {
