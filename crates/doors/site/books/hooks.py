@@ -52,11 +52,18 @@ def on_files(files, config):
 def on_page_markdown(markdown, page, config, **_):
     place = README if page.file.src_uri == "index.md" else DOCS + page.file.src_uri
     site = Path(config.site_dir).parent
-    page.meta.update(runs=bool(FIGURE.search(markdown)), asks=bool(TASK.search(markdown)))
     parts = FENCED.split(markdown)
-    parts[::2] = [CODE_OR_LINK.sub(lambda found: linked(found, place, site), part) for part in parts[::2]]
-    living = FIGURE.sub(lambda found: figure(found, place), "".join(parts))
-    return TASK.sub(lambda found: task(found, place), living)
+    texts = parts[::2]
+    page.meta.update(runs=any(map(FIGURE.search, texts)), asks=any(map(TASK.search, texts)))
+    parts[::2] = [written_out(text, place, site) for text in texts]
+    return "".join(parts)
+
+
+def written_out(text, place, site):
+    """Text outside of code, with its links, figures and tasks as the books have them."""
+    text = CODE_OR_LINK.sub(lambda found: linked(found, place, site), text)
+    text = FIGURE.sub(lambda found: figure(found, place), text)
+    return TASK.sub(lambda found: task(found, place), text)
 
 
 def linked(found, place, site):
