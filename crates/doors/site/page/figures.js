@@ -54,7 +54,10 @@ class Figure {
     KINDS[this.#runs.kind](canvas, this.#models, this.#runs, (text) => this.#say(text));
     const busy = new Set();
     this.#models.forEach((model, at) => {
+      const machine = this.#machines[at];
       model.addEventListener("busy", ({ detail }) => {
+        // A figure that was stopped while its module came has a worker nevertheless.
+        if (!this.#models.includes(model)) return machine.close();
         busy[detail ? "add" : "delete"](model);
         this.#element.dataset.state = busy.size ? "busy" : "runs";
         if (!busy.size && this.#state.textContent === "The machine draws.") this.#say("");

@@ -3,7 +3,7 @@
 use std::env;
 use std::ffi::OsString;
 use std::path::{Path, absolute};
-use std::process::{Command, Stdio};
+use std::process::{Command, Output};
 
 use files::{make_folder, write_atomic};
 
@@ -28,7 +28,7 @@ const LEFT_OUT: &[u8] = include_bytes!("../books/left-out.html");
 /// Writes the books into the site `half`, whose scenarios are there; where MkDocs is missing, a page that says so. Whether it was there.
 pub fn write(workspace: &Path, half: &Path) -> Result<bool, SiteError> {
     let folder = half.join(FOLDER);
-    let has_mkdocs = succeeds(mkdocs().arg("--version").stdout(Stdio::null()).stderr(Stdio::null()));
+    let has_mkdocs = mkdocs().arg("--version").output().is_ok_and(|output| output.status.success());
     if has_mkdocs {
         make(workspace, &folder)?;
     } else {
@@ -40,17 +40,13 @@ pub fn write(workspace: &Path, half: &Path) -> Result<bool, SiteError> {
 
 /// Makes the pages in `folder`. The day of the build stands nowhere in them.
 fn make(workspace: &Path, folder: &Path) -> Result<(), SiteError> {
-    let failed = |source| SiteError::System { path: folder.to_owned(), doing: "name the folder", source };
-    // MkDocs takes its folder from that of its settings on.
-    let folder = absolute(folder).map_err(failed)?;
+    let failed = |doing| move |source| SiteError::System { path: folder.to_owned(), doing, source };
     let mut command = mkdocs();
-    command.args(["build", "--quiet", "--config-file"]).arg(workspace.join(SETTINGS));
-    command.arg("--site-dir").arg(folder).env("SOURCE_DATE_EPOCH", "0").stdout(Stdio::null());
-    if succeeds(&mut command) { Ok(()) } else { Err(SiteError::Books) }
-}
-
-fn succeeds(command: &mut Command) -> bool {
-    command.status().is_ok_and(|status| status.success())
+    command.args(["build", "--config-file"]).arg(workspace.join(SETTINGS)).env("SOURCE_DATE_EPOCH", "0");
+    // MkDocs takes its folder from that of its settings on.
+    command.arg("--site-dir").arg(absolute(folder).map_err(failed("name the folder"))?);
+    let Output { status, stderr, .. } = command.output().map_err(failed("make the books"))?;
+    if status.success() { Ok(()) } else { Err(SiteError::Books(String::from_utf8_lossy(&stderr).into_owned())) }
 }
 
 fn mkdocs() -> Command {
