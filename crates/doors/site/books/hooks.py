@@ -32,6 +32,7 @@ FIGURES = {
 SLIDER = {"key", "label", "from", "to", "step", "value", "unit"}
 AGAINST = {"machine", "faults", "set"}
 TASKS = SCENE | {"sweep", "asks", "measure", "says", "unit", "within", "key", "step"}
+ASKS = ["value", "largest", "smallest"]
 MEASURES = {"events", "wire", "take"}
 
 
@@ -63,7 +64,11 @@ def written_out(text, place, site):
     """Text outside of code, with its links, figures and tasks as the books have them."""
     text = CODE_OR_LINK.sub(lambda found: linked(found, place, site), text)
     text = FIGURE.sub(lambda found: figure(found, place), text)
-    return TASK.sub(lambda found: task(found, place), text)
+    text = TASK.sub(lambda found: task(found, place), text)
+    left = re.search(r"<!-- (?:runs|task):[^\n]*", text)
+    if left:
+        raise PluginError(f"{place}: found {left[0]}, expected JSON in braces, and a picture with its caption, or a question, right below")
+    return text
 
 
 def linked(found, place, site):
@@ -103,7 +108,9 @@ def figure(found, place):
 def task(found, place):
     asked = read(found["task"], place, "task")
     known(asked, TASKS, place)
-    known(asked["measure"], MEASURES, place)
+    known(asked.get("measure", {}), MEASURES, place)
+    if asked.get("asks") not in ASKS or "measure" not in asked:
+        raise PluginError(f"{place}: a task needs asks, one of {', '.join(ASKS)}, and measure")
     return f'<section class="task" data-task="{written(asked)}" markdown="1">\n{found["question"]}</section>\n'
 
 
