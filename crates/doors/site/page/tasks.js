@@ -21,7 +21,7 @@ const JUDGES = {
     const is = await measured();
     const told = (number) => [short(number), unit].filter(Boolean).join(" ");
     if (Math.abs(is - answer) <= within) return { right: true, says: `Right: the machine has ${told(is)}.` };
-    return { right: false, says: `Not so: the machine has ${answer < is ? "more" : "less"} than ${told(answer)}.` };
+    return { right: false, says: `Not so: what the machine has is ${answer < is ? "above" : "below"} ${told(answer)}.` };
   },
 
   /** The answer is the largest value of the key with which nothing is measured. */
@@ -34,12 +34,12 @@ const JUDGES = {
 /** Whether nothing is measured with `answer`, and something one step beyond it. */
 async function bound({ step, unit = "", says }, answer, measured, further) {
   if (Math.abs(answer / step - Math.round(answer / step)) > 1e-9) return { right: false, says: `Found ${answer}, expected a multiple of ${step} ${unit}.` };
-  const at = (value, number) => `with ${value} ${unit} the machine has ${number} ${says}`;
+  const at = (value, number) => `with ${value} ${unit} the number of ${says} is ${number}`;
   const here = await measured(answer);
   if (here > 0) return { right: false, says: `Not so: ${at(answer, here)}.` };
   const beyond = await measured(answer + further);
-  if (beyond === 0) return { right: false, says: `Not yet at the end: ${at(answer + further, "no")} either.` };
-  return { right: true, says: `Right: ${at(answer, "no")}, and ${at(answer + further, beyond)}.` };
+  if (beyond === 0) return { right: false, says: `Not yet at the end: ${at(answer + further, 0)} as well.` };
+  return { right: true, says: `Right: ${at(answer, 0)}, and ${at(answer + further, beyond)}.` };
 }
 
 /** A number in five digits. */
@@ -88,13 +88,11 @@ class Task {
   async #measured(value) {
     const { key, measure } = this.#task;
     const { scenario, machine, faults, set, frame, sweep } = first(this.#task);
-    const wishes = { machine: machine ?? undefined, overlays: faults, set: key ? { ...set, [key]: value } : set };
-    if (this.#machine) {
-      await this.#machine.set(wishes.set);
-    } else {
+    if (!this.#machine) {
       this.#machine = new Lunoid(new Here());
-      await this.#machine.open(scenario, { ...wishes, files: await given(scenario) });
+      await this.#machine.open(scenario, { machine: machine ?? undefined, overlays: faults, set, files: await given(scenario) });
     }
+    if (key) await this.#machine.set({ [key]: value });
     if (measure.events) return (await this.#machine.events({ frame, sweeps: sweep, ...measure.events })).events.length;
     const { planes } = await this.#machine.probe([measure.wire], sweep, { frame });
     return TAKES[measure.take](planes[measure.wire].values);
