@@ -135,7 +135,9 @@ async function widths(chromium, host, list, kept) {
       await chromium.emulate(width, scheme);
       for (const page of list) {
         await chromium.go(host.address + page);
-        const out = await chromium.script(`return document.documentElement.scrollWidth - document.documentElement.clientWidth;`);
+        const out = await chromium.script(`
+          document.querySelector("figure.living")?.scrollIntoView({ behavior: "instant" });
+          return document.documentElement.scrollWidth - document.documentElement.clientWidth;`);
         if (out > 0) expect(false, `${page} at ${width} pixels, ${scheme}: ${out} pixels stick out`);
         if (kept.has(page)) await writeFile(join(shots, `${page.replaceAll("/", "-")}-${width}-${scheme}.png`), await chromium.screenshot());
       }
