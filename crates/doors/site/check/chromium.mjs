@@ -42,13 +42,17 @@ export class Chromium {
     return this.ask("POST", "/url", { url });
   }
 
-  /** What the body of an async function returns in the page; `lunoid` is the module of the site. */
-  async run(body, ...values) {
+  /** What the body of an async function returns in the page; `lunoid` is the module of the site, for pages beside it. */
+  run(body, ...values) {
+    return this.script(`const lunoid = await import(new URL("lunoid.js", document.baseURI)); ${body}`, ...values);
+  }
+
+  /** What the body of an async function returns in any page, with `values`. */
+  async script(body, ...values) {
     const script = `
       const done = arguments[arguments.length - 1];
       const values = [...arguments].slice(0, -1);
-      import(new URL("lunoid.js", document.baseURI)).then(async (lunoid) => { ${body} })
-        .then((ok) => done({ ok }), (error) => done({ error: String(error && error.stack || error) }));`;
+      (async () => { ${body} })().then((ok) => done({ ok }), (error) => done({ error: String(error && error.stack || error) }));`;
     const { ok, error } = await this.ask("POST", "/execute/async", { script, args: values });
     if (error) throw new Error(error);
     return ok;

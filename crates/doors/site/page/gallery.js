@@ -1,6 +1,6 @@
 // The gallery: every shipped scenario and every fault, drawn when they come into view, one after another.
 
-import { Here } from "./here.js";
+import { HAS_BOOKS, Here } from "./here.js";
 import { Lunoid } from "./lunoid.js";
 import { written } from "./link.js";
 import { show } from "./picture.js";
@@ -61,6 +61,7 @@ async function draw(canvas, { scenario, faults, frame }) {
   canvas.dataset.hash = hash;
 }
 
+document.getElementById("books").hidden = !HAS_BOOKS;
 for (const { scenario, title, shows, frames } of rows) {
   card("scenarios", { scenario, faults: [], frame: Math.floor(frames / 2) }, title, shows);
 }

@@ -1,6 +1,6 @@
 // The instrument: tube, scope, fault board and time over one view model. The page knows nothing of where the machine runs.
 
-import { FIRST, Here } from "./here.js";
+import { FIRST, HAS_BOOKS, Here } from "./here.js";
 import { Lunoid } from "./lunoid.js";
 import { showEvents } from "./events-table.js";
 import { diagramPanel } from "./diagram-panel.js";
@@ -212,6 +212,7 @@ diagramPanel(at, model, { scope: wire, failed });
 new DrivePad(at("pad"), steer);
 new Gamepads(steer, (name) => at(name).click());
 
+at("books").hidden = !HAS_BOOKS;
 fillMenus();
 at("scenario").addEventListener("change", ({ target }) => model.show({ scenario: target.value, set: {}, faults: [], frame: 0, column: null, line: null }));
 at("machine").addEventListener("change", ({ target }) => model.show({ machine: target.value || null, faults: [] }));

@@ -7,12 +7,21 @@ use files::{make_folder, read_all, rename, write_atomic};
 use limits::Limit;
 use site::{LIST, PAGE, list};
 
+use crate::books;
 use crate::error::SiteError;
 use crate::module;
 use crate::scenarios::{Shipped, shipped};
 
 /// Name of the module in the site.
 const MODULE: &str = "lunoid.wasm";
+
+/// What stands in a site.
+struct Written {
+    /// Bytes of the module.
+    module: u64,
+    /// Whether MkDocs was there to make the books.
+    has_books: bool,
+}
 
 /// Builds the site in `out`, with `module` or one that is built. Returns what was written, in words.
 pub fn build(out: &Path, module: Option<&Path>) -> Result<String, SiteError> {
@@ -23,11 +32,11 @@ pub fn build(out: &Path, module: Option<&Path>) -> Result<String, SiteError> {
     let half = beside(out, "half");
     remove(&half)?;
     let written =
-        write(&half, &workspace, &module, &shipped).and_then(|bytes| put(&half, out).map(|()| bytes));
+        write(&half, &workspace, &module, &shipped).and_then(|written| put(&half, out).map(|()| written));
     if written.is_err() {
         remove(&half)?;
     }
-    Ok(told(out, written?, &shipped))
+    Ok(told(out, &written?, &shipped))
 }
 
 /// Only a site, or nothing, is replaced.
@@ -36,8 +45,8 @@ fn expect_free(out: &Path) -> Result<(), SiteError> {
     if is_free { Ok(()) } else { Err(SiteError::NoSite(out.to_owned())) }
 }
 
-/// Writes everything into `half`; returns the bytes of the module.
-fn write(half: &Path, workspace: &Path, module: &Path, shipped: &Shipped) -> Result<u64, SiteError> {
+/// Writes everything into `half`.
+fn write(half: &Path, workspace: &Path, module: &Path, shipped: &Shipped) -> Result<Written, SiteError> {
     make_folder(half)?;
     for (name, bytes) in PAGE {
         write_atomic(half.join(name), |out| out.write_all(bytes))?;
@@ -49,7 +58,8 @@ fn write(half: &Path, workspace: &Path, module: &Path, shipped: &Shipped) -> Res
     }
     let list = format!("{:#}\n", list(&shipped.rows));
     write_atomic(half.join(LIST), |out| out.write_all(list.as_bytes()))?;
-    copy(module, &half.join(MODULE))
+    let module = copy(module, &half.join(MODULE))?;
+    Ok(Written { module, has_books: books::write(workspace, half)? })
 }
 
 fn copy(from: &Path, to: &Path) -> Result<u64, SiteError> {
@@ -81,13 +91,16 @@ fn remove(folder: &Path) -> Result<(), SiteError> {
     fs::remove_dir_all(folder).map_err(failed)
 }
 
-fn told(out: &Path, module: u64, shipped: &Shipped) -> String {
+fn told(out: &Path, Written { module, has_books }: &Written, shipped: &Shipped) -> String {
     let mut told = format!(
         "{}: {} scenarios, module of {module} bytes. Serve the folder and open index.html, for example: python3 -m http.server --directory {}",
         out.display(),
         shipped.rows.len(),
         out.display()
     );
+    if !has_books {
+        told += &format!("\nleft out: the books: {}", books::MISSING);
+    }
     for (name, why) in &shipped.left_out {
         told += &format!("\nleft out: {name}: {why}");
     }

@@ -32,6 +32,9 @@ pub enum SiteError {
     /// The target of the module is not installed.
     #[error("the target {0} is not installed; `rustup target add {0}` installs it")]
     NoTarget(&'static str),
+    /// What MkDocs says where it fails: among it the page, and what is wrong there.
+    #[error("MkDocs cannot make the books:\n{0}")]
+    Books(String),
     /// Cargo has failed, or cannot be started.
     #[error("cargo cannot {0}; its own message stands above")]
     Cargo(&'static str),

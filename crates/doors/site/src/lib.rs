@@ -3,7 +3,8 @@
 //! ```text
 //! crate browser ─▶ cargo ─▶ lunoid.wasm ─┐
 //! crates/doors/site/page ────────────────┼─▶ site/          a folder for any static host
-//! scenarios, and the files they name ────┘
+//! scenarios, and the files they name ────┤
+//! docs ─▶ MkDocs, with books/ ───────────┘
 //!
 //! crates/doors/site/page, drive ─▶ PAGE, OF_A_PROGRAM ─▶ `lunoid drive`
 //! ```

@@ -1,5 +1,6 @@
 //! `site build`: the page with the machine in it, as a folder for any static host.
 
+mod books;
 mod building;
 mod error;
 mod module;

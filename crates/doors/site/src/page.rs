@@ -17,10 +17,14 @@ macro_rules! page {
 type File = (&'static str, &'static [u8]);
 
 /// All files of the page, whose machine is in a worker of its own.
-pub const PAGE: [File; 29] = [
+pub const PAGE: [File; 34] = [
     page!("curve.js"),
     page!("events-table.js"),
     page!("fault-board.js"),
+    page!("figure-kinds.js"),
+    page!("figure-scenes.js"),
+    page!("figures.css"),
+    page!("figures.js"),
     page!("first.js"),
     page!("gallery.css"),
     page!("gallery.html"),
@@ -43,6 +47,7 @@ pub const PAGE: [File; 29] = [
     page!("shipped.js"),
     page!("socket-home.js"),
     page!("style.css"),
+    page!("tasks.js"),
     page!("tube.js"),
     page!("view-model.js"),
     page!("worker-home.js"),
