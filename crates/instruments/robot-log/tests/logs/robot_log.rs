@@ -151,7 +151,7 @@ fn pixel_depth_and_transforms_lead_back_to_the_truth() {
 /// The log has a message for each sweep with late words, at the time of the first, and the words are as many as the run counts.
 #[test]
 fn late_words_come_at_their_time_with_the_words_of_the_listing() {
-    let set = vec![("loader.access_ns", "4000")];
+    let set = vec![("loader.access_ns", "40000")];
     let made = Made::new(Wish { machine: "pra-nominal", set, ..Wish::default() });
     let messages: Topic<Log> = read(&log_of(&made), "/late_words");
     let run = HeldRun::read(&made.path()).expect("a run");
