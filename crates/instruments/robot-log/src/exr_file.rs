@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 use std::io::{Cursor, Write};
-use std::path::PathBuf;
+use std::path::Path;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use exr::prelude::{
@@ -53,12 +53,7 @@ pub fn write_exr(run: &FinishedRun, control: &Control) -> Result<Outcome, LogErr
 }
 
 /// The bytes of the file of a frame.
-fn encode(
-    run: &FinishedRun,
-    row: &PoseRow,
-    transfer: &Transfer,
-    path: &PathBuf,
-) -> Result<Vec<u8>, LogError> {
+fn encode(run: &FinishedRun, row: &PoseRow, transfer: &Transfer, path: &Path) -> Result<Vec<u8>, LogError> {
     let files = run.frame(row.frame)?;
     let mut channels = light(&files, transfer)?;
     for (item, array) in &files.truth {
@@ -76,7 +71,7 @@ fn encode(
     let layer = Layer::new(size, attributes, Encoding::SMALL_LOSSLESS, AnyChannels::sort(channels.into()));
     let mut bytes = Cursor::new(Vec::new());
     let written = Image::from_layer(layer).write().non_parallel().to_buffered(&mut bytes);
-    written.map_err(|error| LogError::Pack { path: path.clone(), reason: error.to_string() })?;
+    written.map_err(|error| LogError::Pack { path: path.to_owned(), reason: error.to_string() })?;
     Ok(bytes.into_inner())
 }
 

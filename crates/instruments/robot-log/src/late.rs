@@ -2,7 +2,7 @@
 
 use event_list::{DigitalFrame, told};
 use generator::FrameError;
-use machine::{ControlPlane, EventWord, MachineStage};
+use machine::{ControlPlane, DigitalEvent, EventWord, MachineStage};
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use scenario::PoseRow;
 
@@ -25,7 +25,7 @@ pub struct LateWord {
     /// Unit that missed them.
     pub unit: String,
     /// Sweep in which they were missed, from 0.
-    pub sweep: Option<u32>,
+    pub sweep: u32,
     /// The event in a line.
     pub text: String,
 }
@@ -42,7 +42,7 @@ impl LateWords {
         Self { control: ControlPlane::new(stage.clone()), stage }
     }
 
-    /// The late words of a frame in the order of their ticks, by the threads of the current pool.
+    /// The late words of a frame, sweep by sweep in the order of their ticks, by the threads of the current pool.
     ///
     /// # Errors
     /// If the pose cannot be drawn.
@@ -51,17 +51,18 @@ impl LateWords {
         let sweeps = frame.sweeps();
         let timebase = &self.stage.settings.timebase;
         let of = |sweep: u32| {
-            sweeps.events(sweep).into_iter().filter(|event| LATE.contains(&event.event)).collect::<Vec<_>>()
+            let mut events = sweeps.events(sweep);
+            events.retain(|event| LATE.contains(&event.event));
+            events.sort_by_key(|event| event.tick);
+            let word = |event: &DigitalEvent| LateWord {
+                time: nanoseconds(event.tick.0, timebase.master).unwrap_or(u64::MAX),
+                unit: event.unit.to_string(),
+                sweep,
+                text: told(event),
+            };
+            events.iter().map(word).collect::<Vec<_>>()
         };
         let found: Vec<_> = (0..timebase.sweeps).into_par_iter().map(of).collect();
-        let mut events: Vec<_> = found.into_iter().flatten().collect();
-        events.sort_by_key(|event| event.tick);
-        let word = |event: &machine::DigitalEvent| LateWord {
-            time: nanoseconds(event.tick.0, timebase.master).unwrap_or(u64::MAX),
-            unit: event.unit.to_string(),
-            sweep: event.sweep,
-            text: told(event),
-        };
-        Ok(events.iter().map(word).collect())
+        Ok(found.into_iter().flatten().collect())
     }
 }

@@ -19,7 +19,7 @@ use quantities::Rate;
 use replay::{Control, Pinhole, Progress, TruthItem};
 use scenario::PoseRow;
 
-use crate::messages::{calibration, depth, labels, late_word, path, picture, timestamp, transforms};
+use crate::messages::{calibration, depth, labels, late_words, path, picture, timestamp, transforms};
 use crate::{
     FinishedRun, FrameFiles, LateWord, LateWords, LogError, Outcome, expect_truth_of_log, nanoseconds,
 };
@@ -198,10 +198,12 @@ impl<'a> RobotLog<'a> {
         Ok(())
     }
 
+    /// A message for each sweep with late words.
     fn late(&mut self, frame: u64, words: &[LateWord]) -> Result<(), Fault> {
-        for word in words {
-            let stamp = timestamp(word.time).ok_or(LogError::Late { frame })?;
-            self.add(self.late, word.time, &late_word(stamp, frame, word))?;
+        for words in words.chunk_by(|one, next| one.sweep == next.sweep) {
+            let time = words[0].time;
+            let stamp = timestamp(time).ok_or(LogError::Late { frame })?;
+            self.add(self.late, time, &late_words(stamp, frame, words))?;
         }
         Ok(())
     }

@@ -89,14 +89,25 @@ pub fn path<'a>(time: Timestamp, poses: impl Iterator<Item = &'a Pose>) -> Poses
     PosesInFrame { timestamp: Some(time), frame_id: SITE.into(), poses: poses.map(pose).collect() }
 }
 
-/// A late word of frame `frame`, with the words that `lunoid explain --late` and `lunoid trace` understand.
-pub fn late_word(time: Timestamp, frame: u64, word: &LateWord) -> Log {
-    let sweep = word.sweep.map_or_else(String::new, |sweep| format!(" sweep {sweep},"));
+/// Late words of a sweep that a message lists one by one. Chosen: a screen of a viewer has them, and a log of a machine that is late
+/// all the time stays small.
+const MOST_LINES: usize = 8;
+
+/// The late words of one sweep of frame `frame`, at least one, in the words that `lunoid trace` has.
+pub fn late_words(time: Timestamp, frame: u64, words: &[LateWord]) -> Log {
+    let first = &words[0];
+    let mut message = format!("frame {frame}, sweep {}: {} late", first.sweep, words.len());
+    words.iter().take(MOST_LINES).for_each(|word| message += &format!("\n{}", word.text));
+    if words.len() > MOST_LINES {
+        let (more, sweep) = (words.len() - MOST_LINES, first.sweep);
+        message +=
+            &format!("\nand {more} more: `lunoid trace` with --frame {frame} --sweep {sweep} lists them");
+    }
     Log {
         timestamp: Some(time),
         level: Level::Warning as i32,
-        message: format!("frame {frame},{sweep} {}", word.text),
-        name: word.unit.clone(),
+        message,
+        name: first.unit.clone(),
         file: String::new(),
         line: 0,
     }

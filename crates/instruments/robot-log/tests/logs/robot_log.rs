@@ -11,6 +11,7 @@ use glam::{DQuat, DVec3};
 use landscape::LUNOID_RADIUS;
 use mcap::{MessageStream, Summary};
 use replay::HeldRun;
+use robot_log::LateWord;
 
 use crate::scene::{Made, Wish};
 
@@ -147,28 +148,37 @@ fn pixel_depth_and_transforms_lead_back_to_the_truth() {
     assert!(seen.iter().all(|count| *count > 1000), "{seen:?}");
 }
 
+/// The log has a message for each sweep with late words, at the time of the first, and the words are as many as the run counts.
 #[test]
 fn late_words_come_at_their_time_with_the_words_of_the_listing() {
-    let set = vec![("loader.access_ns", "4000")];
+    let set = vec![("loader.access_ns", "40000")];
     let made = Made::new(Wish { machine: "pra-nominal", set, ..Wish::default() });
-    let words: Topic<Log> = read(&log_of(&made), "/late_words");
+    let messages: Topic<Log> = read(&log_of(&made), "/late_words");
     let run = HeldRun::read(&made.path()).expect("a run");
-    for record in &run.frames {
-        let of_frame = |word: &&(u64, Log)| word.1.message.starts_with(&format!("frame {},", record.frame));
+    let (mut told, mut shortened) = (messages.iter(), 0);
+    for (record, words) in run.frames.iter().zip(made.late_words()) {
+        let count = |word: &LateWord| {
+            let count = word.text.split("words ").nth(1).and_then(|rest| rest.split(',').next());
+            count.and_then(|count| count.parse::<u64>().ok()).expect("a number of words")
+        };
+        let of_terrain = words.iter().filter(|word| word.text.contains(": registers late "));
+        assert_eq!(Some(of_terrain.map(count).sum()), record.counts.get("late_words"));
         let (begin, end) = (record.frame * 1_000_000_000 / 15, (record.frame + 1) * 1_000_000_000 / 15 + 1);
-        let mut late = 0;
-        for (time, word) in words.iter().filter(of_frame) {
-            assert!((begin..=end).contains(time), "{time}: {}", word.message);
-            assert_eq!(word.timestamp.expect("a time").total_nanos(), *time);
-            assert_eq!((word.level, word.name.is_empty()), (3, false));
-            if word.message.contains(" late ") && word.message.contains("registers") {
-                let count = word.message.split("words ").nth(1).and_then(|rest| rest.split(',').next());
-                late += count.and_then(|count| count.parse::<u64>().ok()).expect("a number of words");
-            }
+        for words in words.chunk_by(|one, next| one.sweep == next.sweep) {
+            let (time, log) = told.next().expect("a message");
+            assert!((begin..=end).contains(time) && *time == words[0].time, "{time}: {}", log.message);
+            assert_eq!(log.timestamp.expect("a time").total_nanos(), *time);
+            assert_eq!((log.level, &log.name), (3, &words[0].unit));
+            let mut lines = log.message.lines();
+            let head = format!("frame {}, sweep {}: {} late", record.frame, words[0].sweep, words.len());
+            assert_eq!(lines.next(), Some(head.as_str()));
+            words.iter().take(8).for_each(|word| assert_eq!(lines.next(), Some(word.text.as_str())));
+            let more = (words.len() > 8).then(|| format!("and {} more: ", words.len() - 8));
+            shortened += u32::from(more.is_some());
+            assert_eq!(lines.next().map(|line| line.split('`').next().unwrap_or_default()), more.as_deref());
         }
-        assert_eq!(Some(late), record.counts.get("late_words"), "frame {}", record.frame);
     }
-    assert!(run.totals.get("late_words").is_some_and(|late| late > 0));
+    assert!(told.next().is_none() && !messages.is_empty() && shortened > 0);
 }
 
 #[test]

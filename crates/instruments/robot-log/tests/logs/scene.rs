@@ -10,7 +10,7 @@ use machine::MachineStage;
 use picture::Depth;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use replay::{Control, Job, Phases, Pictures, Progress, RunFolder, TruthItems, run, write_truth};
-use robot_log::{FinishedRun, LateWords, LogError, Outcome, write_exr, write_mcap};
+use robot_log::{FinishedRun, LateWord, LateWords, LogError, Outcome, write_exr, write_mcap};
 use run_record::Program;
 
 /// What a test wants to be different.
@@ -79,6 +79,15 @@ impl Made {
             let run = FinishedRun::read(job, folder, Some(&items))?;
             let late = self.opened.is_machine().then(|| LateWords::new(self.stage.clone()));
             write_mcap(&run, late.as_ref(), file, control)
+        })
+    }
+
+    /// Late words of every frame.
+    pub fn late_words(&self) -> Vec<Vec<LateWord>> {
+        let late = LateWords::new(self.stage.clone());
+        self.with(None, |job, _, _| {
+            let poses = job.poses(job.frames.clone()).expect("a path");
+            poses.rows().iter().map(|row| late.of(row).expect("a frame")).collect()
         })
     }
 
