@@ -5,12 +5,14 @@ use std::path::Path;
 
 use diagnostics::{Problem, Reader};
 use front_door::{OpenError, Opened, open};
+use limits::Limit;
 
 use crate::plan::{Combination, KeyDraw, Plan};
 
 /// Opens each combination with the ends of what is drawn. What is wrong is told at the place of the plan that asks for it.
 pub(crate) fn check(plan: &Plan, root: &Reader) {
     files(plan, root);
+    samples(plan, root);
     let (mut rasters, mut counters) = (Rasters::default(), BTreeSet::new());
     for of in plan.all() {
         let (scenario, name) = (plan.file(&plan.scenarios[of.scenario]), &plan.scenarios[of.scenario]);
@@ -50,6 +52,16 @@ fn remembers_frames(opened: &Opened) -> bool {
     let settings = &opened.settings;
     let of_machine = settings.data_banks.drum.is_some() || settings.analog.remembers_frames();
     opened.generator.remembers_frames() || (opened.is_machine() && of_machine)
+}
+
+/// A data set has no more samples than a scenario may have frames.
+fn samples(plan: &Plan, root: &Reader) {
+    let samples = plan.samples();
+    if !Limit::Frames.allows(samples) {
+        let title = format!("{samples} samples of {} combinations", plan.combinations());
+        let problem = root.problem("draws", title).expected(format!("at most {}", Limit::Frames.value()));
+        root.report(problem.help(Limit::Frames.to_string()));
+    }
 }
 
 fn files(plan: &Plan, root: &Reader) {

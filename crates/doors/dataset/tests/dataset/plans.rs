@@ -20,6 +20,7 @@ fn every_broken_plan_is_one_error_with_its_line() {
         ("format = 1", "format = 2", "newer than the format 1", 1),
         ("seed = 7", "sede = 7\nseed = 7", "unknown key `sede`", 5),
         ("seed = 7", "seed = -7", "`seed` must be a whole number", 5),
+        ("draws = 3", "draws = 5000000", "15000000 samples", 6),
         ("draws = 3", "draws = 0", "`draws` must be a whole number from 1", 6),
         ("about = \"Nothing but a test.\"\n", "", "missing key `about`", 1),
         ("licence = \"CC0-1.0\"", "licence = 3", "`licence` must be one line of text", 4),
