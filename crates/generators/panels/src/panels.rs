@@ -82,7 +82,7 @@ impl Generator for Panels {
 
     /// The fill of the listing takes time; no other way to draw does.
     fn timed(&self, stage: Stage) -> Result<Option<Box<dyn Timed>>, PrepareError> {
-        if !self.parameters.program.draws() {
+        if !self.parameters.program.restrictions.both_ends {
             return Ok(None);
         }
         Ok(Some(Box::new(Job::new(stage, self.parameters.clone(), self.hardware)?)))
