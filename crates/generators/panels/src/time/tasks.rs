@@ -16,12 +16,12 @@ const RECORD: u64 = SIDE as u64;
 struct Operations {
     /// Numbers read or written by format.
     numbers: u64,
-    /// Bytes of records.
+    /// Bytes that records move.
     bytes: u64,
     multiplications: u64,
     divisions: u64,
     roots: u64,
-    /// Sines and cosines.
+    /// Sines and cosines that are taken.
     trigs: u64,
     /// Elements of arrays that are read or written.
     cells: u64,
