@@ -7,8 +7,9 @@ use scenario::{Guest, Pose};
 use smallvec::SmallVec;
 use solids::{Body, Kind};
 
+use crate::list::List;
 use crate::piece::Corner;
-use crate::scene::{List, SceneBuilder};
+use crate::scene::SceneBuilder;
 use crate::schedule::{Target, group_target};
 
 /// Priority of the nearest body: behind all lists of a scenario.

@@ -4,13 +4,13 @@ use std::collections::BTreeMap;
 
 use timing::{Cause, Deadline, Missed, Slack};
 
-use crate::frame_lists;
+use crate::drawn_lists;
 use crate::hardware::Kind;
 use crate::piece::Piece;
+use crate::prepared::Prepared;
 use crate::scan_line::TimedLine;
 use crate::scene::Scene;
 use crate::schedule::{Item, Target};
-use crate::session::Session;
 use crate::slots;
 
 /// A list's sequence, sun vector, body or normals are new in this frame.
@@ -22,7 +22,7 @@ const EDGE_STORE: Deadline = Deadline::new("edge-store");
 
 /// Deadlines of a frame as they are met or missed. Ticks are nanoseconds from when the spare time of the frame before begins.
 pub struct Judged<'a> {
-    session: &'a Session,
+    prepared: &'a Prepared,
     /// Slack of each kind of deadline that the machine has.
     pub deadlines: BTreeMap<Deadline, Slack>,
     /// Deadlines that were missed, in the order in which they were judged.
@@ -31,14 +31,14 @@ pub struct Judged<'a> {
 
 impl<'a> Judged<'a> {
     /// All deadlines that the machine has, before any is met or missed; those of slots only where they are limited.
-    pub fn none_of(session: &'a Session) -> Self {
+    pub fn none_of(prepared: &'a Prepared) -> Self {
         let limited = [
-            (session.hardware.edges_line.is_some(), EDGE),
-            (session.hardware.edges_frame.is_some(), EDGE_STORE),
+            (prepared.hardware.edges_line.is_some(), EDGE),
+            (prepared.hardware.edges_frame.is_some(), EDGE_STORE),
         ];
         let limited = limited.into_iter().filter_map(|(is_there, kind)| is_there.then_some(kind));
         let kinds = [Deadline::FRAME_TASKS, UPDATE].into_iter().chain(limited);
-        Self { session, deadlines: kinds.map(|kind| (kind, Slack::default())).collect(), misses: Vec::new() }
+        Self { prepared, deadlines: kinds.map(|kind| (kind, Slack::default())).collect(), misses: Vec::new() }
     }
 
     /// Counts a deadline that was met or missed by so many ticks; `missed` tells of a miss.
@@ -51,7 +51,7 @@ impl<'a> Judged<'a> {
 
     /// Whether all work of the real-time computer fits the spare time of a frame.
     pub fn frame_tasks(&mut self) {
-        let [due, came] = [self.session.hardware.rt.spare_ns, self.session.schedule.asked_ns()];
+        let [due, came] = [self.prepared.hardware.rt.spare_ns, self.prepared.schedule.asked_ns()];
         self.add(Deadline::FRAME_TASKS, due as i64 - came as i64, || Missed {
             due: due as f64,
             came: Some(came as f64),
@@ -61,10 +61,10 @@ impl<'a> Judged<'a> {
 
     /// Whether each list's sequence, sun vector, body and normals are new in frame `frame`, of frames of `ticks`.
     pub fn updates(&mut self, frame: u64, ticks: u64) {
-        let session = self.session;
-        let due = session.hardware.rt.spare_ns;
-        for item in session.schedule.items() {
-            let came = came(session, item, frame, ticks);
+        let prepared = self.prepared;
+        let due = prepared.hardware.rt.spare_ns;
+        for item in prepared.schedule.items() {
+            let came = came(prepared, item, frame, ticks);
             // What never comes is as late as a frame is long.
             let slack =
                 came.map_or(-(ticks as i64), |came| due as i64 - i64::try_from(came).unwrap_or(i64::MAX));
@@ -96,7 +96,7 @@ impl<'a> Judged<'a> {
 
     /// Whether the edges of all faces find slots in the frame, where those are limited.
     pub fn frame_edges(&mut self, scene: &Scene) {
-        let Some(slots) = self.session.hardware.edges_frame else { return };
+        let Some(slots) = self.prepared.hardware.edges_frame else { return };
         let used: u64 = slots::of_lists(scene.pieces.iter(), scene.lists.len()).into_iter().sum();
         let slack = self.deadlines.entry(EDGE_STORE).or_default();
         let kept = scene.pieces.chunk_by(is_one_face).count();
@@ -112,21 +112,21 @@ impl<'a> Judged<'a> {
 }
 
 /// When work for frame `frame` is ready (ns from when the spare time of the frame before begins); `None` if never.
-fn came(session: &Session, item: &Item, frame: u64, ticks: u64) -> Option<u64> {
-    let behind = item.when.next(frame)? - frame + pointer_behind(session, item, frame);
+fn came(prepared: &Prepared, item: &Item, frame: u64, ticks: u64) -> Option<u64> {
+    let behind = item.when.next(frame)? - frame + pointer_behind(prepared, item, frame);
     Some(behind.saturating_mul(ticks).saturating_add(item.ready_ns))
 }
 
 /// Frames by which the pointer of a sequence is behind in `frame`: those by which its steps are late, where it shows another member.
-fn pointer_behind(session: &Session, item: &Item, frame: u64) -> u64 {
-    let late = session.hardware.rt.late_frames;
+fn pointer_behind(prepared: &Prepared, item: &Item, frame: u64) -> u64 {
+    let late = prepared.hardware.rt.late_frames;
     let Target::List(number) = item.target else { return 0 };
     if item.kind != Kind::Sequence || late == 0 {
         return 0;
     }
-    let list = frame_lists::drawn(&session.stage, &session.run)[number];
+    let list = drawn_lists::drawn(&prepared.stage, &prepared.run)[number];
     let punctual = list.group.shown(frame, |name| list.carrier.signal(name, frame));
-    let shows = frame_lists::shown_faces(list, &list.group, frame, &session.hardware);
+    let shows = drawn_lists::shown_faces(list, &list.group, frame, &prepared.hardware);
     if shows == punctual { 0 } else { u64::from(late) }
 }
 

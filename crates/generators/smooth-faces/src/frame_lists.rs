@@ -5,24 +5,14 @@ use std::borrow::Cow;
 use faces::{Animate, Detail, Face, Group, ModelShading, Shading, Sides};
 use generator::{Label, Stage};
 use glam::DVec3;
-use scenario::{Carrier, DrawnBy, FaceKind, FaceList, ListAxes, Pose};
+use scenario::{Carrier, FaceKind, FaceList, ListAxes, Pose};
 use smallvec::SmallVec;
 
-use crate::hardware::Hardware;
+use crate::drawn_lists::{drawn, shown_faces};
+use crate::list::List;
 use crate::parameters::{Hull, Parameters};
 use crate::piece::Corner;
-use crate::scene::{List, SceneBuilder};
-
-/// Lists of faces of a stage that are drawn.
-pub fn drawn<'a>(stage: &'a Stage, run: &Parameters) -> Vec<&'a FaceList> {
-    let whole_hulls = run.hull == Hull::DeepHull;
-    let is_drawn = |list: &&FaceList| match list.drawn_by {
-        DrawnBy::All => true,
-        DrawnBy::Exact => whole_hulls && list.kind == FaceKind::Ship,
-        DrawnBy::Machines => !(whole_hulls && list.kind == FaceKind::Ship),
-    };
-    stage.scenery.face_lists().lists.iter().filter(is_drawn).collect()
-}
+use crate::scene::SceneBuilder;
 
 /// Adds all lists of faces of a stage, the lowest priority first.
 pub fn add(scene: &mut SceneBuilder<'_>, stage: &Stage, pose: &Pose) {
@@ -94,11 +84,6 @@ fn add_list(
             .collect();
         scene.add(&corners, of_mesh.colour, [number, face as u32]);
     }
-}
-
-/// Faces of a list that the pointers of its sequences show in `frame`.
-pub fn shown_faces(list: &FaceList, group: &Group, frame: u64, hardware: &Hardware) -> Vec<usize> {
-    group.shown_late(frame, hardware.rt.late_frames, |name| list.carrier.signal(name, frame))
 }
 
 /// Whether a face is seen from behind; `None` if it is not seen.

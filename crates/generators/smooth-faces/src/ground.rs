@@ -7,8 +7,9 @@ use landscape::Sun;
 use quantities::luminance;
 use scene_sampler::Wedge;
 
+use crate::list::List;
 use crate::piece::Corner;
-use crate::scene::{List, SceneBuilder};
+use crate::scene::SceneBuilder;
 
 /// Its priority: behind everything else.
 pub const PRIORITY: i64 = i64::MAX;

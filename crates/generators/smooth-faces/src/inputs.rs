@@ -7,13 +7,13 @@ use generator::Stage;
 use landscape::bank_file;
 use scenario::{FaceList, Scenario};
 
-use crate::frame_lists;
-use crate::session::Session;
+use crate::drawn_lists;
+use crate::prepared::Prepared;
 
 /// Hash of everything that decides what a frame takes: ground, craters, bodies, lists of faces, path, view, run parameters, hardware.
 /// The sun of the scenario is not in it: it lights faces, and moves none.
-pub(crate) fn inputs_hash(scenario: &Scenario, session: &Session) -> String {
-    let Stage { landscape, scenery, view } = &session.stage;
+pub(crate) fn inputs_hash(scenario: &Scenario, prepared: &Prepared) -> String {
+    let Stage { landscape, scenery, view } = &prepared.stage;
     let mut hasher = Hasher::new_derive_key("lunoid timing, inputs of smooth-shaded faces, format 1");
     hasher.update(&bank_file::content_hash(landscape.bank()));
     landscape.features().craters().iter().for_each(|crater| add(&mut hasher, "crater", &crater));
@@ -24,13 +24,13 @@ pub(crate) fn inputs_hash(scenario: &Scenario, session: &Session) -> String {
     }
     scenery.all_guests().iter().for_each(|guest| add(&mut hasher, "guest", guest));
     scenery.groups().iter().for_each(|group| add(&mut hasher, "group", group));
-    frame_lists::drawn(&session.stage, &session.run).iter().for_each(|list| add_list(&mut hasher, list));
+    drawn_lists::drawn(&prepared.stage, &prepared.run).iter().for_each(|list| add_list(&mut hasher, list));
     add(&mut hasher, "path", &(scenario.way().waypoints(), &scenario.vehicle));
     scenario.channel.iter().for_each(|channel| add(&mut hasher, "channel", channel));
     let raster = (view.columns, view.lines, view.field, view.update);
     add(&mut hasher, "view", &(raster, view.ranges, view.yoke, view.laws.curvature));
-    add(&mut hasher, "run", &session.run);
-    add(&mut hasher, "hardware", &session.hardware);
+    add(&mut hasher, "run", &prepared.run);
+    add(&mut hasher, "hardware", &prepared.hardware);
     hasher.finalize().to_hex().to_string()
 }
 

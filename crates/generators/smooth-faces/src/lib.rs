@@ -71,15 +71,18 @@
 
 mod bodies;
 mod deadlines;
+mod drawn_lists;
 mod faults;
 mod frame_lists;
 mod ground;
 mod hardware;
 mod inputs;
+mod list;
 mod name;
 mod parameters;
 mod piece;
 mod planes;
+mod prepared;
 mod row;
 mod scan_line;
 mod scene;

@@ -106,6 +106,14 @@ impl Parameters {
         })
     }
 
+    /// Axis of the screen that scan lines lie across.
+    pub(crate) fn across(&self) -> usize {
+        match self.scan {
+            Scan::Vertical => 0,
+            Scan::Horizontal => 1,
+        }
+    }
+
     /// All parameters for the record of a run.
     pub(crate) fn record(&self) -> Value {
         let rings = self.ground.unwrap_or(Rings { half_side: 0.0, cells: 0 });

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use crate::parameters::Parameters;
 use crate::piece::{Piece, samples};
-use crate::scan_line::{Sample, ScanLine, TimedLine, across};
+use crate::scan_line::{Sample, ScanLine, TimedLine};
 use crate::scene::Scene;
 
 /// The planes that are filled.
@@ -67,7 +67,7 @@ fn each_line<T: Send>(
     size: [usize; 2],
     of_line: impl Fn(&Scene, &Parameters, &[u32], usize, usize) -> T + Sync,
 ) -> Vec<T> {
-    let axis = across(run);
+    let axis = run.across();
     let (lines, samples) = (size[axis], size[1 - axis]);
     let crossings = Crossings::new(scene, axis, lines);
     let line = |line: usize| of_line(scene, run, crossings.of(line), line, samples);
@@ -76,7 +76,7 @@ fn each_line<T: Send>(
 
 /// Fills those of [`PLANES`] that a caller wants.
 pub fn fill(scene: &Scene, run: &Parameters, lines: &[ScanLine], planes: &mut Planes) {
-    let (axis, columns) = (across(run), planes.columns());
+    let (axis, columns) = (run.across(), planes.columns());
     for kind in PLANES {
         let Some(values) = planes.get_mut(kind) else { continue };
         values.par_iter_mut().enumerate().for_each(|(at, value)| {

@@ -148,7 +148,7 @@ fn ramps(
     pieces: impl Iterator<Item = u32>,
     line: usize,
 ) -> Vec<(u32, Ramp)> {
-    let (across, at) = (across(run), line as f64 + 0.5);
+    let (across, at) = (run.across(), line as f64 + 0.5);
     let ramp = |piece: u32| Some((piece, scene.pieces[piece as usize].ramp(across, at, run.interpolation)?));
     pieces.filter_map(ramp).collect()
 }
@@ -157,14 +157,6 @@ fn ramps(
 fn without_slot(ramps: &mut Vec<(u32, Ramp)>, slots: Option<u32>) -> Vec<u32> {
     let slots = slots.map_or(usize::MAX, |slots| slots as usize).min(ramps.len());
     ramps.drain(slots..).map(|(piece, _)| piece).collect()
-}
-
-/// Axis of the screen that scan lines lie across.
-pub fn across(run: &Parameters) -> usize {
-    match run.scan {
-        faces::Scan::Vertical => 0,
-        faces::Scan::Horizontal => 1,
-    }
 }
 
 /// What a sample shows of a piece.
@@ -239,7 +231,7 @@ pub fn lost_covers<'a>(
 ) -> Vec<(&'a Piece, [f64; 2])> {
     let at = sample as f64 + 0.5;
     let cover = |piece: &'a Piece| {
-        let ramp = piece.ramp(across(run), line as f64 + 0.5, run.interpolation)?;
+        let ramp = piece.ramp(run.across(), line as f64 + 0.5, run.interpolation)?;
         ramp.samples(sample + 1).contains(&sample).then(|| (piece, ramp.at(at, run.interpolation)))
     };
     scene.lost.iter().filter_map(cover).collect()

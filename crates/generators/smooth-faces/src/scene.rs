@@ -1,38 +1,19 @@
 //! Everything of a frame on the screen: lists with their pieces, in the order of their priorities.
 
-use faces::{Cut, Detail, Mesh};
-use generator::{FrameError, Label, Stage};
+use faces::{Cut, Mesh};
+use generator::{FrameError, Stage, check_free_eye};
 use scenario::Pose;
 use scene_sampler::Camera;
 use smallvec::SmallVec;
 
 use crate::hardware::Hardware;
+use crate::list::List;
 use crate::parameters::Parameters;
 use crate::piece::{Corner, Piece};
+use crate::prepared::Prepared;
 use crate::schedule::Schedule;
-use crate::session::Session;
-use crate::{bodies, frame_lists, ground, slots};
-
-/// A list of faces in a frame.
-#[derive(Debug, Clone, PartialEq)]
-pub struct List {
-    /// What it is called.
-    pub name: String,
-    /// What its faces are in the plane of labels.
-    pub label: Label,
-    /// Its priority: the lower number wins.
-    pub priority: i64,
-    /// How it is laid upon what is behind it; `None` where it stands for itself.
-    pub level: Option<Detail>,
-    /// Unit vector to its sun: north, east, up.
-    pub sun: [f64; 3],
-    /// Whether it has a sun of its own.
-    pub has_own_sun: bool,
-    /// Frames whose sequence, sun vector, body and normals it shows.
-    pub shown: [u64; 4],
-    /// Whether it is a level of detail that fell for want of edge slots.
-    pub has_fallen: bool,
-}
+use crate::slots::{self, Slotted};
+use crate::{bodies, frame_lists, ground};
 
 /// What geometry has to do for a frame.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -128,12 +109,19 @@ impl SceneBuilder<'_> {
 }
 
 impl Scene {
-    /// Gathers frame `frame` of a session from a pose.
+    /// The frame that shows in the picture of `frame`: its own from `pose`, or an earlier one where pictures are late.
     ///
     /// # Errors
-    /// If the ground has no mesh there, or a body is no shape.
-    pub fn new(session: &Session, frame: u64, pose: &Pose) -> Result<Self, FrameError> {
-        let Session { stage, run, hardware, schedule } = session;
+    /// If it cannot be drawn.
+    pub fn new(prepared: &Prepared, frame: u64, pose: &Pose) -> Result<Self, FrameError> {
+        let (seen, pose) = prepared.seen(frame, pose)?;
+        check_free_eye(&prepared.stage.landscape, frame, &pose)?;
+        Self::gathered(prepared, seen, &pose)
+    }
+
+    /// Gathers frame `frame` from a pose.
+    fn gathered(prepared: &Prepared, frame: u64, pose: &Pose) -> Result<Self, FrameError> {
+        let Prepared { stage, run, hardware, schedule } = prepared;
         let refused = |reason: String| FrameError::Refused { frame, reason };
         let camera = Camera::new(pose, &stage.view);
         let mut scene = SceneBuilder {
@@ -143,7 +131,7 @@ impl Scene {
             schedule,
             frame,
             work: Geometry::default(),
-            size: session.size(),
+            size: prepared.size(),
             lists: Vec::new(),
             pieces: Vec::new(),
             faces: 0,
@@ -153,22 +141,20 @@ impl Scene {
         if let Some(rings) = run.ground {
             ground::add(&mut scene, stage, rings, pose.time).map_err(|error| refused(error.to_string()))?;
         }
-        let SceneBuilder { lists, pieces, faces, work, .. } = scene;
-        let mut scene = Self {
+        let SceneBuilder { mut lists, pieces, faces, work, .. } = scene;
+        let limit = hardware.edges_frame.map_or(u64::MAX, u64::from);
+        let Slotted { kept, lost, lost_faces } = slots::limited(&mut lists, pieces, limit);
+        Ok(Self {
             lists,
-            pieces,
+            pieces: kept,
             faces,
             camera,
             slots: hardware.edges_line,
-            lost: Vec::new(),
-            lost_faces: 0,
+            lost,
+            lost_faces,
             work,
             words: schedule.words(),
             late: schedule.late(frame),
-        };
-        if let Some(slots) = hardware.edges_frame {
-            slots::limit(&mut scene, u64::from(slots));
-        }
-        Ok(scene)
+        })
     }
 }

@@ -60,7 +60,7 @@ impl When {
 /// Work of one kind for one list, group or object.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Item {
-    /// What is done.
+    /// Kind of the work.
     pub kind: Kind,
     /// What it is done for.
     pub target: Target,

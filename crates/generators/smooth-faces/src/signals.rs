@@ -15,7 +15,7 @@ const SOURCE: &str = "none: ours, of Link's study";
 /// Place of a sample on its scan line.
 const LINE: &str = "faces.line";
 
-/// Crossings so far.
+/// Signal that counts crossings along the line.
 const EDGES: &str = "faces.edges";
 
 /// What can be looked at; a scan line stands for a sweep, its pixels for samples.

@@ -4,8 +4,8 @@ use generator::SizedFigure;
 use timing::{Deadline, FrameTiming, Task};
 
 use crate::hardware::Kind;
+use crate::prepared::Prepared;
 use crate::schedule::When;
-use crate::session::Session;
 use crate::timed::frame_ns;
 use crate::work::{EDGES, GEOMETRY, RT, TRANSFER, VIDEO};
 
@@ -13,17 +13,17 @@ use crate::work::{EDGES, GEOMETRY, RT, TRANSFER, VIDEO};
 const THOUSAND: f64 = 1e3;
 const MILLION: f64 = 1e6;
 
-/// Figures of `frames`.
-pub fn figures(session: &Session, frames: &[FrameTiming]) -> Vec<SizedFigure> {
-    let hardware = &session.hardware;
+/// What `frames` took, beside the formulas.
+pub fn figures(prepared: &Prepared, frames: &[FrameTiming]) -> Vec<SizedFigure> {
+    let hardware = &prepared.hardware;
     let mean = |of: &dyn Fn(&FrameTiming) -> u64| {
         (!frames.is_empty()).then(|| frames.iter().map(of).sum::<u64>() as f64 / frames.len() as f64)
     };
     let most =
         |of: &dyn Fn(&FrameTiming) -> u64| frames.iter().map(|frame| of(frame) as f64).reduce(f64::max);
     let microseconds = |unit: &'static str| mean(&move |frame| ticks(frame, unit)).map(|ns| ns / THOUSAND);
-    let frame_us = frame_ns(session.stage.view.update) as f64 / THOUSAND;
-    let update_hz = session.stage.view.update.hertz();
+    let frame_us = frame_ns(prepared.stage.view.update) as f64 / THOUSAND;
+    let update_hz = prepared.stage.view.update.hertz();
     let figure = |key, meaning, measured, formula, law| SizedFigure { key, meaning, measured, formula, law };
     let queue = |frame: &FrameTiming| {
         let edges = frame.units.iter().find(|unit| unit.unit == EDGES);
@@ -41,7 +41,7 @@ pub fn figures(session: &Session, frames: &[FrameTiming]) -> Vec<SizedFigure> {
             "normals_frames",
             "frames from new normals to new normals",
             normals_measured(frames),
-            normals_formula(session),
+            normals_formula(prepared),
             "ceil(V normal_us / what is left of spare_us)",
         ),
         figure(
@@ -97,8 +97,8 @@ fn normals_measured(frames: &[FrameTiming]) -> Option<f64> {
 }
 
 /// Frames that the last of the normals takes from one time to the next; `None` without normals, or where they are never new.
-fn normals_formula(session: &Session) -> Option<f64> {
-    let mut items = session.schedule.items().iter().rev();
+fn normals_formula(prepared: &Prepared) -> Option<f64> {
+    let mut items = prepared.schedule.items().iter().rev();
     match items.find(|item| item.kind == Kind::Normal)?.when {
         When::Always => Some(1.0),
         When::Every { every, .. } => Some(every as f64),

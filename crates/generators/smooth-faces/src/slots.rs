@@ -2,8 +2,8 @@
 
 use std::collections::HashSet;
 
+use crate::list::List;
 use crate::piece::{Piece, Spot};
-use crate::scene::Scene;
 
 /// Edges of one list: two pieces that meet share theirs.
 #[derive(Default)]
@@ -41,23 +41,36 @@ pub fn of_lists<'a>(pieces: impl Iterator<Item = &'a Piece>, lists: usize) -> Ve
     counts
 }
 
-/// Takes out of a scene what finds no slots: levels of detail first, the last list first; then whole faces, from the last list its last face
-/// first.
-pub fn limit(scene: &mut Scene, slots: u64) {
-    let counts = of_lists(scene.pieces.iter(), scene.lists.len());
+/// Pieces with and without slots.
+pub struct Slotted {
+    /// Pieces that have slots, in their order.
+    pub kept: Vec<Piece>,
+    /// Pieces that have none: those of levels that fell, then others.
+    pub lost: Vec<Piece>,
+    /// Faces of those, but for the levels that fell.
+    pub lost_faces: u64,
+}
+
+/// Gives `slots` slots to the edges of pieces that stand list by list. Levels of detail fall first, the last list first; then whole faces go, from
+/// the last list its last face first. Without limit (`u64::MAX`) no edge is counted.
+pub fn limited(lists: &mut [List], pieces: Vec<Piece>, slots: u64) -> Slotted {
+    if slots == u64::MAX {
+        return Slotted { kept: pieces, lost: Vec::new(), lost_faces: 0 };
+    }
+    let counts = of_lists(pieces.iter(), lists.len());
     let mut asked: u64 = counts.iter().sum();
-    for (list, count) in scene.lists.iter_mut().zip(&counts).rev() {
+    for (list, count) in lists.iter_mut().zip(&counts).rev() {
         if asked > slots && list.level.is_some() && *count > 0 {
             list.has_fallen = true;
             asked -= count;
         }
     }
-    let has_fallen = |piece: &Piece| scene.lists[piece.list as usize].has_fallen;
-    let (fallen, mut kept): (Vec<Piece>, _) = scene.pieces.drain(..).partition(has_fallen);
-    let lost = if asked > slots { kept.split_off(fitting(&kept, slots)) } else { Vec::new() };
-    scene.lost_faces = faces(&lost);
-    scene.pieces = kept;
-    scene.lost = fallen.into_iter().chain(lost).collect();
+    let has_fallen = |piece: &Piece| lists[piece.list as usize].has_fallen;
+    let (mut lost, mut kept): (Vec<Piece>, Vec<Piece>) = pieces.into_iter().partition(has_fallen);
+    let without = kept.split_off(if asked > slots { fitting(&kept, slots) } else { kept.len() });
+    let lost_faces = faces(&without);
+    lost.extend(without);
+    Slotted { kept, lost, lost_faces }
 }
 
 /// Number of the first pieces that have slots, whole faces alone.

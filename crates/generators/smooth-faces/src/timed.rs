@@ -10,14 +10,15 @@ use crate::hardware::Hardware;
 use crate::inputs::inputs_hash;
 use crate::parameters::Parameters;
 use crate::planes;
+use crate::prepared::Prepared;
 use crate::scan_line::TimedLine;
-use crate::session::Session;
+use crate::scene::Scene;
 use crate::sizing;
 use crate::work::{EDGES, RT, SECOND, Work};
 
 /// A stage as a job for [`Hardware`](crate::Hardware). Ticks are nanoseconds.
 pub struct Clocked {
-    session: Session,
+    prepared: Prepared,
 }
 
 impl Clocked {
@@ -26,18 +27,18 @@ impl Clocked {
     /// # Errors
     /// If the generator cannot draw it.
     pub fn new(stage: Stage, parameters: Parameters, hardware: Hardware) -> Result<Self, PrepareError> {
-        Ok(Self { session: Session::new(stage, parameters, hardware)? })
+        Ok(Self { prepared: Prepared::new(stage, parameters, hardware)? })
     }
 
     /// What is new in a frame, in the order of the computer; then the scan lines, each with its crossings, those without a slot, its ramps.
     fn events(&self, frame: u64, lines: &[TimedLine]) -> EventHash {
         let mut events = EventHash::new();
-        for (number, item) in (0..).zip(self.session.schedule.items()) {
+        for (number, item) in (0..).zip(self.prepared.schedule.items()) {
             if item.when.shown(frame) == frame {
                 events.push(item.ready_ns, RT, item.kind.word(), &[number, item.pieces]);
             }
         }
-        let line_ns = self.session.hardware.sample_ns * self.session.samples() as u64;
+        let line_ns = self.prepared.hardware.sample_ns * self.prepared.samples() as u64;
         for (number, line) in (0..).zip(lines) {
             let words = [number, line.crossed.crossings, line.crossed.missed.len() as u64, line.ramps];
             events.push(number * line_ns, EDGES, "line", &words);
@@ -59,7 +60,7 @@ impl Timed for Clocked {
     }
 
     fn inputs(&self, scenario: &Scenario) -> String {
-        inputs_hash(scenario, &self.session)
+        inputs_hash(scenario, &self.prepared)
     }
 
     /// Frame 0 is in the image processor before the mission: there is nothing to do.
@@ -68,18 +69,18 @@ impl Timed for Clocked {
     }
 
     fn frame(&self, frame: u64, pose: &Pose) -> Result<FrameTiming, FrameError> {
-        let session = &self.session;
-        let scene = session.scene(frame, pose)?;
-        let (seen, _) = session.seen(frame, pose)?;
-        let lines = planes::timed_lines(&scene, &session.run, session.size());
-        let ticks = frame_ns(session.stage.view.update);
-        let mut judged = Judged::none_of(session);
+        let prepared = &self.prepared;
+        let scene = Scene::new(prepared, frame, pose)?;
+        let (seen, _) = prepared.seen(frame, pose)?;
+        let lines = planes::timed_lines(&scene, &prepared.run, prepared.size());
+        let ticks = frame_ns(prepared.stage.view.update);
+        let mut judged = Judged::none_of(prepared);
         judged.frame_tasks();
         judged.updates(seen, ticks);
         judged.frame_edges(&scene);
         judged.lines(&scene, &lines);
-        let work = Work::of(session, seen, scene.work, &lines);
-        let tasks = work.tasks(session);
+        let work = Work::of(prepared, seen, scene.work, &lines);
+        let tasks = work.tasks(prepared);
         let (units, events) = (work.units(&tasks), self.events(seen, &lines));
         let Judged { deadlines, mut misses, .. } = judged;
         misses.sort_by(|one, other| one.sweep.cmp(&other.sweep).then(one.due.total_cmp(&other.due)));
@@ -87,6 +88,6 @@ impl Timed for Clocked {
     }
 
     fn sizing(&self, frames: &[FrameTiming]) -> Vec<SizedFigure> {
-        sizing::figures(&self.session, frames)
+        sizing::figures(&self.prepared, frames)
     }
 }

@@ -3,12 +3,12 @@
 use faces::Group;
 use timing::{Task, UnitUse};
 
-use crate::frame_lists;
+use crate::drawn_lists;
 use crate::hardware::{Hardware, Kind};
+use crate::prepared::Prepared;
 use crate::scan_line::TimedLine;
 use crate::scene::Geometry;
 use crate::schedule::{Item, Target};
-use crate::session::Session;
 
 /// The units, in the order in which a list meets them.
 pub const RT: &str = "rt";
@@ -32,7 +32,7 @@ const CORNER_WORDS: u64 = 6;
 pub struct Work {
     /// Words of lists that go from the active data base.
     pub words: u64,
-    /// Work of geometry.
+    /// Pieces that geometry works on.
     pub geometry: Geometry,
     /// Most pieces that cross one scan line.
     pub most_crossings: u64,
@@ -44,21 +44,21 @@ pub struct Work {
 
 impl Work {
     /// The work of frame `frame`, whose picture has `lines`.
-    pub fn of(session: &Session, frame: u64, geometry: Geometry, lines: &[TimedLine]) -> Self {
+    pub fn of(prepared: &Prepared, frame: u64, geometry: Geometry, lines: &[TimedLine]) -> Self {
         Self {
-            words: words(session, frame),
+            words: words(prepared, frame),
             geometry,
             most_crossings: lines.iter().map(|line| line.crossed.crossings).max().unwrap_or(0),
-            samples: session.size().into_iter().product::<usize>() as u64,
+            samples: prepared.size().into_iter().product::<usize>() as u64,
             ramps: lines.iter().map(|line| line.ramps).sum(),
         }
     }
 
     /// Tasks that have something to do, in the order of the units; the real-time computer has all that a frame asks for.
-    pub fn tasks(&self, session: &Session) -> Vec<Task> {
-        let Hardware { transfer_words_s, vertex_ns, face_ns, sample_ns, .. } = session.hardware;
+    pub fn tasks(&self, prepared: &Prepared) -> Vec<Task> {
+        let Hardware { transfer_words_s, vertex_ns, face_ns, sample_ns, .. } = prepared.hardware;
         let of_kind = |kind: Kind| {
-            let ours = session.schedule.items().iter().filter(|item| item.kind == kind);
+            let ours = prepared.schedule.items().iter().filter(|item| item.kind == kind);
             let [pieces, ns] = ours.fold([0, 0], |[pieces, ns], item| [pieces + item.pieces, ns + item.ns]);
             (RT, kind.task(), pieces, ns)
         };
@@ -92,18 +92,18 @@ impl Work {
 }
 
 /// Words of the lists of which a sequence shows another member than in the frame before; the lists of frame 0 are there before it.
-fn words(session: &Session, frame: u64) -> u64 {
+fn words(prepared: &Prepared, frame: u64) -> u64 {
     let Some(before) = frame.checked_sub(1) else { return 0 };
-    let lists = frame_lists::drawn(&session.stage, &session.run);
+    let lists = drawn_lists::drawn(&prepared.stage, &prepared.run);
     let of_item = |item: &Item| {
         let Target::List(number) = item.target else { return 0 };
         let list = lists[number];
         let [now, then] = [frame, before].map(|frame| {
-            frame_lists::shown_faces(list, &list.group, item.when.shown(frame), &session.hardware)
+            drawn_lists::shown_faces(list, &list.group, item.when.shown(frame), &prepared.hardware)
         });
         if now == then { 0 } else { list_words(&list.group, &now) }
     };
-    let sequences = session.schedule.items().iter().filter(|item| item.kind == Kind::Sequence);
+    let sequences = prepared.schedule.items().iter().filter(|item| item.kind == Kind::Sequence);
     sequences.map(of_item).sum()
 }
 
