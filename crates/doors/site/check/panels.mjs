@@ -73,6 +73,7 @@ async function trigger(chromium, expect) {
 /** From a late word to its pixels, and from one of them back to the word. */
 async function effects(chromium, native, expect) {
   await put(chromium, "sweep", "500");
+  await put(chromium, "zoom", "1");
   const said = `document.getElementById("effect").textContent.includes("changed")`;
   const late = await chromium.run(`
     document.querySelector("#events").closest("details").open = true;

@@ -100,7 +100,7 @@ fn late_words_have_pixels() {
     let mut session = Scene::by("ideal").session();
     let in_time = ok(&mut session, json!({ "do": "timing", "frame": 1 }));
     assert_eq!((&in_time["missed"], &in_time["late_words"]), (&json!(0), &json!(0)));
-    ok(&mut session, json!({ "do": "set", "set": { "loader.access_ns": 3000 } }));
+    ok(&mut session, json!({ "do": "set", "set": { "loader.access_ns": 30000 } }));
     let events = ok(&mut session, json!({ "do": "events", "frame": 1, "event": ["late"] }));
     let late = events["events"].as_array().unwrap();
     assert!(late.len() > 3, "{events}");
