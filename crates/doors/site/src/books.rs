@@ -19,8 +19,7 @@ const SETTINGS: &str = "crates/doors/site/books/mkdocs.yml";
 const PROGRAM: &str = "MKDOCS";
 
 /// Why the books are left out where MkDocs is missing.
-pub const MISSING: &str =
-    "MkDocs is missing: `python3 -m pip install mkdocs==1.6.1` installs it, or the variable MKDOCS names its program";
+pub const MISSING: &str = "MkDocs is missing: `python3 -m pip install mkdocs==1.6.1` installs it, or the variable MKDOCS names its program";
 
 /// The page that stands for the books where they are left out.
 const LEFT_OUT: &[u8] = include_bytes!("../books/left-out.html");
@@ -46,7 +45,11 @@ fn make(workspace: &Path, folder: &Path) -> Result<(), SiteError> {
     // MkDocs takes its folder from that of its settings on.
     command.arg("--site-dir").arg(absolute(folder).map_err(failed("name the folder"))?);
     let Output { status, stderr, .. } = command.output().map_err(failed("make the books"))?;
-    if status.success() { Ok(()) } else { Err(SiteError::Books(String::from_utf8_lossy(&stderr).into_owned())) }
+    if status.success() {
+        Ok(())
+    } else {
+        Err(SiteError::Books(String::from_utf8_lossy(&stderr).into_owned()))
+    }
 }
 
 fn mkdocs() -> Command {
