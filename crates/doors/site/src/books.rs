@@ -42,6 +42,8 @@ fn make(workspace: &Path, folder: &Path) -> Result<(), SiteError> {
     let failed = |doing| move |source| SiteError::System { path: folder.to_owned(), doing, source };
     let mut command = mkdocs();
     command.args(["build", "--config-file"]).arg(workspace.join(SETTINGS)).env("SOURCE_DATE_EPOCH", "0");
+    // Nothing is left behind beside the hooks.
+    command.env("PYTHONDONTWRITEBYTECODE", "1");
     // MkDocs takes its folder from that of its settings on.
     command.arg("--site-dir").arg(absolute(folder).map_err(failed("name the folder"))?);
     let Output { status, stderr, .. } = command.output().map_err(failed("make the books"))?;
