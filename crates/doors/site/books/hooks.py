@@ -41,8 +41,13 @@ def on_config(config):
 
 
 def anchor(head, separator):
-    """The anchor of a head as forges make it."""
-    return re.sub(r"[^\w\- ]", "", head.lower()).replace(" ", separator)
+    """The anchor of a head as forges make it, but for a digit at its start."""
+    return lettered(re.sub(r"[^\w\- ]", "", head.lower()).replace(" ", separator))
+
+
+def lettered(anchor):
+    """The theme follows no anchor that begins with a digit."""
+    return f"at-{anchor}" if anchor[:1].isdigit() else anchor
 
 
 def on_files(files, config):
@@ -74,9 +79,12 @@ def written_out(text, place, site):
 def linked(found, place, site):
     """A link as the books have it: to another page, to a file of the site, or no link."""
     to = found["to"]
-    if to is None or re.match(r"#|[a-z]+:", to):
+    if to is None or re.match(r"[a-z]+:", to):
         return found[0]
     path, hash_, fragment = to.partition("#")
+    fragment = lettered(fragment)
+    if path == "":
+        return f"{found['sign']}[{found['text']}](#{fragment})"
     path = posixpath.normpath(posixpath.join(posixpath.dirname(place), path))
     here = "" if place == README else posixpath.dirname(place).removeprefix("docs").strip("/")
     if path == README:
@@ -132,10 +140,11 @@ def written(value):
 
 
 def on_post_page(output, **_):
-    """Without the date of the build, and without styles inside the page, which its policy refuses."""
+    """Without the date of the build, without styles inside the page, which its policy refuses; what scrolls can be scrolled by keys."""
     output = re.sub(r"<!--\s*MkDocs version.*?-->\s*", "", output, flags=re.DOTALL)
     output = re.sub(r' style="text-align: (\w+);"', r' class="\1"', output)
-    return re.sub(r' style="[^"]*"', "", output)
+    output = re.sub(r' style="[^"]*"', "", output)
+    return re.sub(r"<(pre|table)>", r'<\1 tabindex="0">', output)
 
 
 def on_post_build(config, **_):

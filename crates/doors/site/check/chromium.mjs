@@ -70,6 +70,11 @@ export class Chromium {
     await devtools("Emulation.setEmulatedMedia", { features: [{ name: "prefers-color-scheme", value: scheme }] });
   }
 
+  /** Shows the page as on a `media`: "screen" or "print". */
+  media(media) {
+    return this.ask("POST", "/goog/cdp/execute", { cmd: "Emulation.setEmulatedMedia", params: { media } });
+  }
+
   async screenshot() {
     return Buffer.from(await this.ask("GET", "/screenshot"), "base64");
   }

@@ -7,6 +7,8 @@ import { written } from "./link.js";
 import { Lunoid } from "./lunoid.js";
 import { ViewModel } from "./view-model.js";
 
+const DRAWS = "The machine draws.";
+
 const made = (name, properties, ...children) => {
   const element = Object.assign(document.createElement(name), properties);
   element.append(...children);
@@ -36,7 +38,7 @@ class Figure {
 
   #hear({ phase, bytes, reason }) {
     if (phase === "loading") this.#say(`Loading the machine: ${(bytes / 1e6).toFixed(1)} MB.`);
-    if (phase === "compiled") this.#say("The machine draws.");
+    if (phase === "compiled") this.#say(DRAWS);
     if (phase === "ended") this.#say(`The machine ended and was started again: ${reason}`);
   }
 
@@ -49,6 +51,7 @@ class Figure {
     if (this.#runs.kind === "wave") canvas.tabIndex = 0;
     this.#stage.replaceChildren(canvas, ...this.#sliders());
     this.#button.textContent = "Stop";
+    this.#say(DRAWS);
     this.#machines = views.map(() => new Lunoid(new Here({ hear: (told) => this.#hear(told) })));
     this.#models = this.#machines.map((machine) => new ViewModel(machine, given));
     KINDS[this.#runs.kind](canvas, this.#models, this.#runs, (text) => this.#say(text));
@@ -60,7 +63,7 @@ class Figure {
         if (!this.#models.includes(model)) return machine.close();
         busy[detail ? "add" : "delete"](model);
         this.#element.dataset.state = busy.size ? "busy" : "runs";
-        if (!busy.size && this.#state.textContent === "The machine draws.") this.#say("");
+        if (!busy.size && this.#state.textContent === DRAWS) this.#say("");
       });
       model.addEventListener("fault", ({ detail }) => this.#say(detail.message));
       model.show(views[at]);

@@ -19,8 +19,7 @@ const SETTINGS: &str = "crates/doors/site/books/mkdocs.yml";
 const PROGRAM: &str = "MKDOCS";
 
 /// Why the books are left out where MkDocs is missing.
-pub const MISSING: &str =
-    "MkDocs is missing: `python3 -m pip install mkdocs==1.6.1` installs it, or the variable MKDOCS names its program";
+pub const MISSING: &str = "MkDocs is missing: `python3 -m pip install mkdocs==1.6.1` installs it, or the variable MKDOCS names its program";
 
 /// The page that stands for the books where they are left out.
 const LEFT_OUT: &[u8] = include_bytes!("../books/left-out.html");
@@ -43,10 +42,16 @@ fn make(workspace: &Path, folder: &Path) -> Result<(), SiteError> {
     let failed = |doing| move |source| SiteError::System { path: folder.to_owned(), doing, source };
     let mut command = mkdocs();
     command.args(["build", "--config-file"]).arg(workspace.join(SETTINGS)).env("SOURCE_DATE_EPOCH", "0");
+    // Nothing is left behind beside the hooks.
+    command.env("PYTHONDONTWRITEBYTECODE", "1");
     // MkDocs takes its folder from that of its settings on.
     command.arg("--site-dir").arg(absolute(folder).map_err(failed("name the folder"))?);
     let Output { status, stderr, .. } = command.output().map_err(failed("make the books"))?;
-    if status.success() { Ok(()) } else { Err(SiteError::Books(String::from_utf8_lossy(&stderr).into_owned())) }
+    if status.success() {
+        Ok(())
+    } else {
+        Err(SiteError::Books(String::from_utf8_lossy(&stderr).into_owned()))
+    }
 }
 
 fn mkdocs() -> Command {
