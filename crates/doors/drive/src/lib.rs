@@ -7,7 +7,7 @@
 //!                            │                      │       ├─ pixel ──▶ Explained
 //!                            │                      │       ├─ sweeps ─▶ Events   digital events
 //!                            │                      │       ├─ condition ─▶ Triggered   places where it is met
-//!                            │                      │       ├──────────▶ FrameCounts   deadlines that were not met
+//!                            │                      │       ├──────────▶ FrameTiming   deadlines that were not met
 //!                            │                      │       └─ late word ─▶ LateWordsEffect   pixels that it changed
 //!                            └─▶ Loop ─ last frame ─┘
 //!                                 ├─ pose ─▶ Seen ─▶ your controller ─▶ pose ...
@@ -67,7 +67,7 @@ pub use scenario::Scalar;
 pub use seen::Seen;
 #[cfg(feature = "studies")]
 pub use studied::Study;
-pub use timed::FrameCounts;
+pub use timed::FrameTiming;
 pub use traces::{Trace, Traces};
 pub use triggered::{TriggerPlace, TriggerWishes, Triggered};
 pub use truth::{Codes, Truth, TruthPlane};

@@ -6,7 +6,7 @@ use crate::{DriveError, Viewpoint};
 
 /// Counts of one frame, as its timing record has them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct FrameCounts {
+pub struct FrameTiming {
     /// Number of the frame, counted at the update rate.
     pub frame: u64,
     /// Folds of both ramps in all sweeps.
@@ -22,7 +22,7 @@ impl Viewpoint<'_> {
     ///
     /// # Errors
     /// If the hybrid machine does not draw, or the pose cannot be drawn.
-    pub fn timing(&self) -> Result<FrameCounts, DriveError> {
+    pub fn timing(&self) -> Result<FrameTiming, DriveError> {
         let Self { drive, bench, frame, pose } = self;
         if !drive.opened.is_machine() {
             let title = format!("{} has no deadlines", drive.drawn_by());
@@ -31,6 +31,6 @@ impl Viewpoint<'_> {
         let timing = drive.pool.install(|| Timed::frame_for_totals(bench.control(), *frame, pose));
         let timing = timing.map_err(|error| DriveError::of(drive.file(), &error))?;
         let missed = timing.misses.len() as u64;
-        Ok(FrameCounts { frame: *frame, folds: timing.folds, late_words: timing.late_words, missed })
+        Ok(FrameTiming { frame: *frame, folds: timing.folds, late_words: timing.late_words, missed })
     }
 }

@@ -1,6 +1,6 @@
 //! The requests `trigger`, `effect` and `timing`.
 
-use drive::{DriveError, FrameCounts, TriggerPlace, TriggerWishes, Triggered};
+use drive::{DriveError, FrameTiming, TriggerPlace, TriggerWishes, Triggered};
 use serde_json::{Map, Value, json};
 
 use crate::keys::Keys;
@@ -35,7 +35,7 @@ impl<H: Home> Session<H> {
     pub(crate) fn timing(&mut self, keys: Keys) -> Result<Reply, DriveError> {
         let which = Which::of(&keys);
         keys.finish()?;
-        let FrameCounts { frame, folds, late_words, missed } = which.at(self.held()?)?.timing()?;
+        let FrameTiming { frame, folds, late_words, missed } = which.at(self.held()?)?.timing()?;
         Ok(json!({ "frame": frame, "folds": folds, "late_words": late_words, "missed": missed }).into())
     }
 }
