@@ -1,5 +1,6 @@
 //! `replay --mcap` and `--exr`: what the command refuses, and in a build with the features what it writes.
 
+#[cfg(all(feature = "mcap", feature = "exr"))]
 use std::fs;
 
 use crate::scene::Scene;
