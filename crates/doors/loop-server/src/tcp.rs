@@ -37,7 +37,7 @@ impl TcpServer {
         Ok(Self { listener, address, token })
     }
 
-    /// Where it listens.
+    /// Address and port at which it listens.
     pub fn address(&self) -> SocketAddr {
         self.address
     }

@@ -144,7 +144,7 @@ fn opened(served: &Served, cookie: &str) -> WebSocket<TcpStream> {
         head.push(byte[0]);
     }
     let head = String::from_utf8_lossy(&head).to_lowercase();
-    // The example of RFC 6455, section 1.3.
+    // The answer to this key in RFC 6455.
     assert!(head.starts_with("http/1.1 101 ") && head.contains("s3pplmbitxaq9kygzzhzrbk+xoo="), "{head}");
     WebSocket::from_raw_socket(stream, Role::Client, None)
 }
