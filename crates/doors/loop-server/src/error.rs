@@ -10,7 +10,7 @@ pub enum ServerError {
     /// The system does not let it listen.
     #[error("{place}: cannot listen there: {source}; {help}")]
     Listen {
-        /// Address or path.
+        /// Address or path that was asked for.
         place: String,
         /// What the system says.
         source: io::Error,

@@ -7,7 +7,7 @@ use std::process::{Child, Command, Stdio};
 
 struct Program {
     child: Child,
-    /// Host and port.
+    /// Host and port of its page.
     place: String,
     token: String,
 }
