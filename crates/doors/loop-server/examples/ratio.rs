@@ -37,7 +37,11 @@ struct Client<'a> {
     to: BufWriter<&'a TcpStream>,
 }
 
-impl Client<'_> {
+impl<'a> Client<'a> {
+    fn of(stream: &'a TcpStream) -> Self {
+        Self { from: BufReader::new(stream), to: BufWriter::new(stream) }
+    }
+
     fn ask(&mut self, header: Value) -> Said<Message> {
         Message::new(header).write(&mut self.to)?;
         Ok(Message::read(&mut self.from)?.ok_or("the server has ended")?)
@@ -50,7 +54,7 @@ fn main() -> Said<()> {
     let frames: u64 = words.next().ok_or("expected: ratio SCENARIO FRAMES")?.parse()?;
     let drive = Arc::new(Drive::open(&scenario, &Wishes::default(), 0)?);
     let stream = served(&scenario, &drive)?;
-    let mut client = Client { from: BufReader::new(&stream), to: BufWriter::new(&stream) };
+    let mut client = Client::of(&stream);
     for planes in [&[][..], &PLANES] {
         let mut ratios = Vec::new();
         for frame in 0..frames.min(drive.frames()) {
@@ -89,8 +93,7 @@ fn served(scenario: &Path, drive: &Arc<Drive>) -> Said<TcpStream> {
     thread::spawn(move || {
         server.serve(|| Session::with(home.clone(), Arc::clone(&drive)), |said| eprintln!("{said}"));
     });
-    let mut client = Client { from: BufReader::new(&stream), to: BufWriter::new(&stream) };
-    client.ask(json!({ "id": 0, "do": "hello", "token": token.word() }))?;
+    Client::of(&stream).ask(json!({ "id": 0, "do": "hello", "token": token.word() }))?;
     Ok(stream)
 }
 
