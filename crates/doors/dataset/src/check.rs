@@ -1,7 +1,7 @@
 //! Whether everything that a plan names can be opened, and fits together, before any ground is made.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
+use std::path::{Component, Path};
 
 use diagnostics::{Problem, Reader};
 use front_door::{OpenError, Opened, open};
@@ -71,11 +71,21 @@ fn files(plan: &Plan, root: &Reader) {
         root.report(root.problem("scenarios", title).expected("files of different names"));
     }
     if let Some(name) = &plan.licence_file
+        && !is_beside(name)
+    {
+        let title = format!("`licence_file`: {name}: not beside the plan");
+        root.report(root.problem("licence_file", title).expected("a text in the plan's folder or below it"));
+    } else if let Some(name) = &plan.licence_file
         && !files::is_file(plan.file(name))
     {
         let title = format!("`licence_file`: {}: no such file", plan.file(name).display());
         root.report(root.problem("licence_file", title).expected("a text beside the plan"));
     }
+}
+
+/// Whether a path stays in the folder in which it begins.
+fn is_beside(name: &str) -> bool {
+    Path::new(name).components().all(|part| matches!(part, Component::Normal(_) | Component::CurDir))
 }
 
 /// Name of a scenario: that of its file without the ending.

@@ -19,7 +19,7 @@ pub enum ServerError {
     },
     /// A token with so many visible ASCII characters from its first one on.
     #[error(
-        "a token that begins with {0} visible ASCII characters, expected at least {SHORTEST_TOKEN} and no others"
+        "a token that begins with {0} visible ASCII characters, expected {SHORTEST_TOKEN} to 1024 and no others"
     )]
     BadToken(usize),
     /// The system has no random bytes for a token.

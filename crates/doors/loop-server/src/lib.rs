@@ -20,6 +20,7 @@
 
 mod error;
 mod page;
+mod patient;
 mod stream;
 mod tcp;
 mod token;

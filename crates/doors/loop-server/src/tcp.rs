@@ -6,6 +6,7 @@ use std::net::{IpAddr, SocketAddr, TcpListener, TcpStream};
 use diagnostics::Problem;
 use loop_protocol::{Home, Message, Session, WireError, unreadable};
 
+use crate::patient::Patient;
 use crate::{PATIENCE, ServerError, Token, serve};
 
 /// Key of a first request that has the token.
@@ -62,16 +63,15 @@ impl TcpServer {
         client: &TcpStream,
         session: impl Fn() -> Session<H>,
     ) -> Result<(), WireError> {
-        client.set_read_timeout(Some(PATIENCE)).map_err(WireError::Io)?;
         client.set_nodelay(true).map_err(WireError::Io)?;
-        let mut from = BufReader::new(client);
+        let mut from = BufReader::new(Patient::new(client, PATIENCE));
         let mut to = BufWriter::new(client);
         let admitted = self.admitted(&mut from).inspect_err(|error| {
             // The client may be gone.
             let _ = unreadable(error).write(&mut to);
         });
         let Some(request) = admitted? else { return Ok(()) };
-        client.set_read_timeout(None).map_err(WireError::Io)?;
+        from.get_mut().has_time();
         let mut session = session();
         session.answer(&request).write(&mut to).map_err(WireError::Io)?;
         serve(&mut session, &mut from, &mut to)

@@ -8,6 +8,9 @@ pub const SHORTEST_TOKEN: usize = 16;
 /// Random bytes of a token that is made here; each is two characters.
 const RANDOM_BYTES: usize = 16;
 
+/// Most characters of a token; a first request has room for them (chosen).
+const LONGEST: usize = 1024;
+
 /// A secret word. Its debug text hides it.
 #[derive(Clone, PartialEq, Eq)]
 pub struct Token(String);
@@ -26,10 +29,10 @@ impl Token {
     /// The word of a user.
     ///
     /// # Errors
-    /// If it has fewer than [`SHORTEST_TOKEN`] visible ASCII characters, or others.
+    /// If it has fewer than [`SHORTEST_TOKEN`] or more than 1024 visible ASCII characters, or others.
     pub fn chosen(word: &str) -> Result<Self, ServerError> {
         let visible = word.bytes().take_while(u8::is_ascii_graphic).count();
-        let is_good = visible == word.len() && visible >= SHORTEST_TOKEN;
+        let is_good = visible == word.len() && (SHORTEST_TOKEN..=LONGEST).contains(&visible);
         if is_good { Ok(Self(word.to_owned())) } else { Err(ServerError::BadToken(visible)) }
     }
 
@@ -71,7 +74,8 @@ mod tests {
 
     #[test]
     fn a_short_word_is_refused() {
-        assert!(Token::chosen("0123456789abcdef").is_ok());
+        assert!(Token::chosen("0123456789abcdef").is_ok() && Token::chosen(&"x".repeat(LONGEST)).is_ok());
+        assert!(Token::chosen(&"x".repeat(LONGEST + 1)).is_err());
         for bad in ["", "0123456789abcde", "0123456789abcdef ", "0123456789abcde\n", "0123456789abcdeé"] {
             assert!(Token::chosen(bad).is_err(), "{bad:?}");
         }

@@ -1,7 +1,9 @@
 //! Clients on a Unix socket, one after another.
 
+use std::fs;
 use std::io::{self, BufReader, BufWriter};
-use std::os::unix::net::UnixListener;
+use std::os::unix::fs::FileTypeExt;
+use std::os::unix::net::{UnixListener, UnixStream};
 use std::path::Path;
 
 use loop_protocol::{Home, Session, WireError};
@@ -18,12 +20,9 @@ pub fn on_unix_socket<H: Home>(
     session: impl Fn() -> Session<H>,
     hear: impl Fn(&str),
 ) -> Result<(), ServerError> {
-    let listener = UnixListener::bind(path).map_err(|source| {
-        let help = match source.kind() {
-            io::ErrorKind::AddrInUse => "remove it if no other server uses it, or name another path",
-            _ => "name another path",
-        };
-        ServerError::Listen { place: path.display().to_string(), source, help }
+    let listener = listener(path).map_err(|source| {
+        let place = path.display().to_string();
+        ServerError::Listen { place, source, help: "name another path" }
     })?;
     hear(&format!("listening on {}", path.display()));
     for client in listener.incoming() {
@@ -35,4 +34,18 @@ pub fn on_unix_socket<H: Home>(
         }
     }
     Ok(())
+}
+
+/// Listens at `path`. The file of a server that has ended, at which nobody listens any more, is replaced.
+fn listener(path: &Path) -> io::Result<UnixListener> {
+    let first = UnixListener::bind(path);
+    let is_taken = first.as_ref().is_err_and(|error| error.kind() == io::ErrorKind::AddrInUse);
+    let is_socket = fs::symlink_metadata(path).is_ok_and(|file| file.file_type().is_socket());
+    let is_left =
+        || UnixStream::connect(path).is_err_and(|error| error.kind() == io::ErrorKind::ConnectionRefused);
+    if is_taken && is_socket && is_left() {
+        fs::remove_file(path)?;
+        return UnixListener::bind(path);
+    }
+    first
 }

@@ -2,8 +2,8 @@
 
 export { SocketHome as Here } from "./socket-home.js";
 
-/** What the instrument shows where its address says nothing: the path's first frame of the program's scenario. */
-export const FIRST = { frame: 0, wires: "mu.height,sweep.x", set: {}, faults: [] };
+/** What the instrument shows where its address says nothing: the path's first frame of the program's scenario, and two of its wires. */
+export const FIRST = { frame: 0, set: {}, faults: [] };
 
 /** Whether the books of the documentation lie beside these pages. */
 export const HAS_BOOKS = false;

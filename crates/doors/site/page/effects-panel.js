@@ -51,8 +51,9 @@ export function effectsPanel(at, model, tube, { failed }) {
     tube.show(planes.picture, hash);
     tube.mark(model.view.column, model.view.line);
   });
-  model.addEventListener("explained", ({ detail: { document: told } }) => {
-    const word = (told.late ?? []).findLast(({ in_force: isInForce }) => isInForce);
+  model.addEventListener("explained", ({ detail }) => {
+    const told = detail?.document;
+    const word = (told?.late ?? []).findLast(({ in_force: isInForce }) => isInForce);
     at("word").disabled = !word;
     at("word").dataset.late = word ? JSON.stringify({ sweep: told.place.sweep, event: "late", level: word.level, crossing: word.crossing }) : "";
   });

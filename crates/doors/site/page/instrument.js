@@ -27,7 +27,7 @@ const say = (text) => { at("state").textContent = text; };
 
 const own = new Map();
 const rows = await scenarios();
-const START = { scenario: rows[0].scenario, ...FIRST };
+const START = { scenario: rows[0].scenario, wires: "", ...FIRST };
 const machine = new Lunoid(new Here({ hear }));
 const model = new ViewModel(machine, given);
 const tube = new Tube(at("tube"), (column, line) => model.show({ column, line }));
@@ -90,6 +90,15 @@ async function opened({ detail: facts }) {
   parameters = told.parameters;
   showFaults(at("faults"), shipped.faults, model.view.faults, (faults) => model.show({ faults }));
   numbers();
+}
+
+/** Two wires to begin with, where nothing says which: height and deflection, or the first analog ones. */
+async function firstWires() {
+  const { signals } = await model.beside((machine) => machine.signals());
+  const names = signals.filter(({ kind }) => kind === "analog").map(({ name }) => name);
+  const usual = ["mu.height", "sweep.x"].filter((name) => names.includes(name));
+  at("wires").value = (usual.length === 2 ? usual : names.slice(0, 2)).join(",");
+  if (model.view.wires === "" && at("wires").value) model.show({ wires: at("wires").value });
 }
 
 function numbers() {
@@ -178,10 +187,16 @@ model.addEventListener("picture", ({ detail: { planes, hash } }) => {
   tube.mark(model.view.column, model.view.line);
   tube.zoom(at("zoom").value);
 });
-model.addEventListener("explained", ({ detail: { cause, text, document: told } }) => {
+model.addEventListener("explained", ({ detail }) => {
+  tube.mark(model.view.column, model.view.line);
+  if (detail === null) {
+    at("pixel").textContent = "Click a pixel to have it explained.";
+    at("explained").textContent = "";
+    return;
+  }
+  const { cause, text, document: told } = detail;
   at("pixel").textContent = `Column ${model.view.column}, line ${model.view.line}: ${cause}.`;
   at("explained").textContent = text;
-  tube.mark(model.view.column, model.view.line);
   if (told.ground) model.point(told.ground.sample);
 });
 model.addEventListener("cursor", ({ detail }) => scope.point(detail));
@@ -236,6 +251,7 @@ at("tube").addEventListener("keydown", ({ key }) => {
 });
 repeat(at("play"), () => { const done = model.settled(); turn(1); return done; });
 repeat(at("drive"), () => model.drive(at("speed").value, at("turn").value));
+if (FIRST.wires === undefined) model.addEventListener("opened", () => firstWires().catch(failed), { once: true });
 addEventListener("hashchange", follow);
 document.body.addEventListener("dragover", (event) => event.preventDefault());
 document.body.addEventListener("drop", (event) => { event.preventDefault(); take(event.dataTransfer.files).catch(failed); });

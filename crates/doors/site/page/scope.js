@@ -47,6 +47,7 @@ export class Scope {
 
   /** Shows waveforms of one sweep. The instant `trigger` (samples) gets a mark, which stays at its place of the canvas from sweep to sweep. */
   show(traces, trigger = null) {
+    if (traces === null) return this.#clear();
     if (this.#persists && this.#traces) this.#behind = [...this.#behind, this.#traces].slice(-MOST.behind);
     const before = this.#traces && this.#trigger !== null ? this.#share(this.#trigger) : null;
     [this.#traces, this.#trigger] = [traces, trigger];
@@ -54,6 +55,15 @@ export class Scope {
     this.#canvas.dataset.trigger = trigger ?? "";
     const by = before === null || trigger === null ? 0 : this.#share(trigger) - before;
     this.#slide(by / (this.#window[1] - this.#window[0]));
+  }
+
+  /** Shows nothing; a reference stays for what comes. */
+  #clear() {
+    [this.#traces, this.#trigger, this.#behind] = [null, null, []];
+    this.#canvas.dataset.sweep = "";
+    this.#canvas.dataset.trigger = "";
+    this.#canvas.getContext("2d").clearRect(0, 0, this.#canvas.width, this.#canvas.height);
+    this.#say("No wire of a sweep is shown.");
   }
 
   /** Lays what is shown now behind what comes, or takes it away. */

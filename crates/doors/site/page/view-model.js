@@ -9,8 +9,8 @@ import { Trigger } from "./trigger.js";
 export const MOST = { kmh: 16, turn: 30 };
 
 /**
- * Events: `opened` (facts), `picture` (seen), `traces`, `events`, `wires` (traces of the diagram), `explained`, `cursor` (sample), `triggered`
- * (place or null), `driven` (frames), `fault` (error), `busy` (boolean).
+ * Events: `opened` (facts), `picture` (seen), `traces` (null without wires), `events`, `wires` (traces of the diagram), `explained` (null without
+ * a pixel), `cursor` (sample), `triggered` (place or null), `driven` (frames), `fault` (error), `busy` (boolean).
  */
 export class ViewModel extends EventTarget {
   #machine;
@@ -258,12 +258,13 @@ export class ViewModel extends EventTarget {
 
   async #panels(at) {
     await this.#explain();
-    if (at !== this.#at || this.facts.samples === 0) return;
+    if (at !== this.#at) return;
+    if (this.facts.samples === 0) return this.#noSweep();
     if (this.trigger.isDue && !(await this.#triggered())) return;
     if (at !== this.#at) return;
     const { wires, sweep } = this.view;
     const names = wires.split(",").map((word) => word.trim()).filter(Boolean);
-    if (names.length > 0) this.#tell("traces", await this.#machine.probe(names, sweep, this.which));
+    this.#tell("traces", names.length > 0 ? await this.#machine.probe(names, sweep, this.which) : null);
     if (at !== this.#at) return;
     if (this.diagram.length > 0) this.#tell("wires", await this.#machine.probe(this.diagram, sweep, this.which));
     if (at !== this.#at) return;
@@ -271,10 +272,20 @@ export class ViewModel extends EventTarget {
     this.#tell("events", await this.#machine.events({ ...this.which, sweeps: sweep }).catch(none));
   }
 
+  /** A generator without sweeps: nothing of another machine is left standing. */
+  #noSweep() {
+    this.#tell("traces", null);
+    this.#tell("events", { events: [] });
+  }
+
   async #explain() {
     const { column, line } = this.view;
-    const key = JSON.stringify([this.#drawn, column, line]);
-    if (column === null || line === null || key === this.#told) return;
+    const key = column === null || line === null ? null : JSON.stringify([this.#drawn, column, line]);
+    if (key === this.#told) return;
+    if (key === null) {
+      this.#told = null;
+      return this.#tell("explained", null);
+    }
     const told = await this.#machine.explain(column, line, this.which);
     this.#told = key;
     this.view.sweep = sweepOf(told.document) ?? this.view.sweep;

@@ -30,6 +30,12 @@ fn every_broken_plan_is_one_error_with_its_line() {
             "gone.txt: no such file",
             5,
         ),
+        (
+            "licence = \"CC0-1.0\"",
+            "licence = \"X\"\nlicence_file = \"../gone.txt\"",
+            "../gone.txt: not beside the plan",
+            5,
+        ),
         ("[\"scene.toml\"]", "[]", "`scenarios` must be", 7),
         ("[\"scene.toml\"]", "[\"scene.toml\", \"scene.toml\"]", "`scenarios` must be", 7),
         ("[\"scene.toml\"]", "[\"gone.toml\"]", "gone.toml", 7),

@@ -19,6 +19,7 @@ use loop_protocol::{Home, Session};
 
 use self::admission::{Admission, Verdict};
 use self::reply::Reply;
+use crate::patient::Patient;
 use crate::{PATIENCE, ServerError, Token};
 
 pub use self::files::PageFiles;
@@ -86,9 +87,8 @@ impl PageServer {
     /// Answers the one request of a connection; a socket has as many messages as its page sends.
     fn answer<H: Home>(&self, mut stream: TcpStream, session: impl Fn() -> Session<H>) -> Result<(), String> {
         let said = |error: std::io::Error| error.to_string();
-        stream.set_read_timeout(Some(PATIENCE)).map_err(said)?;
         stream.set_nodelay(true).map_err(said)?;
-        let request = match head::read(&mut stream) {
+        let request = match head::read(&mut Patient::new(&stream, PATIENCE)) {
             Ok(Some(request)) => request,
             // The browser has opened a connection ahead of need.
             Ok(None) => return Ok(()),

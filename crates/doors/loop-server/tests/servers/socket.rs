@@ -29,5 +29,21 @@ fn rubbish_lets_one_client_go_and_the_next_is_served() {
     drop(UnixStream::connect(&path).unwrap());
     assert!(first.len() == 1 && spoken(&hello()) == first);
     let taken = on_unix_socket(&path, session, |_| ()).unwrap_err().to_string();
-    assert!(taken.ends_with("or name another path"), "{taken}");
+    assert!(taken.ends_with("name another path"), "{taken}");
+}
+
+#[test]
+fn the_file_of_a_server_that_has_ended_is_replaced_and_no_other_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("loop.sock");
+    drop(std::os::unix::net::UnixListener::bind(&path).unwrap());
+    assert!(path.exists(), "the file stays behind");
+    let (hear, heard) = mpsc::channel();
+    let own = path.clone();
+    thread::spawn(move || on_unix_socket(&own, session, |said| hear.send(said.to_owned()).unwrap()));
+    assert!(heard.recv().unwrap().starts_with("listening on "));
+    let notes = folder.path().join("notes");
+    std::fs::write(&notes, "mine").unwrap();
+    assert!(on_unix_socket(&notes, session, |_| ()).is_err());
+    assert_eq!(std::fs::read(&notes).unwrap(), b"mine");
 }

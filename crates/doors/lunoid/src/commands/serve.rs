@@ -79,7 +79,10 @@ fn hear(said: &str) {
 }
 
 fn failed(error: ServerError) -> Failure {
-    Failure::output(error)
+    match error {
+        ServerError::BadToken(_) => Failure::usage(format!("--token: {error}")),
+        _ => Failure::output(error),
+    }
 }
 
 fn ended(error: WireError) -> Failure {

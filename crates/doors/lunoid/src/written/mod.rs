@@ -24,7 +24,7 @@ use pages::{Kind, Written, root};
 use workspace::Workspace;
 
 /// Commands of others that stand in blocks of a shell.
-const OTHERS: [&str; 12] = [
+const OTHERS: [&str; 13] = [
     ".ci/doors",
     ".ci/logs",
     ".ci/site",
@@ -33,6 +33,7 @@ const OTHERS: [&str; 12] = [
     "ffmpeg",
     "gtkwave",
     "ngspice",
+    "octave-cli",
     "python3",
     "rustup",
     "tests/fuzz/run",

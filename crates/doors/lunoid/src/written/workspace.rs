@@ -63,7 +63,7 @@ impl Workspace {
             match word {
                 "-p" | "--package" => package = Some(next()?),
                 "--bin" | "--example" | "--test" | "--bench" => targets.push((&word[2..], next()?)),
-                "--features" => features.push(next()?),
+                "--features" => features.extend(next()?.split(',')),
                 "--profile" => expect_profile(next()?)?,
                 "--release" | "--quiet" | "--workspace" => {}
                 _ if !word.starts_with('-') => handed_on.push(word),
