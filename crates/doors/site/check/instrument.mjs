@@ -56,6 +56,13 @@ export async function instrument(chromium, host, native, expect, folder) {
   await drawn(chromium);
   expect((await hash(chromium)) !== healed.hash, "a fault of the board shows");
   await press(chromium, "heal");
+  await put(chromium, "sweep", "440");
+  const unchosen = await text(chromium, "pixel");
+  expect(unchosen.startsWith("Click a pixel") && (await text(chromium, "explained")) === "", `with no pixel chosen none is explained: ${unchosen}`);
+  await put(chromium, "machine", "exact");
+  const standing = await chromium.run(`return { sweep: document.getElementById("scope").dataset.sweep, late: document.getElementById("late").textContent };`);
+  expect(standing.sweep === "" && standing.late === "", `a machine without sweeps leaves no waveform and no event: ${JSON.stringify(standing)}`);
+  await put(chromium, "machine", "");
   await put(chromium, "wires", "no.such");
   expect((await text(chromium, "state")).includes("no.such"), "a wire that is not there is told");
   await put(chromium, "wires", "mu.*,sc.gate,tg.red.hold");
