@@ -9,10 +9,11 @@ use limits::Limit;
 
 use crate::plan::{Combination, KeyDraw, Plan};
 
-/// Opens each combination with the ends of what is drawn. What is wrong is told at the place of the plan that asks for it.
+/// Opens each combination with the ends of the drawn ranges. A problem has the place of the plan that asks for what is wrong.
 pub(crate) fn check(plan: &Plan, root: &Reader) {
     files(plan, root);
     samples(plan, root);
+    set_once(plan, root);
     let (mut rasters, mut counters) = (Rasters::default(), BTreeSet::new());
     for of in plan.all() {
         let (scenario, name) = (plan.file(&plan.scenarios[of.scenario]), &plan.scenarios[of.scenario]);
@@ -22,6 +23,13 @@ pub(crate) fn check(plan: &Plan, root: &Reader) {
                 Ok(opened) => {
                     counters.extend(opened.generator.counters().iter().map(|counter| counter.name));
                     rasters.add(name, &opened, plan, root);
+                    if plan.pose.frames[1] >= opened.frames() {
+                        let title = format!("{name} has no frame {}", plan.pose.frames[1]);
+                        let place = root.table_or_empty("pose").place("frames");
+                        let problem = Problem::at(&place, title);
+                        root.report(problem.expected(format!("frames of 0..{}", opened.frames())));
+                        return;
+                    }
                     if plan.pose.frames != [0, 0] && remembers_frames(&opened) {
                         let title = format!("{} shows frames before its own", plan.machines[of.machine]);
                         let place = root.table_or_empty("pose").place("frames");
@@ -52,6 +60,17 @@ fn remembers_frames(opened: &Opened) -> bool {
     let settings = &opened.settings;
     let of_machine = settings.data_banks.drum.is_some() || settings.analog.remembers_frames();
     opened.generator.remembers_frames() || (opened.is_machine() && of_machine)
+}
+
+/// A key is set for all samples or drawn for each, and drawn once.
+fn set_once(plan: &Plan, root: &Reader) {
+    for (key, _) in &plan.set {
+        let drawn = plan.keys.iter().chain(plan.faults.iter().flat_map(|fault| &fault.keys));
+        if drawn.into_iter().any(|other| other.key == *key) {
+            let problem = root.problem("set", format!("`{key}` is set for all samples, and drawn as well"));
+            root.report(problem.expected("a value for all samples, or a draw"));
+        }
+    }
 }
 
 /// A data set has no more samples than a scenario may have frames.

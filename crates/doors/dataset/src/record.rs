@@ -43,7 +43,7 @@ pub struct Record {
 pub struct MadeFrom {
     /// The program that drew.
     pub program: Program,
-    /// The plan; its path as the user gave it.
+    /// The plan by the name of its file: a folder does not depend on where the plan lies.
     pub plan: FileRecord,
     /// Files that scenarios and machines are read from; paths from the folder of the plan.
     pub files: Vec<FileRecord>,
@@ -97,7 +97,8 @@ impl MadeFrom {
             path.strip_prefix(plan.folder()).map_or(file, |inside| inside.display().to_string())
         };
         let files = files.into_iter().map(|(file, blake3)| FileRecord { file: inside(file), blake3 });
-        let plan = FileRecord { file: plan.path.display().to_string(), blake3: hash(&plan.text) };
+        let name = plan.path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let plan = FileRecord { file: name, blake3: hash(&plan.text) };
         Ok(Self { program, plan, files: files.collect() })
     }
 

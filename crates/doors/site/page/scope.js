@@ -43,6 +43,8 @@ export class Scope {
       scale: (factor, at) => this.#scale(factor, at),
     });
     new ResizeObserver(() => this.#draw()).observe(canvas);
+    // Axes and names have the colour of the text.
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.#draw());
   }
 
   /** Shows waveforms of one sweep. The instant `trigger` (samples) gets a mark, which stays at its place of the canvas from sweep to sweep. */

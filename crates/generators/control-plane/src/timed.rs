@@ -1,11 +1,7 @@
 //! The control plane as a job that takes time, and what decides its timing in one hash.
 
-use std::fmt::Debug;
-
-use blake3::Hasher;
-use generator::{FrameError, Timed};
+use generator::{FrameError, InputsHash, Timed};
 use hardware_model::{BankPlace, ShadowParts};
-use landscape::bank_file;
 use quantities::Rate;
 use scenario::{Pose, Scenario};
 use timing::{FrameTiming, Task};
@@ -40,46 +36,45 @@ impl Timed for ControlPlane {
 /// shadows have a timing.
 fn inputs_hash(scenario: &Scenario, stage: &MachineStage) -> String {
     let MachineStage { landscape, scenery, settings } = stage;
-    let mut hasher = Hasher::new_derive_key("lunoid timing, inputs, format 1");
-    hasher.update(&bank_file::content_hash(landscape.bank()));
-    add(&mut hasher, "path", &(scenario.way().waypoints(), &scenario.vehicle));
-    scenario.channel.iter().for_each(|channel| add(&mut hasher, "channel", channel));
+    let mut hash = InputsHash::new("lunoid timing, inputs, format 1");
+    hash.add_bank(landscape);
+    hash.add_way(scenario);
     for standing in scenery.standing() {
-        add(&mut hasher, "body", &(standing.from, standing.until, standing.body.vertices().len()));
+        hash.add("body", &(standing.from, standing.until, standing.body.vertices().len()));
     }
     let raster = &settings.raster;
-    add(&mut hasher, "raster", &(raster.sweeps, raster.samples, raster.field, settings.timebase));
-    add(&mut hasher, "fan", &(settings.laws.projection, settings.range, settings.yoke, settings.levels));
+    hash.add("raster", &(raster.sweeps, raster.samples, raster.field, settings.timebase));
+    hash.add("fan", &(settings.laws.projection, settings.range, settings.yoke, settings.levels));
     // Bodies that are too small to be seen are not transformed.
-    add(&mut hasher, "sight", &(settings.economy, raster.lines));
-    add(&mut hasher, "cpu", &settings.cpu);
-    add(&mut hasher, "loader", &settings.loader);
-    add(&mut hasher, "data banks", &settings.data_banks);
+    hash.add("sight", &(settings.economy, raster.lines));
+    hash.add("cpu", &settings.cpu);
+    hash.add("loader", &settings.loader);
+    hash.add("data banks", &settings.data_banks);
     if !settings.kind_banks.is_plain() {
-        add(&mut hasher, "kind banks", &settings.kind_banks);
+        hash.add("kind banks", &settings.kind_banks);
     }
-    add(&mut hasher, "seed", &settings.seed);
-    add_craters(&mut hasher, stage);
-    add_shadows(&mut hasher, scenario, stage);
-    hasher.finalize().to_hex().to_string()
+    hash.add("seed", &settings.seed);
+    add_craters(&mut hash, stage);
+    add_shadows(&mut hash, scenario, stage);
+    hash.finish()
 }
 
 /// Craters, where their words take time, parts to take them are few, or they lie on drums.
-fn add_craters(hasher: &mut Hasher, MachineStage { landscape, settings, .. }: &MachineStage) {
+fn add_craters(hash: &mut InputsHash, MachineStage { landscape, settings, .. }: &MachineStage) {
     let parts = settings.feature_generator;
     let is_local = settings.kind_banks.features.place == BankPlace::Local;
     let is_at_once = settings.feature_words.is_none() && parts.sub_generators.is_none() && is_local;
     if landscape.features().is_empty() || is_at_once {
         return;
     }
-    add(hasher, "feature generator", &(parts, settings.feature_words));
-    landscape.features().craters().iter().for_each(|crater| add(hasher, "crater", &crater));
+    hash.add("feature generator", &(parts, settings.feature_words));
+    hash.add_craters(landscape);
 }
 
 /// What casts shadows and when, where the words of their boundaries take time, parts to take them are few, or they lie on drums; and
 /// bodies on drums.
 fn add_shadows(
-    hasher: &mut Hasher,
+    hash: &mut InputsHash,
     scenario: &Scenario,
     MachineStage { scenery, settings, .. }: &MachineStage,
 ) {
@@ -92,20 +87,14 @@ fn add_shadows(
         && matches!(settings.shadow_controller, ShadowParts::Digital { .. });
     let lie_on_drums = [banks.shadows, banks.polyhedra].iter().any(|bank| bank.place != BankPlace::Local);
     if settings.shadows.is_some() && (is_timed || lie_on_drums) {
-        add(hasher, "shadow controller", &(line_generators, settings.segment_words, settings.shadows));
-        add(hasher, "suns", &scenery.suns());
-        add(hasher, "tracks", &scenario.tracks);
+        hash.add("shadow controller", &(line_generators, settings.segment_words, settings.shadows));
+        hash.add("suns", &scenery.suns());
+        hash.add("tracks", &scenario.tracks);
     } else if !lie_on_drums {
         return;
     }
     for body in scenery.standing().iter().map(|standing| &standing.body) {
-        add(hasher, "body", &(body.object, body.kind, body.foot, body.vertices().collect::<Vec<_>>()));
+        hash.add("body", &(body.object, body.kind, body.foot, body.vertices().collect::<Vec<_>>()));
     }
-    scenery.vehicle().iter().for_each(|vehicle| add(hasher, "vehicle", vehicle));
-}
-
-/// Debug text names all fields, and floats in it read back the same.
-fn add(hasher: &mut Hasher, name: &str, value: &impl Debug) {
-    let text = format!("{name} {value:?}\n");
-    hasher.update(text.as_bytes());
+    scenery.vehicle().iter().for_each(|vehicle| hash.add("vehicle", vehicle));
 }

@@ -96,7 +96,7 @@ impl PageServer {
         };
         let reply = match self.admission.of(&request.head) {
             Verdict::Socket => match Place::take(&self.sessions, SESSIONS) {
-                Some(_place) => return socket::serve(stream, &request, session()),
+                Some(_place) => return socket::serve(stream, request, session()),
                 None => Reply::refusal(503, "as many pages are open as can be; close one and try again"),
             },
             Verdict::File => self.files.reply(request.head.uri().path()),

@@ -15,7 +15,7 @@ use super::reply::Reply;
 ///
 /// # Errors
 /// What went wrong, in words.
-pub fn serve<H: Home>(mut stream: TcpStream, asked: &Asked, mut session: Session<H>) -> Result<(), String> {
+pub fn serve<H: Home>(mut stream: TcpStream, asked: Asked, mut session: Session<H>) -> Result<(), String> {
     let said = |error: Error| error.to_string();
     let response = match create_response(&asked.head) {
         Ok(response) => response,
@@ -26,7 +26,7 @@ pub fn serve<H: Home>(mut stream: TcpStream, asked: &Asked, mut session: Session
     };
     write_response(&mut stream, &response).map_err(said)?;
     stream.set_read_timeout(None).map_err(|error| error.to_string())?;
-    let mut socket = WebSocket::from_partially_read(stream, asked.rest.clone(), Role::Server, Some(bounds()));
+    let mut socket = WebSocket::from_partially_read(stream, asked.rest, Role::Server, Some(bounds()));
     loop {
         match socket.read() {
             Ok(Message::Binary(request)) => {

@@ -1,10 +1,6 @@
 //! What decides a timing record, in one hash.
 
-use std::fmt::Debug;
-
-use blake3::Hasher;
-use generator::Stage;
-use landscape::bank_file;
+use generator::{InputsHash, Stage};
 use scenario::Scenario;
 
 use super::Hardware;
@@ -18,26 +14,19 @@ pub(super) fn inputs_hash(
     hardware: &Hardware,
 ) -> String {
     let Stage { landscape, view, .. } = stage;
-    let mut hasher = Hasher::new_derive_key("lunoid timing, inputs of the program of panels, format 1");
-    hasher.update(&bank_file::content_hash(landscape.bank()));
-    landscape.features().craters().iter().for_each(|crater| add(&mut hasher, "crater", &crater));
+    let mut hash = InputsHash::new("lunoid timing, inputs of the program of panels, format 1");
+    hash.add_bank(landscape);
+    hash.add_craters(landscape);
     if let Some(photograph) = landscape.photographs().first() {
-        add(&mut hasher, "photograph", &(photograph.placement(), photograph.transfer()));
+        hash.add("photograph", &(photograph.placement(), photograph.transfer()));
         let picture = photograph.picture();
-        add(&mut hasher, "codes", &(picture.columns(), picture.lines(), picture.depth()));
+        hash.add("codes", &(picture.columns(), picture.lines(), picture.depth()));
         let bytes: Vec<u8> = picture.codes().iter().flat_map(|code| code.to_le_bytes()).collect();
-        hasher.update(&bytes);
+        hash.add_bytes(&bytes);
     }
-    add(&mut hasher, "path", &(scenario.way().waypoints(), &scenario.vehicle));
-    scenario.channel.iter().for_each(|channel| add(&mut hasher, "channel", channel));
-    add(&mut hasher, "view", &(view.columns, view.lines, view.field, view.update, view.yoke));
-    add(&mut hasher, "run", run);
-    add(&mut hasher, "hardware", hardware);
-    hasher.finalize().to_hex().to_string()
-}
-
-/// Debug text names all fields, and floats in it read back the same.
-fn add(hasher: &mut Hasher, name: &str, value: &impl Debug) {
-    let text = format!("{name} {value:?}\n");
-    hasher.update(text.as_bytes());
+    hash.add_way(scenario);
+    hash.add("view", &(view.columns, view.lines, view.field, view.update, view.yoke));
+    hash.add("run", run);
+    hash.add("hardware", hardware);
+    hash.finish()
 }
