@@ -57,3 +57,28 @@ impl InputsHash {
         self.0.finalize().to_hex().to_string()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_values_and_their_order_count() {
+        let of = |parts: &[(&str, f64)]| {
+            let mut hash = InputsHash::new("a test");
+            parts.iter().for_each(|(name, value)| hash.add(name, value));
+            hash.finish()
+        };
+        let mut plain = Hasher::new_derive_key("a test");
+        plain.update(b"a 0.1\nb -0.0\n");
+        assert_eq!(of(&[("a", 0.1), ("b", -0.0)]), plain.finalize().to_hex().as_str());
+        let all = [
+            of(&[("a", 0.1), ("b", -0.0)]),
+            of(&[("b", -0.0), ("a", 0.1)]),
+            of(&[("a", 0.1), ("b", 0.0)]),
+            of(&[("a", 0.1), ("c", -0.0)]),
+            of(&[("a", 0.1 + f64::EPSILON / 8.0), ("b", -0.0)]),
+        ];
+        assert!((1..all.len()).all(|at| !all[..at].contains(&all[at])), "{all:?}");
+    }
+}
