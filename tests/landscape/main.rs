@@ -17,6 +17,7 @@ mod own_shadow;
 mod pictures;
 mod preview;
 mod profiles;
+mod quality;
 mod set;
 mod shadows;
 mod switches;

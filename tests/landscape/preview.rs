@@ -43,7 +43,7 @@ fn finer_samples_bring_the_preview_to_the_whole_machine() {
         let set = full(seed);
         let off = |samples| {
             let [preview, whole] =
-                [Economy::Preview, Economy::Bounded].map(|economy| drawn(&set, economy, samples, &[]));
+                [Economy::Instants(1), Economy::Bounded].map(|economy| drawn(&set, economy, samples, &[]));
             assert!(
                 whole.counts["features"] > 0
                     && whole.counts["shadow_toggles"] > 0
@@ -65,7 +65,8 @@ fn finer_samples_bring_the_preview_to_the_whole_machine() {
 fn bare_ground_is_as_good_as_the_same() {
     let mut set = Set::over(rolling(5, 4.0)).under(sun(100.0, 15.0));
     set.stage.settings.scalar = Scalar::F64;
-    let [preview, whole] = [Economy::Preview, Economy::Bounded].map(|economy| drawn(&set, economy, 700, &[]));
+    let [preview, whole] =
+        [Economy::Instants(1), Economy::Bounded].map(|economy| drawn(&set, economy, 700, &[]));
     assert!(difference(&preview, &whole) < 1e-3, "{}", difference(&preview, &whole));
 }
 
@@ -74,7 +75,7 @@ fn bare_ground_is_as_good_as_the_same() {
 #[test]
 fn slow_parts_of_the_terrain_generator_show_as_they_do_in_the_whole_machine() {
     let mut set = full(1);
-    let ideal = drawn(&set, Economy::Preview, 2800, &[]);
+    let ideal = drawn(&set, Economy::Instants(1), 2800, &[]);
     let parts = &mut set.stage.settings.analog;
     parts.full_scale = 10.0;
     parts.function_generator.bandwidth = Some(4e4);
@@ -83,7 +84,7 @@ fn slow_parts_of_the_terrain_generator_show_as_they_do_in_the_whole_machine() {
     (parts.amplifier.gain_bandwidth, parts.amplifier.slew) = (Some(8e5), Some(2e7));
     parts.summer_inputs = Some(6);
     let [preview, whole] =
-        [Economy::Preview, Economy::Bounded].map(|economy| drawn(&set, economy, 2800, &[]));
+        [Economy::Instants(1), Economy::Bounded].map(|economy| drawn(&set, economy, 2800, &[]));
     let (fault, error) = (difference(&ideal, &preview), difference(&preview, &whole));
     println!("{fault} {error}");
     assert!(bits(&preview.picture) != bits(&whole.picture), "it is drawn whole");
@@ -94,10 +95,10 @@ fn slow_parts_of_the_terrain_generator_show_as_they_do_in_the_whole_machine() {
 #[test]
 fn output_amplifiers_show_as_they_do_in_the_whole_machine() {
     let mut set = full(1);
-    let ideal = drawn(&set, Economy::Preview, 2800, &[]);
+    let ideal = drawn(&set, Economy::Instants(1), 2800, &[]);
     set.stage.settings.analog.wires = WireParts { bandwidth: Some(3e4), ..WireParts::IDEAL };
     let [preview, whole] =
-        [Economy::Preview, Economy::Bounded].map(|economy| drawn(&set, economy, 2800, &[]));
+        [Economy::Instants(1), Economy::Bounded].map(|economy| drawn(&set, economy, 2800, &[]));
     let (fault, error) = (difference(&ideal, &preview), difference(&preview, &whole));
     println!("{fault} {error}");
     assert!(bits(&preview.picture) != bits(&whole.picture), "it is drawn whole");
@@ -108,13 +109,13 @@ fn output_amplifiers_show_as_they_do_in_the_whole_machine() {
 #[test]
 fn light_of_parts_shows_as_it_does_in_the_whole_machine() {
     let mut set = full(1);
-    let ideal = drawn(&set, Economy::Preview, 2800, &[]);
+    let ideal = drawn(&set, Economy::Instants(1), 2800, &[]);
     let light = &mut set.stage.settings.analog.reflectivity;
     light.multiplier.error = 0.01;
     light.summer_bandwidth = Some(1e5);
     light.divider.error = 0.01;
     let [preview, whole] =
-        [Economy::Preview, Economy::Bounded].map(|economy| drawn(&set, economy, 2800, &[]));
+        [Economy::Instants(1), Economy::Bounded].map(|economy| drawn(&set, economy, 2800, &[]));
     let (fault, error) = (difference(&ideal, &preview), difference(&preview, &whole));
     println!("{fault} {error}");
     assert!(bits(&preview.picture) != bits(&whole.picture), "it is drawn whole");
@@ -124,10 +125,10 @@ fn light_of_parts_shows_as_it_does_in_the_whole_machine() {
 #[test]
 fn words_that_never_come_show_as_they_do_in_the_whole_machine() {
     let mut set = full(1);
-    let [clean, _] = [Economy::Preview, Economy::Bounded].map(|economy| drawn(&set, economy, 2800, &[]));
+    let [clean, _] = [Economy::Instants(1), Economy::Bounded].map(|economy| drawn(&set, economy, 2800, &[]));
     set.stage.settings.loader.stop_after_crossings = Some(2);
     let [preview, whole] =
-        [Economy::Preview, Economy::Bounded].map(|economy| drawn(&set, economy, 2800, &[]));
+        [Economy::Instants(1), Economy::Bounded].map(|economy| drawn(&set, economy, 2800, &[]));
     assert_eq!(preview.counts["late_words"], whole.counts["late_words"]);
     assert!(preview.counts["late_words"] > 0);
     let (fault, error) = (difference(&clean, &preview), difference(&preview, &whole));
@@ -137,8 +138,8 @@ fn words_that_never_come_show_as_they_do_in_the_whole_machine() {
 #[test]
 fn whoever_looks_sees_the_whole_machine_and_changes_no_picture() {
     let set = full(2);
-    let alone = drawn(&set, Economy::Preview, 700, &[]);
-    let looked_at = drawn(&set, Economy::Preview, 700, &["*"]);
+    let alone = drawn(&set, Economy::Instants(1), 700, &[]);
+    let looked_at = drawn(&set, Economy::Instants(1), 700, &["*"]);
     let whole = drawn(&set, Economy::Bounded, 700, &["*"]);
     assert!(bits(&alone.picture) == bits(&looked_at.picture));
     assert!(bits(&alone.picture) != bits(&whole.picture));
@@ -165,7 +166,7 @@ fn what_cannot_be_lit_as_one_surface_is_drawn_whole() {
     ];
     for (what, set) in sets {
         let [preview, whole] =
-            [Economy::Preview, Economy::Bounded].map(|economy| drawn(&set, economy, 700, &[]));
+            [Economy::Instants(1), Economy::Bounded].map(|economy| drawn(&set, economy, 700, &[]));
         assert!(bits(&preview.picture) == bits(&whole.picture), "{what}");
     }
 }
@@ -175,7 +176,7 @@ fn threads_change_no_bit() {
     let set = full(3);
     let by = |threads| {
         let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool of threads");
-        pool.install(|| bits(&drawn(&set, Economy::Preview, 700, &[]).picture))
+        pool.install(|| bits(&drawn(&set, Economy::Instants(1), 700, &[]).picture))
     };
     assert!(by(1) == by(3));
 }
@@ -188,7 +189,7 @@ fn craters_that_cannot_be_told_are_counted() {
     let [x, y] = set.foot();
     let set = set.with_craters(craters(7, 3000, [x + 200.0, y], 190.0, 1.5));
     let [preview, whole] =
-        [Economy::Preview, Economy::Lossless].map(|economy| drawn(&set, economy, 2800, &[]));
+        [Economy::Instants(1), Economy::Lossless].map(|economy| drawn(&set, economy, 2800, &[]));
     println!("{:?} {:?}", preview.counts, difference(&preview, &whole));
     assert!(preview.counts["craters_left_out"] > 100, "{:?}", preview.counts);
     assert!(preview.counts["features"] < whole.counts["features"]);

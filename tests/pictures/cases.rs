@@ -41,6 +41,7 @@ impl Case {
         let by = match self.by {
             By::Model(name) => name.to_owned(),
             By::Economy(Economy::Lossless) => "lossless".into(),
+            By::Economy(Economy::Normal) => "normal".into(),
             By::Economy(_) => "preview".into(),
             By::Fault(name) => format!("fault {name}"),
             By::Guest(row) => row.name.into(),
@@ -78,8 +79,9 @@ pub fn cases() -> Result<Vec<Case>, String> {
 fn of_scenario(scenario: String) -> Vec<Case> {
     let models = BUILT_IN.iter().map(|(name, _)| By::Model(name));
     let mut all: Vec<By> = models.chain(GUESTS.iter().map(|row| By::Guest(row))).collect();
+    all.push(By::Economy(Economy::Normal));
     if THOROUGH.contains(&scenario.as_str()) {
-        all.extend([Economy::Lossless, Economy::Preview].map(By::Economy));
+        all.extend([Economy::Lossless, Economy::Instants(1)].map(By::Economy));
         all.extend(FAULTS.iter().map(|(name, ..)| By::Fault(name)));
     }
     all.into_iter().map(|by| Case { scenario: scenario.clone(), by }).collect()

@@ -42,7 +42,7 @@ fn wishes(case: &Case) -> Wishes {
             By::Economy(_) | By::Fault(_) => None,
         },
         overlays: if let By::Fault(name) = case.by { vec![folder().join(fault(name))] } else { Vec::new() },
-        economy: if let By::Economy(economy) = case.by { economy } else { Economy::default() },
+        economy: if let By::Economy(economy) = case.by { economy } else { Economy::Bounded },
         shadow_cache: Some(SHADOWS.path().to_owned()),
         ..Wishes::default()
     }

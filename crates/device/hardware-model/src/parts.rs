@@ -77,12 +77,14 @@ impl Default for MixingParts {
 /// What may be left out of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Economy {
-    /// Whatever cannot be seen, with a stated bound.
+    /// What the scene's counts say: whole as `Bounded`, or at so many `Instants` that the picture is no worse for it.
     #[default]
+    Normal,
+    /// Whatever cannot be seen, with a stated bound.
     Bounded,
-    /// The same, and whatever takes long to tell and little room to show: signals at the samples alone, straight between
-    /// them, and no crater that looks smaller than a part of a line.
-    Preview,
+    /// The same, and whatever takes long to tell and little room to show: signals at so many instants a step of the
+    /// accumulators (1 and more) alone, straight between them, and no crater that looks smaller than a part of a line.
+    Instants(u32),
     /// Only what leaves every bit as it is.
     Lossless,
     /// The same, but one thing that has no work runs: what it costs is what leaving it out saves.
@@ -125,7 +127,7 @@ impl Forced {
 impl Economy {
     /// Whether bodies that look smaller than a resolution cell are left out.
     pub fn leaves_out_small_bodies(self) -> bool {
-        matches!(self, Self::Bounded | Self::Preview)
+        matches!(self, Self::Normal | Self::Bounded | Self::Instants(_))
     }
 
     /// Whether `what` runs without work.

@@ -167,8 +167,9 @@ impl MachineRecord {
             SweepMemoryKind::DigitalMemory => "digital-memory",
         };
         let economy = match settings.economy {
+            Economy::Normal => "normal",
             Economy::Bounded => "bounded",
-            Economy::Preview => "preview",
+            Economy::Instants(_) => "preview",
             Economy::Lossless | Economy::LosslessBut(_) => "lossless",
             Economy::Everything => "everything",
         };

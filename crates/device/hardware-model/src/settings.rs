@@ -177,7 +177,7 @@ impl Settings {
             levels: None,
             shadows: None,
             shadow_cache: None,
-            economy: Economy::default(),
+            economy: Economy::Bounded,
         })
     }
 }

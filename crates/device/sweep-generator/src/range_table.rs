@@ -18,6 +18,20 @@ impl RangeTable {
         Self { finder: SampleFinder::new(&ranges) }
     }
 
+    /// The same sweep with `instants` samples a step (1 and more): sample k of this table is sample `instants k` of that one, and
+    /// range grows in a straight line in between, as the sweep does.
+    pub fn divided(&self, instants: u32) -> Self {
+        let ranges = self.ranges();
+        let part = |instant: u32| f64::from(instant) / f64::from(instants);
+        let within = |ends: &[f64]| {
+            let (near, far) = (ends[0], ends[1]);
+            (0..instants).map(move |instant| near + (far - near) * part(instant))
+        };
+        let mut divided: Vec<f64> = ranges.windows(2).flat_map(within).collect();
+        divided.extend(ranges.last());
+        Self { finder: SampleFinder::new(&divided) }
+    }
+
     /// Range of each sample (m).
     pub fn ranges(&self) -> &[f64] {
         self.finder.ranges()

@@ -369,6 +369,13 @@ impl SweepProgram {
         Self { start, registers, steps: Vec::new(), end_range: 0.0, misses: Vec::new() }
     }
 
+    /// Lets samples stand at `instants` places of a step: each fold and arrival is seen by the first of them.
+    pub fn see_at(&mut self, instants: u32) {
+        for step in &mut self.steps {
+            step.sample = SweepTime(step.time.0 * f64::from(instants)).sample_at_or_after();
+        }
+    }
+
     /// Folds and arrivals one by one.
     pub fn events(&self) -> impl Iterator<Item = Step<Event>> {
         self.steps.iter().flat_map(Step::events)

@@ -104,9 +104,9 @@ pub struct StageOptions {
     /// Scalar type of the analog signals.
     #[arg(long, value_enum)]
     pub scalar: Option<ScalarWord>,
-    /// Draw a preview; a command that draws has the option.
+    /// How exact the picture is; a command that draws has the option.
     #[arg(skip)]
-    pub preview: bool,
+    pub quality: Option<QualityWord>,
     /// Leave out only what changes no bit of the picture, and nothing that is merely too small to be seen.
     #[arg(long, conflicts_with = "everything")]
     pub lossless: bool,
@@ -118,11 +118,13 @@ pub struct StageOptions {
     pub shadow_cache: Option<PathBuf>,
 }
 
-/// Whether a preview is drawn.
+/// How exact the picture of a command is that draws.
 #[derive(Debug, Default, Clone, Copy, Args)]
-pub struct PreviewArgs {
-    /// Evaluate each signal only at its samples, draw straight between them, and leave out craters that look less than half
-    /// a line high. Edges between samples are less exact; a frame takes a third to a half of the time.
+pub struct QualityArgs {
+    /// How exact the picture is.
+    #[arg(long, value_enum, conflicts_with_all = ["preview", "swift", "lossless", "everything"])]
+    quality: Option<QualityWord>,
+    /// The same as --quality draft.
     #[arg(long, conflicts_with_all = ["lossless", "everything"])]
     preview: bool,
     /// The old word for --preview.
@@ -130,13 +132,46 @@ pub struct PreviewArgs {
     swift: bool,
 }
 
-impl PreviewArgs {
-    /// Whether a preview is asked for; the old word works and says so.
-    pub fn is_asked(self) -> bool {
+impl QualityArgs {
+    /// The quality that is asked for; the old word works and says so.
+    pub fn asked(self) -> Option<QualityWord> {
         if self.swift {
             tell("--swift is called --preview now\n");
         }
-        self.preview || self.swift
+        if self.preview || self.swift { Some(QualityWord::Draft) } else { self.quality }
+    }
+}
+
+/// How exact a picture is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub enum QualityWord {
+    /// Each signal once a step of the sweep and straight in between, without craters that look less than half a line high. Edges between
+    /// steps are less exact; a frame takes a third to a half of the time of `fine`.
+    Draft,
+    /// The default: as many instants a step as the scene's counts ask for, so that the picture is no worse than that of `fine`. A
+    /// scene without craters and shadows, and a machine with parts that remember, are drawn as by `fine`.
+    Normal,
+    /// Each edge at its own instant, with only what cannot be seen left out.
+    Fine,
+}
+
+impl QualityWord {
+    /// What may be left out for it.
+    pub fn economy(self) -> Economy {
+        match self {
+            Self::Draft => Economy::Instants(1),
+            Self::Normal => Economy::Normal,
+            Self::Fine => Economy::Bounded,
+        }
+    }
+
+    /// The word on a command line.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Draft => "draft",
+            Self::Normal => "normal",
+            Self::Fine => "fine",
+        }
     }
 }
 
@@ -195,8 +230,7 @@ impl StageOptions {
         match self {
             Self { everything: true, .. } => Economy::Everything,
             Self { lossless: true, .. } => Economy::Lossless,
-            Self { preview: true, .. } => Economy::Preview,
-            _ => Economy::Bounded,
+            Self { quality, .. } => quality.unwrap_or(QualityWord::Normal).economy(),
         }
     }
 }
@@ -215,6 +249,12 @@ impl StageArgs {
             }
             None => Ok(()),
         }
+    }
+
+    /// The same with the quality that is asked for.
+    pub fn drawn_by(mut self, quality: QualityArgs) -> Self {
+        self.options.quality = quality.asked();
+        self
     }
 
     /// A scenario as it stands.

@@ -9,13 +9,15 @@ use front_door::Opened;
 use loop_protocol::{Home, Opening};
 
 use crate::Failure;
-use crate::loading::{StageArgs, Threads};
+use crate::loading::{QualityArgs, StageArgs, Threads};
 
 /// What is served, and where records of it go.
 #[derive(Debug, Args)]
 pub struct ServedArgs {
     #[command(flatten)]
     stage: StageArgs,
+    #[command(flatten)]
+    quality: QualityArgs,
     #[command(flatten)]
     threads: Threads,
     /// Folder into which the request `record` writes what was driven; the client gets the files if left out.
@@ -26,10 +28,11 @@ pub struct ServedArgs {
 impl ServedArgs {
     /// The home of these arguments, and its scenario. What is wrong is told before any ground is made.
     pub fn home(&self) -> Result<(Served, Opened), Failure> {
-        let opened = self.stage.load()?;
+        let stage = self.stage.clone().drawn_by(self.quality);
+        let opened = stage.load()?;
         let served = Served {
-            scenario: self.stage.scenario.clone(),
-            wishes: self.stage.wishes(),
+            scenario: stage.scenario.clone(),
+            wishes: stage.wishes(),
             threads: self.threads.count()?,
             record: self.record.clone(),
         };

@@ -26,7 +26,7 @@ type Plane<'py> = (&'static str, &'static str, Bound<'py, PyAny>, Vec<&'static s
 impl Drive {
     #[new]
     #[pyo3(signature = (scenario, *, machine=None, overlays=Vec::new(), set=Vec::new(), channel=None, bank=None, sweeps=None,
-                        samples=None, scalar=None, economy="bounded", shadow_cache=None, threads=0))]
+                        samples=None, scalar=None, economy="normal", shadow_cache=None, threads=0))]
     #[expect(clippy::too_many_arguments, reason = "each is an option of the command")]
     fn new(
         py: Python<'_>,
@@ -48,10 +48,11 @@ impl Drive {
         let economy = one_of(
             economy,
             &[
+                ("normal", Economy::Normal),
                 ("bounded", Economy::Bounded),
                 ("lossless", Economy::Lossless),
                 ("everything", Economy::Everything),
-                ("preview", Economy::Preview),
+                ("preview", Economy::Instants(1)),
             ],
         )?;
         let wishes =

@@ -29,8 +29,8 @@ pub struct Blocks {
     pub all_switches: bool,
     /// Whether breaks are walked in groups that have none as well.
     pub breaks: bool,
-    /// Whether groups are drawn as a preview, unless someone looks at them.
-    pub preview: bool,
+    /// Instants a step of the accumulators, if groups are drawn straight between instants unless someone looks at them.
+    pub instants: Option<u32>,
 }
 
 /// Remote shadow: computed before the mission, and the block that blanks by it.
@@ -67,7 +67,7 @@ impl Blocks {
             mixing: list.has(Block::Mixing),
             all_switches: settings.economy.forces(Forced::Switches),
             breaks: settings.economy.forces(Forced::Breaks),
-            preview: list.is_preview(),
+            instants: list.instants(),
             bodies: list.has(Block::Bodies),
             coarse: coarse.map(|switch| Coarse::new(switch, &settings.loader)),
         }

@@ -1,4 +1,4 @@
-//! Craters of a frame that can be told, group by group (economy `Preview`).
+//! Craters of a frame that can be told, group by group (economy `Instants`).
 
 use crate::stage::MachineStage;
 use features::{LeftOut, Outlook};

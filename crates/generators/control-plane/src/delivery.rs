@@ -121,7 +121,7 @@ impl Supply<'_> {
             }
         };
         let bring_craters = || {
-            if self.blocks.preview && self.blocks.features {
+            if self.blocks.instants.is_some() && self.blocks.features {
                 craters.find(self.stage, self.plan);
             }
         };

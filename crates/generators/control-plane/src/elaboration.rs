@@ -5,10 +5,10 @@
 //! sample.
 
 use generator::Omission;
-use hardware_model::{Economy, Forced};
+use hardware_model::Forced;
 use landscape::Photometry;
 
-use crate::preview::preview_obstacle;
+use crate::instants::instants;
 use crate::stage::MachineStage;
 
 /// A block of the machine, or a part of one that a stage may need or not.
@@ -67,7 +67,7 @@ struct Row {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Elaboration {
     rows: [Row; 13],
-    preview: bool,
+    instants: Option<u32>,
 }
 
 /// Why parts of a block are ideal.
@@ -91,9 +91,8 @@ impl Elaboration {
             picture_tube(stage),
             amplifiers(stage),
         ];
-        let preview =
-            stage.settings.economy == Economy::Preview && preview_obstacle(&stage.settings).is_none();
-        Self { rows, preview }
+        let remembers = |row: &Row| matches!(row.block, Block::Terrain | Block::Amplifiers) && row.has_parts;
+        Self { rows, instants: instants(stage, rows.iter().any(remembers)) }
     }
 
     fn row(&self, block: Block) -> &Row {
@@ -110,10 +109,10 @@ impl Elaboration {
         self.row(block).has_parts
     }
 
-    /// Whether groups are drawn at the samples alone: the economy says so, parts beside those of the terrain generators are
-    /// ideal, and the laws are such that features and terrain can be lit as one surface.
-    pub fn is_preview(&self) -> bool {
-        self.preview
+    /// Instants a step of the accumulators, if groups are drawn straight between instants: the economy says so, parts beside those
+    /// of the terrain generators are ideal, and the laws are such that features and terrain can be lit as one surface.
+    pub fn instants(&self) -> Option<u32> {
+        self.instants
     }
 
     /// Blocks that are not there, then blocks that are there without their parts, in the order of the list.

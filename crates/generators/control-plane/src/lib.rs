@@ -18,11 +18,11 @@
 //! |---|---|---|
 //! | 1 | `data_kind` | kinds of data that lie in banks |
 //! | 1 | `squares` | squares of regions whose data are one chain of records |
-//! | 1 | `stage` | ground, scenery and settings of a machine |
+//! | 0 | `stage` | ground, scenery and settings of a machine |
 //! | 1 | `raster` | what the sweeps write: the screen, or more of it |
 //! | 1 | `refusal` | why a frame cannot be drawn |
 //! | 1 | `guests` | what a scene may have, and no block draws |
-//! | 1 | `preview` | what keeps a machine from drawing a preview |
+//! | 1 | `instants` | at which instants of a step a picture is evaluated |
 //! | 1 | `late_words` | late words of a fold, of a crater or of a shadow boundary |
 //! | 1 | `waveforms` | digital wires of a sweep, from its programs |
 //! | 2 | `digital_event` | one event of the digital side |
@@ -75,10 +75,10 @@ mod feature_loads;
 mod frame_plan;
 mod frame_sweeps;
 mod guests;
+mod instants;
 mod late_words;
 mod load_miss;
 mod loader_waveforms;
-mod preview;
 mod processor_waveforms;
 mod raster;
 mod refusal;
@@ -109,9 +109,9 @@ pub use feature_loads::FeatureLoads;
 pub use frame_plan::FramePlan;
 pub use frame_sweeps::FrameSweeps;
 pub use guests::guest_omissions;
+pub use instants::instants_obstacle;
 pub use late_words::{LateOf, LateWords};
 pub use load_miss::LoadMiss;
-pub use preview::preview_obstacle;
 pub use raster::WrittenRaster;
 pub use register_state::{RegisterState, RegisterWords};
 pub use sight::vertices;

@@ -78,7 +78,7 @@ fn level_ground_on_the_ideal_machine_needs_five_blocks_and_no_parts() {
     let list = changed(|_| {});
     assert_eq!(there(&list), BARE);
     assert_eq!(of_parts(&list), []);
-    assert!(!list.is_preview());
+    assert!(list.instants().is_none());
     let said: Vec<_> = list.omissions().into_iter().map(|omission| (omission.block, omission.what)).collect();
     let absent = [
         ("feature-generator", "sub-generators and VS1"),
@@ -174,17 +174,17 @@ fn what_is_forced_runs_without_work() {
 }
 
 #[test]
-fn a_preview_is_for_ideal_parts_beside_those_of_the_terrain() {
-    let preview = |change: fn(&mut Settings)| {
+fn instants_are_for_ideal_parts_beside_those_of_the_terrain() {
+    let instants = |change: fn(&mut Settings)| {
         with_settings(|settings| {
-            settings.economy = Economy::Preview;
+            settings.economy = Economy::Instants(4);
             change(settings);
         })
-        .is_preview()
+        .instants()
     };
-    assert!(preview(|_| {}));
-    assert!(preview(|settings| settings.analog.multiplier.bandwidth = Some(6e4)));
-    assert!(!preview(|settings| settings.analog.video_switch.time = 1e-6));
+    assert_eq!(instants(|_| {}), Some(4));
+    assert_eq!(instants(|settings| settings.analog.multiplier.bandwidth = Some(6e4)), Some(1));
+    assert_eq!(instants(|settings| settings.analog.video_switch.time = 1e-6), None);
 }
 
 #[test]

@@ -13,7 +13,7 @@ use polyhedron_generator::NearTable;
 use remote_shadow::Footings;
 use scenario::Pose;
 use signal::{LANES, Real};
-use signal_plane::{Group, Look, RealParts, Wanted, Workspace};
+use signal_plane::{Drawing, Group, Look, RealParts, Wanted, Workspace};
 use sweep_generator::RangeTable;
 
 use crate::picture::Cells;
@@ -27,6 +27,8 @@ pub(crate) struct Elaborated<S> {
     pub list: Elaboration,
     pub blocks: Blocks,
     pub table: RangeTable,
+    /// Samples of the picture, if it is drawn straight between instants.
+    pub drawing: Option<Drawing<S>>,
     pub near: NearTable,
     pub processor: Processor<S>,
     pub raster: WrittenRaster,
@@ -61,6 +63,7 @@ impl<S: Real> Elaborated<S> {
         let (laws, list) = (&settings.laws, Elaboration::new(&stage));
         let blocks = Blocks::new(&stage, &list);
         Self {
+            drawing: list.instants().map(|instants| Drawing::new(&table, instants, laws)),
             near: NearTable::new(table.ranges().iter().map(|range| (1.0 / range) as f32)),
             processor: Processor::new(laws.occlusion, laws.curvature, table.ranges()),
             raster: WrittenRaster::new(settings),
@@ -173,6 +176,8 @@ impl<S: Real> Elaborated<S> {
         Group {
             stage: &self.stage,
             blocks: &self.blocks,
+            clock: &self.table,
+            instants: 1,
             table: &self.table,
             near: &self.near,
             processor: &self.processor,

@@ -51,12 +51,12 @@ impl<S: Real> Elaborated<S> {
         work: &mut Workspace<S>,
         rows: &mut [f32],
     ) -> GroupResult {
-        if !self.blocks.preview {
+        let Some(drawing) = &self.drawing else {
             group.run(first, work, rows);
             let shares = work.third.lights.take_shares();
             return GroupResult { shares, ..self.look_at(group, wanted.look, first, work, rows) };
-        }
-        group.run_preview(first, work, rows);
+        };
+        group.at(drawing).run_preview(first, work, rows);
         let shares = work.third.lights.take_shares();
         let mut result = GroupResult { shares, ..self.look_at(group, &(), first, work, rows) };
         if wanted.look.wants_any_of(first..first + LANES as u32) {
@@ -96,7 +96,8 @@ impl<S: Real> Elaborated<S> {
         }
         if self.blocks.features {
             let program = &work.features[lane];
-            let drawn = if self.blocks.preview { work.passings.count(lane) } else { program.loads.len() };
+            let drawn =
+                if self.blocks.instants.is_some() { work.passings.count(lane) } else { program.loads.len() };
             counts.features = drawn as u64;
             counts.dropped_features = u64::from(program.dropped);
         }

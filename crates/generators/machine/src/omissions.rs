@@ -22,8 +22,8 @@ pub(crate) fn omissions(stage: &MachineStage, list: &Elaboration) -> Vec<Omissio
             weight: Weight::Bounded(255.0),
         });
     }
-    if list.is_preview() {
-        omissions.extend(preview(list));
+    if let Some(instants) = list.instants() {
+        omissions.extend(between(list, instants));
     }
     let levels = stage.landscape.bank().levels().len();
     let drawn = if list.has(Block::SecondLevel) { 2 } else { 1 };
@@ -38,8 +38,8 @@ pub(crate) fn omissions(stage: &MachineStage, list: &Elaboration) -> Vec<Omissio
     omissions
 }
 
-/// What a preview leaves out.
-fn preview(list: &Elaboration) -> Vec<Omission> {
+/// What a picture lacks that is drawn straight between so many `instants` a step.
+fn between(list: &Elaboration, instants: u32) -> Vec<Omission> {
     let left_out = |block, what: &str, why: &str| Omission {
         block,
         what: what.into(),
@@ -48,14 +48,17 @@ fn preview(list: &Elaboration) -> Vec<Omission> {
     };
     let mut omissions = vec![left_out(
         "machine",
-        "kinks, edges and curves between samples",
-        "--preview: signals are evaluated at the samples and straight between them; docs/economy.md says what that does to pictures",
+        "kinks, edges and curves between the instants of a picture",
+        &format!(
+            "signals are evaluated at {instants} instants a step of the accumulators and straight between them; docs/economy.md says \
+             what that does to pictures, and --quality fine draws each edge at its own instant"
+        ),
     )];
     if list.has(Block::Features) {
         omissions.push(left_out(
             "feature-generator",
             "craters that look less than half a line high",
-            "--preview; `craters_left_out` and `pixels_left_out` of the record say how much",
+            "`craters_left_out` and `pixels_left_out` of the record say how much",
         ));
     }
     omissions

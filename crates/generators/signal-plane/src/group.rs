@@ -18,6 +18,7 @@ use signal::{LANES, Real};
 use sweep_generator::RangeTable;
 use terrain_generator::TerrainGenerator;
 
+use crate::drawing::Drawing;
 use crate::output_amplifiers::Ends;
 use crate::real_parts::RealParts;
 use crate::workspace::Workspace;
@@ -29,7 +30,11 @@ pub struct Group<'a, S> {
     pub stage: &'a MachineStage,
     /// Blocks that are there.
     pub blocks: &'a Blocks,
-    /// Ground range of each sample, by the ground-range programme.
+    /// Ground range of each step of the accumulators, by the ground-range programme.
+    pub clock: &'a RangeTable,
+    /// Samples a step at which signals are evaluated.
+    pub instants: u32,
+    /// Ground range of each sample.
     pub table: &'a RangeTable,
     /// Inverse range of each sample (1/m).
     pub near: &'a NearTable,
@@ -68,6 +73,12 @@ impl<S: Real> Group<'_, S> {
         self.write(work, rows);
         let Workspace { projected, third, far, .. } = work;
         self.overlay(first, (&projected.line, far), third, rows);
+    }
+
+    /// The same group with its signals at the samples of `drawing`.
+    pub fn at<'d>(&'d self, drawing: &'d Drawing<S>) -> Group<'d, S> {
+        let Drawing { instants, table, near, processor } = drawing;
+        Group { instants: *instants, table, near, processor, ..*self }
     }
 
     /// Set-ups of the sweeps of a group. Lanes beyond the last sweep repeat it; nothing of them is kept.
@@ -113,7 +124,7 @@ impl<S: Real> Group<'_, S> {
         Crossings {
             stage: self.stage,
             coarse: self.blocks.coarse.as_ref(),
-            table: self.table,
+            table: self.clock,
             plan: self.plan,
             missing: self.digital.missing(),
             held: &self.digital.held,

@@ -4,7 +4,7 @@
 //! programs ▶ TG ▶ FG ▶ texture ▶ gates ▶ MU ▶ DPP ▶ SM ▶ VS3 ▶ lines
 //! ```
 //!
-//! [`Group::run`] is the order of the report's overall figure. Under the economy `Preview` a machine whose terrain generators
+//! [`Group::run`] is the order of the report's overall figure. Under the economy `Instants` a machine whose terrain generators
 //! alone may have parts takes a shorter way (`preview`). Where a model says so, what leaves TG, FG and MU comes through output
 //! amplifiers (`output_amplifiers`). The code is generic over the scalar and compiled where the scalar is chosen: in `machine`.
 //!
@@ -17,6 +17,7 @@
 //! | 1 | `signal_table` | every signal that the machine can record |
 //! | 1 | `feature_light` | light of the features |
 //! | 1 | `lane_gate` | a gate over one sweep |
+//! | 1 | `drawing` | samples of a picture, where they are more than the steps |
 //! | 2 | `scales` | wires of an elaborated machine, and what full scale means on them |
 //! | 3 | `output_amplifiers` | output amplifiers of the main signals |
 //! | 4 | `real_parts` | blocks made of parts |
@@ -26,6 +27,7 @@
 //! | 6 | `record` | waveforms of a group that has run |
 //! | 7 | `look` | who looks at a group: a probe, or nobody |
 
+mod drawing;
 mod feature_light;
 mod group;
 mod lane_gate;
@@ -38,6 +40,7 @@ mod scales;
 mod signal_table;
 mod workspace;
 
+pub use drawing::Drawing;
 pub use group::Group;
 pub use look::{Look, Wanted};
 pub use real_parts::RealParts;

@@ -38,4 +38,4 @@ pub use effect::{FrameEffect, LateEffect, LateError, Missed, late_effect};
 pub use facts::facts;
 pub use ground::corner_place;
 pub use late::{Late, LateLoad, boundary_at};
-pub use seek::{Explanation, Inquiry, InquiryError, Place, ReadSweep, Writer};
+pub use seek::{Between, Explanation, Inquiry, InquiryError, Place, ReadSweep, Writer};

@@ -3,7 +3,7 @@
 use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
-use control_plane::{ControlPlane, FrameSweeps, MachineStage};
+use control_plane::{ControlPlane, Elaboration, FrameSweeps, MachineStage};
 use exact::Columns;
 use generator::{Fact, FrameError, Label, PlaneKind, Planes, Session, Shade};
 use quantities::SweepTime;
@@ -48,6 +48,17 @@ pub struct ReadSweep {
     pub late: Vec<Late>,
 }
 
+/// A picture that is drawn straight between instants, beside the whole machine.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Between {
+    /// Instants a step of the accumulators.
+    pub instants: u32,
+    /// What the whole machine's picture shows at the pixel: linear, 0..=1.
+    pub whole: f64,
+    /// Most that `intensity` and `whole` can differ by: an edge between two instants may lie on either side of the pixel.
+    pub bound: f64,
+}
+
 /// Who left what the pixel shows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
@@ -88,7 +99,10 @@ pub struct Explanation {
     pub pixel: [usize; 2],
     /// What the picture shows there: linear, 0..=1.
     pub intensity: f64,
-    /// What the sweep left in the nearest cell.
+    /// How that was drawn, if not as the whole machine does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub between: Option<Between>,
+    /// What the sweep left in the nearest cell, by the whole machine.
     pub left: f64,
     /// Place of the pixel in what the sweeps wrote.
     pub place: Place,
@@ -184,6 +198,7 @@ impl<'a> Inquiry<'a> {
             time_s: pose.time,
             pixel: [x, y],
             intensity: f64::from(shown),
+            between: self.between(&read),
             left: column.at("sm.write", place.cell),
             writer: writer(&column, place.cell, ground.is_some()),
             body: shown_body(&column, place.cell),
@@ -199,6 +214,14 @@ impl<'a> Inquiry<'a> {
         };
         explanation.because = because(&explanation);
         Ok(explanation)
+    }
+
+    /// What the whole machine shows, where the picture is drawn straight between instants. Such pictures have ideal sweeps, so that what is
+    /// read is the mean of both.
+    fn between(&self, read: &[ReadSweep]) -> Option<Between> {
+        let instants = Elaboration::new(self.stage).instants()?;
+        let whole = read.iter().map(|read| read.weight * read.left).sum();
+        Some(Between { instants, whole, bound: 1.0 })
     }
 
     /// The sweeps beside the pixel, with what each left there; `nearest` has the signals of the place's own sweep.

@@ -21,6 +21,13 @@ impl Explanation {
         lines.push(String::new());
         let [sweep, cell] = [place.between_sweeps, place.between_cells].map(|at| fixed(at, 3));
         lines.push(row("read beam", &format!("sweep {sweep}, cell {cell} of {}", place.cells)));
+        lines.extend(told.between.map(|between| {
+            let as_drawn = format!(
+                "{:.4}; the picture is drawn straight between {} instants a step (docs/economy.md)",
+                between.whole, between.instants
+            );
+            row("whole machine", &as_drawn)
+        }));
         lines.push(row(
             "sm.write",
             &format!("{:.4} in cell {} of sweep {}", told.left, place.cell, place.sweep),

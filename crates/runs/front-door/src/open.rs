@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use control_plane::preview_obstacle;
+use control_plane::instants_obstacle;
 use diagnostics::{Problem, Problems, TomlFile};
 use files::{is_file, is_there, make_folder};
 use generator::{Generator, Row};
@@ -44,11 +44,11 @@ pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
     expect_pixels(path, &settings)?;
     let shadow_cache = shadow_cache(wishes)?;
     let settings = Settings { economy: wishes.economy, shadow_cache, ..settings };
-    if wishes.economy == Economy::Preview
+    if matches!(wishes.economy, Economy::Instants(_))
         && let Some(obstacle) = obstacle(&model.model.name, row, &settings)
     {
         let remedy = "leave the option out, or give --machine a hardware model with ideal parts";
-        return Err(OpenError::Wish(format!("--preview: {obstacle}; {remedy}")));
+        return Err(OpenError::Wish(format!("--quality draft (--preview): {obstacle}; {remedy}")));
     }
     let inputs = inputs(path, &scenario, &model, wishes)?;
     let generator = match row {
@@ -164,7 +164,7 @@ pub(crate) fn obstacle(model: &str, row: Option<&Row>, settings: &Settings) -> O
     match row {
         Some(row) => Some(format!("{} draws no preview", row.name)),
         None => {
-            preview_obstacle(settings).map(|what| format!("{model} has {what}, which a preview leaves out"))
+            instants_obstacle(settings).map(|what| format!("{model} has {what}, which a preview leaves out"))
         }
     }
 }

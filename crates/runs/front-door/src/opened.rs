@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use control_plane::MachineStage;
+use control_plane::{Elaboration, MachineStage};
 use generator::{Generator, Row, Stage};
 use hardware_model::{HardwareModel, Settings};
 use run_record::Inputs;
@@ -99,8 +99,18 @@ impl Opened {
     }
 
     /// What keeps the generator from drawing a preview, in words; `None` if nothing does.
-    pub fn preview_obstacle(&self) -> Option<String> {
+    pub fn draft_obstacle(&self) -> Option<String> {
         obstacle(&self.inputs.model, self.row, &self.settings)
+    }
+
+    /// How the hybrid machine draws `stage`, in words; `None` of another generator.
+    pub fn drawing(&self, stage: &MachineStage) -> Option<String> {
+        let instants = self.is_machine().then(|| Elaboration::new(stage).instants())?;
+        Some(match instants {
+            Some(1) => "straight between the steps of a sweep".into(),
+            Some(count) => format!("straight between {count} instants a step of a sweep"),
+            None => "whole: each edge at its own instant".into(),
+        })
     }
 
     /// Whether the hybrid machine draws.

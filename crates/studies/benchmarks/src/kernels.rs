@@ -83,7 +83,10 @@ pub const KERNELS: &[Kernel] = &[
         frames::part("full-drive", "ideal", Scalar::F32, Economy::Bounded)
     }),
     row("full-drive/preview", "the same, in preview", || {
-        frames::part("full-drive", "ideal", Scalar::F32, Economy::Preview)
+        frames::part("full-drive", "ideal", Scalar::F32, Economy::Instants(1))
+    }),
+    row("full-drive/normal", "the same, at the default quality", || {
+        frames::part("full-drive", "ideal", Scalar::F32, Economy::Normal)
     }),
     row("nominal-drive/ideal", "64 sweeps of frame 0, two levels, craters, rocks, f32", || {
         frames::part("nominal-drive", "ideal", Scalar::F32, Economy::Bounded)
@@ -92,15 +95,15 @@ pub const KERNELS: &[Kernel] = &[
         frames::part("nominal-drive", "ideal", Scalar::F64, Economy::Bounded)
     }),
     row("nominal-drive/preview", "the same in f32, in preview", || {
-        frames::part("nominal-drive", "ideal", Scalar::F32, Economy::Preview)
+        frames::part("nominal-drive", "ideal", Scalar::F32, Economy::Instants(1))
     }),
     row("nominal-drive/preview-wires", "the same, lag and slew on ten signals", || {
-        frames::part("nominal-drive", "pra-wires", Scalar::F32, Economy::Preview)
+        frames::part("nominal-drive", "pra-wires", Scalar::F32, Economy::Instants(1))
     }),
     row(
         "nominal-drive/preview-parts",
         "the same, 261 parts with a state in each terrain generator, alike",
-        || frames::part("nominal-drive", "pra-parts", Scalar::F32, Economy::Preview),
+        || frames::part("nominal-drive", "pra-parts", Scalar::F32, Economy::Instants(1)),
     ),
     row("nominal-drive/parts-of-1970", "the same, each part its own, noise, tubes and yoke", || {
         frames::part("nominal-drive", "pra-nominal", Scalar::F32, Economy::Bounded)

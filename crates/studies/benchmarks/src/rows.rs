@@ -36,11 +36,23 @@ const fn row(
 /// The same in preview.
 const fn preview(name: &'static str, scenario: &'static str, model: &'static str, scalar: Scalar) -> Row {
     let Row { choice, .. } = row(name, scenario, model, scalar, STANDARD);
-    Row { name, scenario, choice: Choice { economy: Economy::Preview, ..choice } }
+    Row { name, scenario, choice: Choice { economy: Economy::Instants(1), ..choice } }
+}
+
+/// The same at the default quality, with ideal parts in f32.
+const fn normal(name: &'static str, scenario: &'static str) -> Row {
+    let Row { choice, .. } = row(name, scenario, "ideal", Scalar::F32, STANDARD);
+    Row { name, scenario, choice: Choice { economy: Economy::Normal, ..choice } }
 }
 
 /// All rows of the table, in its order.
 pub const ROWS: &[Row] = &[
+    normal("normal showpiece", "showpiece"),
+    normal("normal craters", "craters"),
+    normal("normal long shadows", "long-shadows"),
+    normal("normal first light", "first-light"),
+    normal("normal nominal drive", "nominal-drive"),
+    normal("normal full drive", "full-drive"),
     preview("preview showpiece, ideal, f32", "showpiece", "ideal", Scalar::F32),
     preview("preview showpiece, ideal, f64", "showpiece", "ideal", Scalar::F64),
     preview("preview craters, ideal, f32", "craters", "ideal", Scalar::F32),
@@ -59,6 +71,7 @@ pub const ROWS: &[Row] = &[
     row("showpiece, modern-analog, f32", "showpiece", "modern-analog", Scalar::F32, STANDARD),
     row("showpiece, pra-wires, f32", "showpiece", "pra-wires", Scalar::F32, STANDARD),
     row("craters, ideal, f32", "craters", "ideal", Scalar::F32, STANDARD),
+    row("long shadows, ideal, f32", "long-shadows", "ideal", Scalar::F32, STANDARD),
     row("first light, ideal, f32", "first-light", "ideal", Scalar::F32, STANDARD),
     row("first light, ideal, f64", "first-light", "ideal", Scalar::F64, STANDARD),
     row("lunar horizon, ideal, f32", "lunar-horizon", "ideal", Scalar::F32, STANDARD),

@@ -232,22 +232,26 @@ fn a_stack_that_keeps_all_panes_loses_nothing() {
     assert_eq!(means[3..], [0.0, 0.0], "four and eight places for three panes");
 }
 
-/// Rungs in preview are drawn in preview, and change what they name.
+/// Rungs of quality change the economy alone, and the others at normal quality what they name.
 #[test]
-fn rungs_in_preview_change_what_they_name() {
+fn rungs_of_quality_change_what_they_name() {
     let text = SMOOTH.to_owned() + "\n[shadows]\nfinest_m = 0.5\nangle_mrad = 2\n";
     let subject = subject_of(&text);
     let of = |name: &str| -> Vec<_> {
         let rungs = ladder(&subject, name).rungs;
         rungs.iter().map(|rung| subject.changed(&rung.changes).unwrap().settings).collect()
     };
-    for name in ["preview-samples", "preview-sweeps", "preview-shadows"] {
-        assert!(of(name).iter().all(|settings| settings.economy == Economy::Preview), "{name}");
+    for name in ["normal-sweeps", "normal-shadows"] {
+        assert!(of(name).iter().all(|settings| settings.economy == Economy::Normal), "{name}");
     }
-    let samples: Vec<u32> = of("preview-samples").iter().map(|settings| settings.raster.samples).collect();
-    assert_eq!(samples, [500, 1000, 2000]);
-    let sweeps: Vec<u32> = of("preview-sweeps").iter().map(|settings| settings.raster.sweeps).collect();
+    let economies: Vec<_> = of("quality").iter().map(|settings| settings.economy).collect();
+    let instants = [1, 2, 3, 4].map(Economy::Instants);
+    assert_eq!(economies, [&instants[..], &[Economy::Normal, Economy::Bounded]].concat());
+    assert!(
+        of("quality").iter().all(|settings| settings.raster.samples == subject.stage.settings.raster.samples)
+    );
+    let sweeps: Vec<u32> = of("normal-sweeps").iter().map(|settings| settings.raster.sweeps).collect();
     assert_eq!(sweeps, [12, 24, 48]);
-    let finest = of("preview-shadows").into_iter().map(|settings| settings.shadows.unwrap().finest);
+    let finest = of("normal-shadows").into_iter().map(|settings| settings.shadows.unwrap().finest);
     assert_eq!(finest.collect::<Vec<_>>(), [4.0, 2.0, 1.0, 0.5]);
 }

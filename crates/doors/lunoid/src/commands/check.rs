@@ -44,7 +44,7 @@ impl Check {
                 Kind::Scenario => check_scenario(file),
                 Kind::Model => check_model(file),
                 Kind::Overlay => check_overlay(file),
-                Kind::Sidecar => Ok(Vec::new()),
+                Kind::Sidecar => Ok(Sound::default()),
                 Kind::Gear(row) => of_generator(row, file, registry::check_gear),
                 Kind::GeneratorOverlay(row) => {
                     of_generator(row, file, |row, name, text| registry::overlay(row, name, text).map(drop))
@@ -62,9 +62,11 @@ impl Check {
             print_json(&json!({ "schema": "lunoid.check/1", "files": rows.collect::<Vec<_>>() }))?;
         } else {
             for (file, kind, result) in &found {
-                if let Ok(remarks) = result {
-                    remarks.iter().for_each(|remark| warn(remark));
-                    print(&format!("{}: {}, no fault\n", file.display(), kind.word()))?;
+                if let Ok(sound) = result {
+                    sound.remarks.iter().for_each(|remark| warn(remark));
+                    let drawn = sound.drawing.iter().map(|drawing| format!("; drawn {drawing}"));
+                    let drawn = drawn.collect::<String>();
+                    print(&format!("{}: {}, no fault{drawn}\n", file.display(), kind.word()))?;
                 }
             }
             let texts: Vec<String> = faults.iter().map(|list| list.render(colour.on_stderr())).collect();
@@ -77,8 +79,23 @@ impl Check {
     }
 }
 
-/// What is odd about a file that has no fault, in words; or every fault.
-type Checked = Result<Vec<String>, ProblemList>;
+/// What a file without a fault has to say.
+#[derive(Debug, Default)]
+struct Sound {
+    /// What is odd about it, in words.
+    remarks: Vec<String>,
+    /// How the hybrid machine draws it by default, if it is a scenario of it.
+    drawing: Option<String>,
+}
+
+impl From<Vec<String>> for Sound {
+    fn from(remarks: Vec<String>) -> Self {
+        Self { remarks, drawing: None }
+    }
+}
+
+/// A file without a fault, or every fault.
+type Checked = Result<Sound, ProblemList>;
 
 /// Of a model alone: over a scenario of other sweeps its delays may meet their words all the same.
 fn check_model(path: &Path) -> Checked {
@@ -86,14 +103,14 @@ fn check_model(path: &Path) -> Checked {
     expect_drawable(&loaded.values)?;
     let idle = loaded.model.check().into_iter().filter(|finding| finding.keys.contains(&"loader.delay"));
     let idle = idle.map(|finding| format!("{}: {}", path.display(), finding.message));
-    Ok(loaded.remarks.into_iter().chain(idle).collect())
+    Ok(loaded.remarks.into_iter().chain(idle).collect::<Vec<_>>().into())
 }
 
 /// Differences have no faults by themselves: they are those of the ideal machine under them.
 fn check_overlay(path: &Path) -> Checked {
     let ideal = ModelSource::BuiltIn("ideal".into());
     let loaded = HardwareModel::load(&ideal, &[path.to_owned()], &[])?;
-    expect_drawable(&loaded.values).map(|()| Vec::new())
+    expect_drawable(&loaded.values).map(|()| Sound::default())
 }
 
 /// Reads a file of the generator of `row`.
@@ -101,12 +118,12 @@ fn of_generator(row: &Row, path: &Path, read: fn(&Row, &str, &str) -> Result<(),
     let name = path.display().to_string();
     let of_file = |error: FileError| Problem::of_file(&name, error.to_string());
     let bytes = files::read_all(path, Limit::TextBytes).map_err(of_file)?;
-    read(row, &name, &String::from_utf8_lossy(&bytes)).map(|()| Vec::new())
+    read(row, &name, &String::from_utf8_lossy(&bytes)).map(|()| Sound::default())
 }
 
 fn check_cartridge(path: &Path) -> Checked {
     let problem = |error: CartridgeError| Problem::of_file(error.place, error.message);
-    of_file(path).map(|_| Vec::new()).map_err(|error| problem(error).into())
+    of_file(path).map(|_| Sound::default()).map_err(|error| problem(error).into())
 }
 
 fn of_no_kind(path: &Path) -> ProblemList {
@@ -121,9 +138,10 @@ fn check_scenario(path: &Path) -> Checked {
         other => Problem::of_file(&name, other.to_string()).into(),
     };
     let opened = open(path, &Wishes::default()).map_err(problems)?;
-    let stage = opened.stage().map_err(problems)?;
-    opened.poses(&stage, 0..opened.frames()).map_err(|error| path_problems(&error))?;
-    Ok(opened.remarks)
+    let stage = opened.machine_stage().map_err(problems)?;
+    opened.poses(&stage.stage(), 0..opened.frames()).map_err(|error| path_problems(&error))?;
+    let drawing = opened.drawing(&stage);
+    Ok(Sound { remarks: opened.remarks, drawing })
 }
 
 fn document(file: &Path, kind: Kind, result: &Checked) -> Value {
@@ -137,6 +155,7 @@ fn document(file: &Path, kind: Kind, result: &Checked) -> Value {
         "kind": kind.word(),
         "ok": result.is_ok(),
         "problems": problems.collect::<Vec<_>>(),
-        "warnings": result.as_ref().map_or(&[][..], Vec::as_slice),
+        "warnings": result.as_ref().map_or(&[][..], |sound| &sound.remarks),
+        "drawing": result.as_ref().ok().and_then(|sound| sound.drawing.as_ref()),
     })
 }

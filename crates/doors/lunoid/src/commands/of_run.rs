@@ -7,13 +7,15 @@ use run_record::FileRecord;
 
 use super::words::words;
 use crate::Failure;
-use crate::loading::StageArgs;
+use crate::loading::{QualityArgs, StageArgs};
 
 /// Words of a command line that choose a stage.
 #[derive(Debug, Parser)]
 struct Line {
     #[command(flatten)]
     stage: StageArgs,
+    #[command(flatten)]
+    quality: QualityArgs,
 }
 
 /// The stage that is asked for: of a run folder that with which the run was made.
@@ -34,13 +36,12 @@ pub fn stage_of(asked: &StageArgs) -> Result<StageArgs, Failure> {
     let held = HeldRun::read(folder)?;
     let beside = Beside::read(folder, &held.fingerprint)?;
     let line = Line::try_parse_from(["lunoid".to_owned()].into_iter().chain(beside.stage));
-    let stage = line
-        .map_err(|_| {
-            Failure::input(format!(
-                "{shown}/{BESIDE}: found no words that make the run again; give the scenario and its options"
-            ))
-        })?
-        .stage;
+    let line = line.map_err(|_| {
+        Failure::input(format!(
+            "{shown}/{BESIDE}: found no words that make the run again; give the scenario and its options"
+        ))
+    })?;
+    let stage = line.stage.drawn_by(line.quality);
     let now = FileRecord::of(&stage.scenario).map_err(|error| {
         Failure::input(format!(
             "{shown}: its scenario cannot be read: {error}; run this where the run was made"

@@ -20,12 +20,9 @@ pub fn words(stage: &StageArgs) -> Vec<String> {
         ScalarWord::F64 => "f64",
     };
     options.scalar.iter().for_each(|word| option("--scalar", scalar(word).to_owned()));
+    options.quality.iter().for_each(|quality| option("--quality", quality.word().to_owned()));
     options.shadow_cache.iter().for_each(|folder| option("--shadow-cache", path(folder)));
-    let flags = [
-        (options.preview, "--preview"),
-        (options.lossless, "--lossless"),
-        (options.everything, "--everything"),
-    ];
+    let flags = [(options.lossless, "--lossless"), (options.everything, "--everything")];
     words.extend(flags.into_iter().filter(|(is_given, _)| *is_given).map(|(_, word)| word.to_owned()));
     words
 }
@@ -35,7 +32,7 @@ mod tests {
     use clap::Parser;
 
     use super::words;
-    use crate::loading::StageArgs;
+    use crate::loading::{QualityWord, StageArgs};
 
     #[derive(Debug, Parser)]
     struct Line {
@@ -54,9 +51,9 @@ mod tests {
                    --sweeps 40 --samples 80 --scalar f64 --shadow-cache shadows --everything";
         let all: Vec<&str> = all.split_whitespace().collect();
         assert_eq!(given(&all), all);
-        let mut preview = Line::parse_from(["lunoid", "a.toml"]).stage;
-        preview.options.preview = true;
-        assert_eq!(words(&preview), ["a.toml", "--preview"]);
+        let mut draft = Line::parse_from(["lunoid", "a.toml"]).stage;
+        draft.options.quality = Some(QualityWord::Draft);
+        assert_eq!(words(&draft), ["a.toml", "--quality", "draft"]);
         let again: Vec<String> = given(&all);
         assert_eq!(given(&again.iter().map(String::as_str).collect::<Vec<_>>()), all);
     }

@@ -49,7 +49,7 @@ def open(
     sweeps: int | None = None,
     samples: int | None = None,
     scalar: Literal["f32", "f64"] | None = None,
-    economy: Literal["bounded", "lossless", "everything", "preview"] = "bounded",
+    economy: Literal["normal", "bounded", "lossless", "everything", "preview"] = "normal",
     shadow_cache: _Path | None = None,
     threads: int = 0,
 ) -> Drive:

@@ -42,7 +42,7 @@ class Drive:
         sweeps: int | None = None,
         samples: int | None = None,
         scalar: str | None = None,
-        economy: str = "bounded",
+        economy: str = "normal",
         shadow_cache: str | None = None,
         threads: int = 0,
     ) -> Drive: ...

@@ -58,7 +58,7 @@ impl<S: Real> Group<'_, S> {
     /// Words of features, of which only `craters` are in question.
     pub fn loads_among<'c>(&'c self, craters: &'c [u32]) -> FeatureLoads<'c> {
         let absent = &self.digital.absent_craters;
-        FeatureLoads { stage: self.stage, table: self.table, plan: self.plan, among: Some(craters), absent }
+        FeatureLoads { stage: self.stage, table: self.clock, plan: self.plan, among: Some(craters), absent }
     }
 
     /// All craters that sweeps of the group can meet up to range `end` (m): the index is asked once a group.

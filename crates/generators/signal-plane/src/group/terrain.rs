@@ -4,6 +4,7 @@ use control_plane::Coarse;
 use landscape::{GroupLight, SweepLight};
 use parts::LagStep;
 use signal::{LANES, Lanes, Real};
+use sweep_program::SweepProgram;
 use terrain_generator::{
     ArrayState, LitGroup, ModifiedTerrainGenerator, PartsArray, PartsLight, PartsTerrain,
 };
@@ -66,6 +67,7 @@ impl<S: Real> Group<'_, S> {
     pub fn trace_terrain(&self, first: u32, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
         for (lane, program) in work.programs.iter_mut().enumerate() {
             self.crossings().write_fine([sweeps[lane], first + lane as u32], program, &mut ());
+            self.see(program);
         }
         let fine = self.terrain(self.stage.landscape.level());
         match (&self.blocks.coarse, &self.parts.terrain) {
@@ -75,6 +77,13 @@ impl<S: Real> Group<'_, S> {
                 fine.trace_by(&mut method, &work.programs, &mut work.profile);
             }
             (Some(coarse), _) => self.draw_both_levels(coarse, first, sweeps, work),
+        }
+    }
+
+    /// Folds and arrivals of a program at the samples of the group.
+    fn see(&self, program: &mut SweepProgram) {
+        if self.instants > 1 {
+            program.see_at(self.instants);
         }
     }
 
@@ -92,6 +101,7 @@ impl<S: Real> Group<'_, S> {
         let landscape = &self.stage.landscape;
         for (lane, program) in work.coarse.iter_mut().enumerate() {
             self.crossings().write_coarse(coarse, [sweeps[lane], first + lane as u32], program, &mut ());
+            self.see(program);
         }
         let generator = ModifiedTerrainGenerator {
             fine: self.terrain(landscape.level()),

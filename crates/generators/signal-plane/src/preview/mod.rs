@@ -1,4 +1,4 @@
-//! A group of sweeps drawn as a preview: signals at the samples alone, straight between them (economy `Preview`).
+//! A group of sweeps drawn as a preview: signals at the samples alone, straight between them (economy `Instants`).
 //!
 //! ```text
 //! TG ─▶ height, slopes ─▶ + FG ─▶ light ─▶ × lit part of the step, + texture, clip ─▶ DPP ─▶ SM, straight strokes ─▶ VS3

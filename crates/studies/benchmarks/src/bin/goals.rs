@@ -99,7 +99,7 @@ fn run(part: &Part) -> Result<(), String> {
         Part::Mesh => mesh(),
         Part::Peak { scenario, standard } => peak(scenario, *standard),
         Part::Begin { scenario, preview } => {
-            let economy = if *preview { Economy::Preview } else { Economy::Bounded };
+            let economy = if *preview { Economy::Instants(1) } else { Economy::Bounded };
             tell_beginning(Path::new(scenario), economy)
         }
     }
@@ -159,14 +159,14 @@ fn missions() -> Result<(), String> {
         "| mission, ideal, f32, two threads | frames | ground, s | first frame, s | all others, s | frames/s | x real time |\n|---|---|---|---|---|---|---|"
     );
     let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().map_err(|error| error.to_string())?;
-    for economy in [Economy::Bounded, Economy::Preview] {
+    for economy in [Economy::Bounded, Economy::Instants(1)] {
         let choice =
             Choice { model: Some("ideal"), scalar: Some(Scalar::F32), raster: Some(STANDARD), economy };
         for name in ["first-light", "nominal-drive", "showpiece"] {
             let mission = Mission::draw(name, &choice, &pool)?;
             println!(
                 "| {}{name} | {} | {:.2} | {:.2} | {:.2} | {:.1} | {:.2} |",
-                if economy == Economy::Preview { "preview " } else { "" },
+                if economy == Economy::Instants(1) { "preview " } else { "" },
                 mission.frames,
                 mission.ground,
                 mission.first,
@@ -325,7 +325,7 @@ fn mesh() -> Result<(), String> {
     let exact = Exact.prepare(scene.stage.stage()).map_err(|error| error.to_string())?;
     let (right, _) = drawn(exact, 1)?;
     let (picture, whole) = drawn(by(Economy::Bounded), 15)?;
-    let (sketch, preview) = drawn(by(Economy::Preview), 15)?;
+    let (sketch, preview) = drawn(by(Economy::Instants(1)), 15)?;
     let rms = |picture: &[f32]| {
         let squares = picture.iter().zip(&right).map(|(a, b)| f64::from(a - b) * f64::from(a - b));
         (squares.sum::<f64>() / right.len() as f64).sqrt()

@@ -103,7 +103,7 @@ struct Mode {
 fn modes(stage: &MachineStage) -> Result<Vec<Mode>, StudyError> {
     let forced = Forced::ALL.map(|forced| (forced.name(), Economy::LosslessBut(forced)));
     let whole = [("bounded", Economy::Bounded), ("lossless", Economy::Lossless)];
-    let last = [("everything", Economy::Everything), ("preview", Economy::Preview)];
+    let last = [("everything", Economy::Everything), ("preview", Economy::Instants(1))];
     let all = whole.into_iter().chain(forced).chain(last);
     let mode = |(name, economy): (&str, Economy)| {
         let mut stage = stage.clone();
@@ -113,7 +113,7 @@ fn modes(stage: &MachineStage) -> Result<Vec<Mode>, StudyError> {
                 Economy::LosslessBut(_) => format!("lossless, but {name} runs"),
                 _ => name.to_owned(),
             },
-            claims_equal: !matches!(economy, Economy::Bounded | Economy::Preview),
+            claims_equal: !matches!(economy, Economy::Bounded | Economy::Instants(_)),
             session: stage.prepare(),
             pictures: Vec::new(),
             counts: FrameCounts::default(),

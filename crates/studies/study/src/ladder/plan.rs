@@ -36,8 +36,8 @@ pub fn ladders(subject: &Subject, models: &[HardwareModel], extent: Extent) -> V
     ];
     all.extend(subject.scenario.levels.is_some().then(levels));
     all.extend(subject.scenario.shadows.is_some().then(shadow));
-    all.extend([preview_samples(subject, extent), preview_sweeps(subject)]);
-    all.extend(subject.scenario.shadows.is_some().then(preview_shadows));
+    all.extend([quality(extent), normal_sweeps(subject)]);
+    all.extend(subject.scenario.shadows.is_some().then(normal_shadows));
     all.extend([
         samples_and_scalar(extent),
         samples_and_programme(subject, extent),
@@ -163,42 +163,50 @@ fn shadow() -> Ladder {
     Ladder { name: "shadow", what: "shadow controller", expected: Vec::new(), rungs: variants.map(of).into() }
 }
 
-/// A rung of the economy of `--preview`.
-fn preview(label: String, step: Option<f64>, change: Change) -> Rung {
-    rung(label, step, vec![Change::Economy(Economy::Preview), change])
+/// A rung drawn with an economy.
+fn economical(label: String, step: Option<f64>, economy: Economy, change: Option<Change>) -> Rung {
+    rung(label, step, [Change::Economy(economy)].into_iter().chain(change).collect())
 }
 
-fn preview_samples(subject: &Subject, extent: Extent) -> Ladder {
-    let base = subject.stage.settings.raster.samples;
+/// Instants a step, and what the rule of the default and the whole machine make of the scene.
+fn quality(extent: Extent) -> Ladder {
     let most = if extent == Extent::Quick { 4 } else { 16 };
-    let counts = [1, 2, 4, 8, 16].into_iter().filter(|times| *times <= most).map(|times| times * base);
-    let at =
-        |samples: u32| preview(samples.to_string(), Some(1.0 / f64::from(samples)), Change::Samples(samples));
+    let counts = [1, 2, 3, 4, 6, 8, 16].into_iter().filter(|count| *count <= most);
+    let at = |count: u32| {
+        economical(count.to_string(), Some(1.0 / f64::from(count)), Economy::Instants(count), None)
+    };
+    let named = [("normal", Economy::Normal), ("fine", Economy::Bounded)];
+    let named = named.map(|(word, economy)| economical(word.into(), None, economy, None));
     Ladder {
-        name: "preview-samples",
-        what: "samples a sweep, in preview",
+        name: "quality",
+        what: "instants a step, and the named qualities",
         expected: Vec::new(),
-        rungs: counts.map(at).collect(),
+        rungs: counts.map(at).chain(named).collect(),
     }
 }
 
-fn preview_sweeps(subject: &Subject) -> Ladder {
+fn normal_sweeps(subject: &Subject) -> Ladder {
     let base = subject.stage.settings.raster.sweeps;
     let counts = [base / 4, base / 2, base].into_iter().filter(|sweeps| *sweeps > 0);
-    let at = |sweeps: u32| preview(sweeps.to_string(), Some(1.0 / f64::from(sweeps)), Change::Sweeps(sweeps));
+    let at = |sweeps: u32| {
+        let step = Some(1.0 / f64::from(sweeps));
+        economical(sweeps.to_string(), step, Economy::Normal, Some(Change::Sweeps(sweeps)))
+    };
     Ladder {
-        name: "preview-sweeps",
-        what: "sweeps a frame, in preview, shown on the columns of the base",
+        name: "normal-sweeps",
+        what: "sweeps a frame at normal quality, shown on the columns of the base",
         expected: Vec::new(),
         rungs: counts.map(at).collect(),
     }
 }
 
-fn preview_shadows() -> Ladder {
-    let at = |times: f64| preview(format!("{times}x"), Some(times), Change::CoarserShadows(times));
+fn normal_shadows() -> Ladder {
+    let at = |times: f64| {
+        economical(format!("{times}x"), Some(times), Economy::Normal, Some(Change::CoarserShadows(times)))
+    };
     Ladder {
-        name: "preview-shadows",
-        what: "distance between profiles of shadow, in preview, over that of the scenario",
+        name: "normal-shadows",
+        what: "distance between profiles of shadow at normal quality, over that of the scenario",
         expected: Vec::new(),
         rungs: [8.0, 4.0, 2.0, 1.0].map(at).into(),
     }

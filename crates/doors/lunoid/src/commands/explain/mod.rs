@@ -15,7 +15,7 @@ use self::late::{LateArgs, option};
 use crate::commands::again::command;
 use crate::commands::of_run::stage_of;
 use crate::frame::FrameArgs;
-use crate::loading::{StageArgs, expect_machine};
+use crate::loading::{QualityArgs, StageArgs, expect_machine};
 use crate::output::{print, print_json};
 use crate::values::{pixel, sampling_point};
 use crate::{Failure, Verdict};
@@ -49,6 +49,8 @@ pub struct Explain {
     #[arg(long, value_name = "X,Y,N", value_parser = sampling_point, conflicts_with_all = ["pixel", "late"])]
     sample: Option<[usize; 3]>,
     #[command(flatten)]
+    quality: QualityArgs,
+    #[command(flatten)]
     late: LateArgs,
     /// Leave the closed form out, and with it the error. Only of the hybrid machine.
     #[arg(long)]
@@ -61,7 +63,7 @@ pub struct Explain {
 impl Explain {
     /// Explains the chosen pixel and prints the explanation.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        let stage = stage_of(&self.chosen.stage)?;
+        let stage = stage_of(&self.chosen.stage.clone().drawn_by(self.quality))?;
         let opened = stage.load()?;
         self.chosen.expect_in(&opened)?;
         if let Some(sample) = self.sample {

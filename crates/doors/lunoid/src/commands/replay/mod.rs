@@ -26,7 +26,7 @@ use serde_json::json;
 
 use crate::commands::words::words;
 use crate::interrupt;
-use crate::loading::{PreviewArgs, StageArgs, StageOptions, Threads, choose_frames, machine_help};
+use crate::loading::{QualityArgs, StageArgs, StageOptions, Threads, choose_frames, machine_help};
 use crate::output::{Place, expect_outputs, print, print_json, tell};
 use crate::program::program;
 use crate::progress::Saying;
@@ -63,7 +63,7 @@ pub struct Replay {
     #[command(flatten)]
     options: StageOptions,
     #[command(flatten)]
-    preview: PreviewArgs,
+    quality: QualityArgs,
     #[command(flatten)]
     threads: Threads,
     /// Frames to draw, counted at the update rate: A..B without B. All if left out.
@@ -158,7 +158,7 @@ impl Replay {
     /// One machine: the channel that is asked for, or all that the scenario has.
     fn one(&self, machine: Option<String>, phases: Phases) -> Result<Verdict, Failure> {
         let mut stage = self.stage(machine);
-        stage.options.preview = self.preview.is_asked();
+        stage.options.quality = self.quality.asked();
         let opened = stage.load_any_view()?;
         match self.options.channel.is_none() && !opened.scenario.channels.is_empty() {
             true => self.channels(&stage, &opened, &phases),

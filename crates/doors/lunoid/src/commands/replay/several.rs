@@ -13,7 +13,7 @@ use serde_json::{Value, json};
 use super::summary::{Summary, losses};
 use super::{Replay, ended, interrupted};
 use crate::interrupt;
-use crate::loading::{StageArgs, channel_names, choose_frames};
+use crate::loading::{QualityWord, StageArgs, channel_names, choose_frames};
 use crate::output::{print, print_json, tell};
 use crate::{Failure, Verdict};
 use front_door::{Decides, Opened, decides, open};
@@ -171,7 +171,7 @@ impl Replay {
         // Parts that are set are those of the machines among them.
         let is_for_machines = machines.iter().any(|name| registry::find(name).is_none());
         let mut entries: Vec<Entry> = Vec::new();
-        let (asked, mut obstacles) = (self.preview.is_asked(), Vec::new());
+        let (asked, mut obstacles) = (self.quality.asked(), Vec::new());
         for machine in machines.iter().cloned().chain(judge) {
             let name = folder_name(&machine)?;
             if entries.iter().any(|entry| entry.name == name) {
@@ -188,22 +188,21 @@ impl Replay {
                 phases.mark(OTHERS);
             }
             let mut opened = stage.load()?;
-            if asked {
-                match opened.preview_obstacle() {
-                    Some(obstacle) => obstacles.push(obstacle),
-                    None => {
-                        stage.options.preview = true;
-                        opened = stage.load()?;
-                    }
+            match opened.draft_obstacle() {
+                Some(obstacle) if asked == Some(QualityWord::Draft) => obstacles.push(obstacle),
+                _ if asked.is_some() => {
+                    stage.options.quality = asked;
+                    opened = stage.load()?;
                 }
+                _ => {}
             }
             phases.mark("read");
             choose_frames(&opened, self.frames)?;
             entries.push(Entry { name, stage, opened, phases });
         }
-        if asked && entries.iter().all(|entry| !entry.stage.options.preview) {
+        if asked.is_some() && entries.iter().all(|entry| entry.stage.options.quality.is_none()) {
             return Err(Failure::usage(format!(
-                "--preview: none of the machines draws one: {}; leave the option out, or add a hardware model with ideal parts",
+                "--quality draft (--preview): none of the machines draws one: {}; leave the option out, or add a hardware model with ideal parts",
                 obstacles.join("; ")
             )));
         }
