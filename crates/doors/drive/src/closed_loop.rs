@@ -6,7 +6,7 @@ use std::sync::Arc;
 use diagnostics::Problem;
 use limits::Limit;
 use quantities::{radians, sin_cos};
-use scenario::{Driven, DrivenError, Pose};
+use scenario::{Course, Driven, DrivenError, Pose};
 
 use crate::bench::Bench;
 use crate::saved::{self, SavedFile};
@@ -16,12 +16,12 @@ use crate::{Drive, DriveError, EyePose, Seen, Viewpoint};
 pub struct Loop {
     drive: Arc<Drive>,
     driven: Driven,
-    /// The stage with what was driven, and the generator on it; made when it is needed.
+    /// The stage on the course, and the generator on it; made when it is needed, and kept while the loop goes on.
     bench: Option<Bench>,
     /// Poses of the pictures of the first and of the last frame.
     ends: Option<[Pose; 2]>,
-    /// Poses of the pictures so far, for generators with memory.
-    course: Vec<Pose>,
+    /// Poses of the pictures so far, for generators with memory. The generator of `bench` holds the same course.
+    course: Course,
     /// Poses of the vehicle so far, as they were told.
     told: Vec<EyePose>,
 }
@@ -43,6 +43,7 @@ impl Loop {
         let mut driven = Self::new(drive);
         for pose in poses {
             let next = driven.next(pose)?;
+            driven.remember(next.picture);
             driven.go(next);
         }
         Ok(driven)
@@ -166,10 +167,6 @@ impl Loop {
 
     fn go(&mut self, Next { driven, told, picture }: Next) {
         let first = self.ends.map_or(picture, |[first, _]| first);
-        if self.drive.remembers_frames() {
-            self.course.truncate(self.told.len());
-            self.course.push(picture);
-        }
         (self.ends, self.driven) = (Some([first, picture]), driven);
         self.told.push(told);
     }
@@ -187,27 +184,44 @@ impl Loop {
         Err(problem.help("open the scenario with a larger `scenario.frames`").into())
     }
 
-    /// The picture of the next frame from `pose`. Where the generator has memory it is made ready anew with what was driven.
+    /// The picture of the next frame from `pose`.
     fn draw(&mut self, pose: Pose) -> Result<Seen, DriveError> {
-        let (frame, remembers) = (self.frames(), self.drive.remembers_frames());
-        self.course.extend(remembers.then_some(pose));
-        let bench = match self.bench.take().filter(|_| !remembers) {
-            Some(bench) => Ok(bench),
-            None => self.ready(self.ends.map_or(pose, |[first, _]| first)),
+        let frame = self.frames();
+        let bench = match self.bench.take() {
+            Some(bench) => bench,
+            None => self.ready(self.ends.map_or(pose, |[first, _]| first))?,
         };
-        // What could not be drawn was not driven.
-        self.course.truncate(self.told.len());
-        let bench = bench?;
-        let drawn = Viewpoint { drive: &self.drive, bench: &bench, frame, pose }.draw();
-        // The first pose decides what is chosen once for a mission.
-        self.bench = Some(bench).filter(|_| drawn.is_ok() || (frame > 0 && !remembers));
+        let can = bench.session.check(frame, &pose);
+        let drawn = match can.map_err(|error| DriveError::of(self.drive.file(), &error)) {
+            Ok(()) => self.draw_on(&bench, pose),
+            Err(error) => Err(error),
+        };
+        // The first pose decides what is chosen once for a mission, and a course that has the pose of no frame is no longer that of the loop.
+        let keeps = drawn.is_ok() || (frame > 0 && self.course.len() <= self.told.len());
+        self.bench = Some(bench).filter(|_| keeps);
+        if !keeps {
+            self.course = self.course.iter().take(self.told.len()).copied().collect();
+        }
         drawn
+    }
+
+    /// Draws the next frame with `bench`, whose generator then remembers it.
+    fn draw_on(&self, bench: &Bench, pose: Pose) -> Result<Seen, DriveError> {
+        self.remember(pose);
+        Viewpoint { drive: &self.drive, bench, frame: self.frames(), pose }.draw()
+    }
+
+    /// Adds the pose of the next picture to the course, where the generator has memory.
+    fn remember(&self, pose: Pose) {
+        if self.drive.remembers_frames() {
+            self.course.push(pose);
+        }
     }
 
     /// The generator on the stage of the drive with the course behind it, from `first` on.
     fn ready(&self, first: Pose) -> Result<Bench, DriveError> {
         let Drive { opened, pool, bench, .. } = &*self.drive;
-        Bench::new(opened, pool, bench.machine_after(first, self.course.clone()))
+        Bench::new(opened, pool, bench.machine_on(first, self.course.clone()))
     }
 }
 
