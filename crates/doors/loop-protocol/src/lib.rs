@@ -34,6 +34,7 @@ mod requests;
 mod searching;
 mod session;
 mod signals;
+mod state;
 mod wire;
 
 pub use message::{MAGIC, Message, PREFIX};

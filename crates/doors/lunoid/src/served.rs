@@ -3,13 +3,16 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use diagnostics::Problem;
-use drive::{Drive, DriveError, Loop, SavedFile, Wishes};
+use diagnostics::{Problem, Problems};
+use drive::{Drive, DriveError, Loop, Program, SavedFile, Wishes};
 use front_door::Opened;
+use hardware_model::FAULTS;
 use loop_protocol::{Home, Opening};
+use registry::ROWS;
 
 use crate::Failure;
 use crate::loading::{StageArgs, Threads};
+use crate::program::program;
 
 /// What is served, and where records of it go.
 #[derive(Debug, Args)]
@@ -21,15 +24,23 @@ pub struct ServedArgs {
     /// Folder into which the request `record` writes what was driven; the client gets the files if left out.
     #[arg(long, value_name = "FOLDER")]
     record: Option<PathBuf>,
+    /// File of a hardware model or of an overlay that clients may name too; without it they name what ships, and the files of --machine and
+    /// --overlay. May be given several times.
+    #[arg(long, value_name = "FILE")]
+    offer: Vec<String>,
 }
 
 impl ServedArgs {
     /// The home of these arguments, and its scenario. What is wrong is told before any ground is made.
     pub fn home(&self) -> Result<(Served, Opened), Failure> {
         let opened = self.stage.load()?;
+        let wishes = self.stage.wishes();
+        let overlays = wishes.overlays.iter().map(|overlay| overlay.display().to_string());
+        let named = wishes.machine.iter().cloned().chain([opened.scenario.machine.clone()]).chain(overlays);
         let served = Served {
+            offered: self.offer.iter().cloned().chain(named).collect(),
             scenario: self.stage.scenario.clone(),
-            wishes: self.stage.wishes(),
+            wishes,
             threads: self.threads.count()?,
             record: self.record.clone(),
         };
@@ -42,6 +53,8 @@ impl ServedArgs {
 pub struct Served {
     scenario: PathBuf,
     wishes: Wishes,
+    /// What the command line and the scenario name as machines and overlays.
+    offered: Vec<String>,
     /// Number of threads that draw; as many as there are processors if 0.
     threads: usize,
     /// Folder of what was driven.
@@ -62,12 +75,42 @@ impl Served {
         self.open_over(&self.wishes)
     }
 
+    /// Refuses machines and overlays of a client that are files of this computer which nobody has offered.
+    fn expect_offered(&self, asked: &Opening) -> Result<(), DriveError> {
+        let problems = Problems::new();
+        let machines = asked.machine.iter().filter(|name| is_path(name)).map(|name| ("machine", name));
+        let overlays = asked.overlays.iter().filter(|name| !is_fault(name)).map(|name| ("overlays", name));
+        for (key, name) in machines.chain(overlays).filter(|(_, name)| !self.offered.contains(name)) {
+            let problem = Problem::of_file("request", format!("`{key}` is a file that is not offered here"));
+            let problem = problem
+                .key(key)
+                .found(format!("`{name}`"))
+                .expected("a name of what ships, or a file that is offered");
+            problems.push(problem.help("start the command with `--offer FILE`"));
+        }
+        Ok(problems.into_result()?)
+    }
+
     fn open_over(&self, wishes: &Wishes) -> Result<Drive, DriveError> {
         Drive::open(&self.scenario, wishes, self.threads)
     }
 }
 
+/// Whether the name of a machine is the path of a file.
+fn is_path(name: &str) -> bool {
+    name.ends_with(".toml") || name.contains(['/', '\\'])
+}
+
+/// Whether an overlay of one fault that ships has this name.
+fn is_fault(name: &str) -> bool {
+    FAULTS.iter().any(|(known, _)| *known == name) || ROWS.iter().any(|row| row.fault(name).is_some())
+}
+
 impl Home for Served {
+    fn program(&self) -> Program {
+        program()
+    }
+
     fn open(&mut self, asked: &Opening) -> Result<Drive, DriveError> {
         let own = self.scenario();
         if let Some(other) = asked.scenario.as_ref().filter(|other| **other != own) {
@@ -75,6 +118,7 @@ impl Home for Served {
             let problem = problem.found(format!("`{other}`")).expected(format!("`{own}`, or no scenario"));
             return Err(problem.help("start the command on that scenario").into());
         }
+        self.expect_offered(asked)?;
         self.open_over(&asked.over(&self.wishes))
     }
 

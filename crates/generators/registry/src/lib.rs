@@ -8,7 +8,7 @@
 
 use std::sync::Arc;
 
-use diagnostics::{Layers, Problem, ProblemList, Problems, TomlFile};
+use diagnostics::{Layers, Origin, Problem, ProblemList, Problems, TomlFile};
 use generator::{Generator, PrepareError, Role, Row, Session, Stage};
 
 /// All rows, in the order in which they are listed.
@@ -66,13 +66,26 @@ pub fn configure(
     row: &Row,
     layers: impl IntoIterator<Item = TomlFile>,
 ) -> Result<Arc<dyn Generator>, ProblemList> {
+    configure_told(row, layers).map(|(generator, _)| generator)
+}
+
+/// The same, with each value of its tables that a file sets: dotted key, and where it stands.
+///
+/// # Errors
+/// As [`configure`].
+pub fn configure_told(
+    row: &Row,
+    layers: impl IntoIterator<Item = TomlFile>,
+) -> Result<(Arc<dyn Generator>, Vec<(String, Origin)>), ProblemList> {
     let problems = Problems::new();
     let gear = row.gear.and_then(|gear| TomlFile::parse(gear.file, gear.text, &problems));
     let layers = Layers::new(gear.into_iter().chain(layers));
     let root = layers.root(&problems);
     let generator = (row.configure)(&root);
     row.tables().for_each(|table| root.table_or_empty(table).finish());
-    problems.resolve(generator)
+    let mut values = layers.origins();
+    values.retain(|(key, _)| row.owns(key));
+    problems.resolve(generator.map(|generator| (generator, values)))
 }
 
 /// The same from keys of `--set` alone.
