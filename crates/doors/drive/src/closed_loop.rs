@@ -184,31 +184,33 @@ impl Loop {
         Err(problem.help("open the scenario with a larger `scenario.frames`").into())
     }
 
-    /// The picture of the next frame from `pose`.
+    /// The picture of the next frame from `pose`, which the generator remembers from then on if it can be drawn.
     fn draw(&mut self, pose: Pose) -> Result<Seen, DriveError> {
-        let frame = self.frames();
-        let bench = match self.bench.take() {
-            Some(bench) => bench,
-            None => self.ready(self.ends.map_or(pose, |[first, _]| first))?,
-        };
-        let can = bench.session.check(frame, &pose);
-        let drawn = match can.map_err(|error| DriveError::of(self.drive.file(), &error)) {
-            Ok(()) => self.draw_on(&bench, pose),
-            Err(error) => Err(error),
-        };
-        // The first pose decides what is chosen once for a mission, and a course that has the pose of no frame is no longer that of the loop.
-        let keeps = drawn.is_ok() || (frame > 0 && self.course.len() <= self.told.len());
-        self.bench = Some(bench).filter(|_| keeps);
-        if !keeps {
-            self.course = self.course.iter().take(self.told.len()).copied().collect();
+        if let Some(bench) = &self.bench {
+            let can = bench.session.check(self.frames(), &pose);
+            can.map_err(|error| DriveError::of(self.drive.file(), &error))?;
         }
-        drawn
+        self.remember(pose);
+        self.draw_remembered(pose).inspect_err(|_| self.forget())
     }
 
-    /// Draws the next frame with `bench`, whose generator then remembers it.
-    fn draw_on(&self, bench: &Bench, pose: Pose) -> Result<Seen, DriveError> {
-        self.remember(pose);
-        Viewpoint { drive: &self.drive, bench, frame: self.frames(), pose }.draw()
+    fn draw_remembered(&mut self, pose: Pose) -> Result<Seen, DriveError> {
+        let (frame, first) = (self.frames(), self.ends.map_or(pose, |[first, _]| first));
+        let bench = match self.bench.take() {
+            Some(bench) => bench,
+            None => self.ready(first)?,
+        };
+        let bench = self.bench.insert(bench);
+        Viewpoint { drive: &self.drive, bench, frame, pose }.draw()
+    }
+
+    /// Forgets a pose that was remembered and not driven. What was chosen by a first pose, or worked out from this one, goes with it.
+    fn forget(&mut self) {
+        let driven = self.told.len();
+        if driven == 0 || self.course.len() > driven {
+            self.bench = None;
+            self.course = self.course.iter().take(driven).copied().collect();
+        }
     }
 
     /// Adds the pose of the next picture to the course, where the generator has memory.

@@ -49,7 +49,7 @@ fn both(scene: &Scene, steps: u64) -> [Vec<String>; 2] {
 /// Past the path, with rocks that lie along it: they stay where they were.
 #[test]
 fn a_loop_saved_and_replayed_has_the_same_pixels() {
-    for machine in ["ideal", "exact", "lunsim", "sampled"] {
+    for machine in ["ideal", "pra-parts", "modern-analog", "exact", "lunsim", "sampled"] {
         let [looked, replayed] = both(&Scene::new("", &FREE).by(machine), 9);
         assert_eq!(looked, replayed, "{machine}");
     }
@@ -58,7 +58,7 @@ fn a_loop_saved_and_replayed_has_the_same_pixels() {
 /// Storage tube, phosphor and two fields remember; so do drums and a sampler that shows the frame before.
 #[test]
 fn machines_with_memory_remember_what_was_driven() {
-    for machine in ["pra-frugal", "pra-nominal", "pra-overloaded", "pra-parts"] {
+    for machine in ["pra-frugal", "pra-nominal", "pra-overloaded"] {
         let scene = Scene::new("", &[]).by(machine);
         assert!(scene.drive().remembers_frames());
         let [looked, replayed] = both(&scene, 8);
@@ -104,11 +104,13 @@ fn a_frame_that_fails_is_not_remembered() {
     let cache = scene.folder.path().join("cache");
     scene.wishes.shadow_cache = Some(cache.clone());
     let mut disturbed = Loop::new(scene.drive());
-    for (pose, hash) in poses.iter().zip(hashes) {
-        // No boundary can be kept where a file is in the way.
+    for (number, (pose, hash)) in poses.iter().zip(hashes).enumerate() {
+        // No boundary can be kept where a file is in the way, and elsewhere the boundaries are others.
+        let [x, y, z] = start.eye_m;
+        let elsewhere = EyePose { eye_m: [x + 30.0 * number as f64, y, z + 9.0], ..start };
         fs::remove_dir_all(&cache).unwrap();
         fs::write(&cache, "in the way").unwrap();
-        disturbed.look(&start).unwrap_err();
+        assert!(disturbed.look(&elsewhere).is_err(), "step {number}");
         fs::remove_file(&cache).unwrap();
         fs::create_dir(&cache).unwrap();
         assert_eq!(disturbed.look(pose).unwrap().hash(), hash);

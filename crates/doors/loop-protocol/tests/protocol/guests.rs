@@ -22,7 +22,7 @@ fn the_parameters_of_a_guest_are_its_own() {
     let free = sampled.iter().find(|row| row["value"].is_null()).expect("a parameter that no file sets");
     assert_eq!(free["source"], "sampled");
     assert!(find(&sampled, "dpp.projection")["value"].is_string(), "the view is that of any generator");
-    for machine in ["sampled", "lunsim", "lod-mesh", "smooth-faces", "panels"] {
+    for machine in ["sampled", "lunsim", "lod-mesh", "smooth-faces"] {
         let own = rows(Scene::by(machine).setting("lunsim.restrictions", "false"), "parameters");
         let keys: Vec<&str> = own.iter().map(|row| row["key"].as_str().unwrap()).collect();
         assert!(keys.is_sorted() && !keys.contains(&"loader.access_ns"), "{machine}: {keys:?}");
@@ -65,7 +65,8 @@ fn the_deadlines_of_a_guest_are_told() {
 /// The time of a look is that of its sun; time and frame that are left out follow from one another.
 #[test]
 fn the_time_of_a_look_counts() {
-    let drifts = "elevation_deg = 15\ndrift = [{ t_s = 0.3, azimuth_deg = 60, elevation_deg = 25 }]";
+    let drifts =
+        "elevation_deg = 15\nstep_s = 0.1\ndrift = [{ t_s = 0.3, azimuth_deg = 60, elevation_deg = 25 }]";
     let scene = Scene::by("exact").reworded("elevation_deg = 15", drifts);
     let pose = pose_json(&scene.drive().pose(0).unwrap());
     let mut session = scene.session();
