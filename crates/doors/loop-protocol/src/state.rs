@@ -49,15 +49,15 @@ impl State {
     /// If the request has no state, or one that was changed since it was handed out.
     pub fn of(request: &Message) -> Result<Self, DriveError> {
         let text = text_of(request)?;
+        let state: Value = serde_json::from_str(&text).unwrap_or_default();
+        if let Some(other) = state["schema"].as_str().filter(|schema| *schema != SCHEMA) {
+            let problem = fault("the state has another schema").found(format!("{other:?}"));
+            return Err(problem.expected(format!("{SCHEMA:?}")).help(DRIVE_AGAIN).into());
+        }
         if !is_as_sealed(&text) {
             let problem = fault("the state was changed since it was handed out");
             let problem = problem.found("bytes that the seal at their end does not fit");
             return Err(problem.expected("the bytes of the plane `state`, unchanged").into());
-        }
-        let state: Value = serde_json::from_str(&text).unwrap_or_default();
-        if state["schema"] != SCHEMA {
-            let problem = fault("the state has another schema").found(state["schema"].to_string());
-            return Err(problem.expected(format!("{SCHEMA:?}")).help(DRIVE_AGAIN).into());
         }
         Self::read(&state).ok_or_else(|| {
             let problem = fault("the state does not hold together").found("keys that no state has");

@@ -6,7 +6,7 @@ use clap::Args;
 use diagnostics::{Problem, Problems};
 use drive::{Drive, DriveError, Loop, Program, SavedFile, Wishes};
 use front_door::Opened;
-use hardware_model::FAULTS;
+use hardware_model::{BUILT_IN, FAULTS};
 use loop_protocol::{Home, Opening};
 use registry::ROWS;
 
@@ -24,8 +24,8 @@ pub struct ServedArgs {
     /// Folder into which the request `record` writes what was driven; the client gets the files if left out.
     #[arg(long, value_name = "FOLDER")]
     record: Option<PathBuf>,
-    /// File of a hardware model or of an overlay that clients may name too; without it they name what ships, and the files of --machine and
-    /// --overlay. May be given several times.
+    /// Hardware model or overlay of your own that clients may name too; without it they name what ships, and what --machine, --overlay and the
+    /// scenario name. May be given several times.
     #[arg(long, value_name = "FILE")]
     offer: Vec<String>,
 }
@@ -75,18 +75,19 @@ impl Served {
         self.open_over(&self.wishes)
     }
 
-    /// Refuses machines and overlays of a client that are files of this computer which nobody has offered.
+    /// Refuses machines and overlays of a client that neither ship nor are offered: they may be any file of this computer.
     fn expect_offered(&self, asked: &Opening) -> Result<(), DriveError> {
         let problems = Problems::new();
-        let machines = asked.machine.iter().filter(|name| is_path(name)).map(|name| ("machine", name));
-        let overlays = asked.overlays.iter().filter(|name| !is_fault(name)).map(|name| ("overlays", name));
-        for (key, name) in machines.chain(overlays).filter(|(_, name)| !self.offered.contains(name)) {
-            let problem = Problem::of_file("request", format!("`{key}` is a file that is not offered here"));
-            let problem = problem
-                .key(key)
-                .found(format!("`{name}`"))
-                .expected("a name of what ships, or a file that is offered");
-            problems.push(problem.help("start the command with `--offer FILE`"));
+        let machines = asked.machine.iter().map(|name| ("machine", name, machines_shipped()));
+        let overlays = asked.overlays.iter().map(|name| ("overlays", name, faults_shipped()));
+        for (key, name, shipped) in machines.chain(overlays) {
+            if self.offered.contains(name) || shipped.contains(&name.as_str()) {
+                continue;
+            }
+            let problem = Problem::of_file("request", format!("`{key}` names what is not offered here"));
+            let problem = problem.key(key).found(format!("`{name}`"));
+            let problem = problem.expected(format!("one of {}", shipped.join(", ")));
+            problems.push(problem.help("start the command with `--offer FILE` for a file of your own"));
         }
         Ok(problems.into_result()?)
     }
@@ -96,14 +97,15 @@ impl Served {
     }
 }
 
-/// Whether the name of a machine is the path of a file.
-fn is_path(name: &str) -> bool {
-    name.ends_with(".toml") || name.contains(['/', '\\'])
+/// Names of all hardware models and generators that ship.
+fn machines_shipped() -> Vec<&'static str> {
+    BUILT_IN.iter().map(|(name, _)| *name).chain(registry::names()).collect()
 }
 
-/// Whether an overlay of one fault that ships has this name.
-fn is_fault(name: &str) -> bool {
-    FAULTS.iter().any(|(known, _)| *known == name) || ROWS.iter().any(|row| row.fault(name).is_some())
+/// Names of all overlays of one fault that ship.
+fn faults_shipped() -> Vec<&'static str> {
+    let of_generators = ROWS.iter().filter_map(|row| row.gear).flat_map(|gear| gear.faults);
+    FAULTS.iter().chain(of_generators).map(|(name, _)| *name).collect()
 }
 
 impl Home for Served {

@@ -99,7 +99,8 @@ fn a_state_that_was_changed_is_refused() {
         (text.replace(hash, &"0".repeat(64)), changed),
         (text.replacen("\"from\":0", "\"from\":1", 1), changed),
         (text.replace("ideal", "exact"), changed),
-        (sealed(r#"{"schema":"lunoid.loop.state/1"}"#), "the state has another schema"),
+        (r#"{"schema":"lunoid.loop.state/1"}"#.to_owned(), "the state has another schema"),
+        (sealed(r#"{"poses":[]}"#), "the state does not hold together"),
         (sealed(r#"{"schema":"lunoid.loop.state/2"}"#), "the state does not hold together"),
     ] {
         assert_eq!(problems_of(&restored(&mut session, &tampered))[0]["title"], title);

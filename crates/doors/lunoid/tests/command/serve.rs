@@ -206,6 +206,7 @@ fn a_client_names_no_file_that_is_not_offered() {
         assert_eq!(problems.len(), count, "{refused}");
         for problem in problems {
             assert!(problem["title"].as_str().unwrap().contains("not offered here"), "{problem}");
+            assert!(problem["expected"].as_str().unwrap().starts_with("one of "), "{problem}");
             assert!(problem["help"].as_str().unwrap().contains("--offer"), "{problem}");
         }
         assert!(!refused.to_string().contains("1234"));
