@@ -7,7 +7,7 @@ use diagnostics::{Problem, Problems, nearest};
 use drive::{DriveError, EyePose};
 use serde_json::{Map, Value};
 
-use crate::poses::AskedPose;
+use crate::asked_pose::AskedPose;
 use crate::requests::COMMON;
 use crate::wire::kind;
 use crate::{Message, RequestRow};

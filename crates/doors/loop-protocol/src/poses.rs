@@ -1,8 +1,9 @@
 //! Poses in headers, the request `ahead`, and the frame that a request looks at.
 
-use drive::{Drive, DriveError, EyePose, Viewpoint};
+use drive::{DriveError, EyePose, Viewpoint};
 use serde_json::{Value, json};
 
+use crate::asked_pose::AskedPose;
 use crate::keys::Keys;
 use crate::session::{Held, Reply};
 use crate::{Home, Session};
@@ -27,25 +28,6 @@ pub(crate) fn pose_json(pose: &EyePose) -> Value {
     let EyePose { time_s, eye_m: [x, y, z], heading_deg, pitch_deg, roll_deg, yoke_deg } = pose;
     json!({ "time_s": time_s, "x_m": x, "y_m": y, "z_m": z, "heading_deg": heading_deg, "pitch_deg": pitch_deg,
             "roll_deg": roll_deg, "yoke_deg": yoke_deg })
-}
-
-/// A pose as a request has it.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct AskedPose {
-    /// The pose; its time is 0 where the request leaves it out.
-    pub eye: EyePose,
-    /// Whether the request has `time_s`.
-    pub has_time: bool,
-}
-
-impl AskedPose {
-    /// What `drive` shows from the pose. Time and frame belong together: either left out is that of the other, and frame 0 if both are.
-    pub fn at(self, drive: &Drive, frame: Option<u64>) -> Result<Viewpoint<'_>, DriveError> {
-        let (Self { eye, has_time }, update) = (self, drive.raster().update_hz);
-        let frame = frame.unwrap_or((eye.time_s * update).round() as u64);
-        let time_s = if has_time { eye.time_s } else { frame as f64 / update };
-        drive.from_pose(frame, &EyePose { time_s, ..eye })
-    }
 }
 
 /// Which frame a request looks at: one of the path, one from a pose, or the last of the loop.

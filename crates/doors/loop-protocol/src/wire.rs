@@ -23,11 +23,11 @@ pub enum WireError {
     Io(io::Error),
     /// The bytes are no message. What follows them cannot be told apart.
     Problems(ProblemList),
-    /// The bytes of a message are all there, and something is wrong in them. The next message can be read.
+    /// The bytes of a message are all there, and its header is faulty. The next message can be read.
     Faulty {
         /// The `id` of the message; null if it has none.
         id: Value,
-        /// What is wrong.
+        /// Every fault of the header.
         problems: ProblemList,
     },
 }

@@ -2,9 +2,10 @@
 
 use std::alloc::System;
 use std::fs;
+use std::ops::Range;
+use std::sync::Arc;
 
-use drive::{Drive, EyePose, Loop, Wishes};
-use quantities::unit_interval;
+use drive::{Drive, Loop, Wishes};
 use stats_alloc::{INSTRUMENTED_SYSTEM, Region, StatsAlloc};
 
 #[global_allocator]
@@ -12,40 +13,38 @@ static COUNTED: &StatsAlloc<System> = &INSTRUMENTED_SYSTEM;
 
 const SCENARIO: &str = include_str!("../scene.toml");
 
-/// Steps whose memory is added up.
-const PART: usize = 8;
+/// Frames of the path, and the last of them, whose memory is added up.
+const FRAMES: [Range<u64>; 2] = [0..40, 32..40];
 
-/// Bytes that each of `parts` of a loop of `machine` asks for, on one thread.
-fn asked(machine: &str, set: &[(&str, &str)], parts: usize) -> Vec<usize> {
+/// The scene by `machine`, with more frames and keys that are set, drawn by one thread.
+fn drive(machine: &str, set: &[(&str, &str)]) -> Arc<Drive> {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("scene.toml");
-    fs::write(&path, SCENARIO).unwrap();
+    let text = SCENARIO.replace("frames = 4", &format!("frames = {}", FRAMES[0].end));
+    fs::write(&path, text).unwrap();
     let set = set.iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())).collect();
     let wishes = Wishes { machine: Some(machine.into()), set, ..Wishes::default() };
-    let drive = Drive::open(&path, &wishes, 1).unwrap_or_else(|error| panic!("{error}"));
-    let start = drive.pose(0).unwrap();
-    let mut driven = Loop::new(drive.into());
-    let mut pose = start;
-    let mut step = |number: usize| {
-        let turned = EyePose { heading_deg: 40.0 * unit_interval(7, &[number as u64]), ..pose };
-        driven.look(&turned).unwrap_or_else(|error| panic!("{error}"));
-        pose.eye_m[0] += 0.1;
-    };
-    let part = |part: usize| {
-        let region = Region::new(COUNTED);
-        (part * PART..(part + 1) * PART).for_each(&mut step);
-        region.change().bytes_allocated
-    };
-    (0..parts).map(part).collect()
+    Arc::new(Drive::open(&path, &wishes, 1).unwrap_or_else(|error| panic!("{error}")))
+}
+
+/// Bytes that `draw` asks for in the last frames, one frame after another.
+fn asked(mut draw: impl FnMut(u64)) -> usize {
+    let [all, last] = FRAMES;
+    (all.start..last.start).for_each(&mut draw);
+    let region = Region::new(COUNTED);
+    last.for_each(&mut draw);
+    region.change().bytes_allocated
 }
 
 #[test]
-fn the_last_steps_of_a_loop_cost_what_the_second_ones_do() {
+fn a_step_of_a_loop_costs_what_a_frame_of_the_path_costs() {
     let late = [("sampled.overload", "'late'")];
-    let machines = [("pra-nominal", &[][..]), ("pra-overloaded", &[]), ("sampled", &late)];
+    let machines = [("ideal", &[][..]), ("pra-nominal", &[]), ("pra-overloaded", &[]), ("sampled", &late)];
     for (machine, set) in machines {
-        let asked = asked(machine, set, 8);
-        let (second, last) = (asked[1], asked[7]);
-        assert!(last < second + second / 3, "{machine}: {asked:?}");
+        let drive = drive(machine, set);
+        let frames = asked(|frame| drop(drive.frame(frame).unwrap()));
+        let mut driven = Loop::new(Arc::clone(&drive));
+        let steps = asked(|frame| drop(driven.look(&drive.pose(frame).unwrap()).unwrap()));
+        assert!(steps < frames + frames / 4, "{machine}: {steps} bytes, {frames} of frames of the path");
     }
 }
