@@ -119,7 +119,7 @@ fn pass_over(from: &mut impl Read, planes: u64) -> Result<(), WireError> {
 
 /// The message of a header without its planes, and their list; or the `id` of the header and what is wrong with it.
 fn opened(text: &[u8], planes: u64) -> Result<(Message, Vec<Listed>), (Value, ProblemList)> {
-    let mut message = Message::new(object(text).map_err(|problem| (Value::Null, problem.into()))?);
+    let mut message = Message::new(object(text).map_err(|problems| (Value::Null, problems))?);
     match listed(NAME, &mut message.header, planes) {
         Ok(listed) => Ok((message, listed)),
         Err(problems) => Err((message.id(), problems)),
@@ -166,12 +166,12 @@ fn lengths(prefix: &[u8]) -> Result<[u64; 2], WireError> {
 }
 
 /// The header as JSON.
-fn object(text: &[u8]) -> Result<Value, Problem> {
+fn object(text: &[u8]) -> Result<Value, ProblemList> {
     let problem = |title: String| Problem::of_file(NAME, title).expected("one JSON object in UTF-8");
     match serde_json::from_slice(text) {
         Ok(Value::Object(header)) => Ok(Value::Object(header)),
-        Ok(other) => Err(problem("the header is no object".into()).found(kind(&other))),
-        Err(error) => Err(problem(format!("the header is no JSON: {error}"))),
+        Ok(other) => Err(problem("the header is no object".into()).found(kind(&other)).into()),
+        Err(error) => Err(problem(format!("the header is no JSON: {error}")).into()),
     }
 }
 

@@ -6,10 +6,11 @@ use std::sync::Arc;
 use control_plane::preview_obstacle;
 use diagnostics::{Origin, Problem, Problems, TomlFile};
 use files::{is_file, is_there, make_folder};
-use generator::{Generator, Row};
+use generator::Row;
 use hardware_model::{Asked, Economy, EffectiveValue, LoadedModel, Settings, SettingsError};
 use limits::Limit;
 use machine::HybridMachine;
+use registry::Configured;
 use run_record::{FileRecord, Inputs};
 use scenario::{GroundSource, RasterWishes, Scenario};
 
@@ -58,10 +59,11 @@ pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
     if let Some(first) = tables.next() {
         return Err(together(first, tables));
     }
-    let (generator, values) = match row {
+    let Configured { generator, values } = match row {
         Some(row) => guest(path, row, wishes)?,
-        None => (Arc::new(HybridMachine::new(settings.clone())) as Arc<dyn Generator>, Vec::new()),
+        None => Configured { generator: Arc::new(HybridMachine::new(settings.clone())), values: Vec::new() },
     };
+    let values = values.into_iter().map(effective).chain(of_view(&model.values, row)).collect();
     let pauses = scenario.path_beside_mission(settings.timebase.update);
     let remarks = model.remarks.into_iter().chain(scenario.notes.iter().cloned()).chain(pauses).collect();
     Ok(Opened {
@@ -70,7 +72,7 @@ pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
         settings,
         row,
         generator,
-        values: values.into_iter().chain(of_view(&model.values, row)).collect(),
+        values,
         remarks,
         inputs,
         path: path.to_owned(),
@@ -182,6 +184,10 @@ fn wish(scenario: &mut Scenario, wishes: &Wishes) {
     scenario.scalar = wishes.scalar.unwrap_or(scenario.scalar);
 }
 
+fn effective((key, origin): (String, Origin)) -> EffectiveValue {
+    EffectiveValue { key, origin: origin.to_string(), value: origin.text }
+}
+
 /// What of the values of the hardware model the drawing generator takes: those of the view alone where it is that of a row.
 fn of_view(values: &[EffectiveValue], row: Option<&Row>) -> impl Iterator<Item = EffectiveValue> {
     let is_taken =
@@ -190,11 +196,7 @@ fn of_view(values: &[EffectiveValue], row: Option<&Row>) -> impl Iterator<Item =
 }
 
 /// The generator of a row, with the tables of the scenario and the keys that are set; and the values of its tables.
-pub(crate) fn guest(
-    path: &Path,
-    row: &'static Row,
-    wishes: &Wishes,
-) -> Result<(Arc<dyn Generator>, Vec<EffectiveValue>), OpenError> {
+pub(crate) fn guest(path: &Path, row: &'static Row, wishes: &Wishes) -> Result<Configured, OpenError> {
     let problems = Problems::new();
     let name = path.display().to_string();
     let text = files::read_all(path, Limit::TextBytes)?;
@@ -204,13 +206,7 @@ pub(crate) fn guest(
     problems.into_result()?;
     let overlays = overlays::of_generators(wishes)?.into_iter().filter(|overlay| overlay.row == row);
     let overlays = overlays.map(|overlay| overlay.file);
-    let (generator, values) = registry::configure_told(row, file.into_iter().chain(overlays).chain(sets))?;
-    let value = |(key, origin): (String, Origin)| EffectiveValue {
-        key,
-        origin: origin.to_string(),
-        value: origin.text,
-    };
-    Ok((generator, values.into_iter().map(value).collect()))
+    Ok(registry::configure_told(row, file.into_iter().chain(overlays).chain(sets))?)
 }
 
 /// What is wrong with the tables of generators, first those of `drawing`, which draws. Run parameters of the others must be right all the same.

@@ -121,7 +121,7 @@ impl Opened {
         };
         let mut wishes = self.wishes.clone();
         wishes.set.extend(sets.iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())));
-        guest(&self.path, row, &wishes).map(|(generator, _)| generator)
+        Ok(guest(&self.path, row, &wishes)?.generator)
     }
 
     /// Name of who draws: the hardware model, or the generator.
