@@ -74,7 +74,7 @@ fn one_outcome_of_every_way() {
         scene.samples = scene.samples.min(200);
         let ideal = scene.stage();
         // What tubes still show depends on the frames before, which the scenery tells.
-        let course = (0..FRAMES).map(|frame| pose(&scene, frame)).collect();
+        let course: Vec<_> = (0..FRAMES).map(|frame| pose(&scene, frame)).collect();
         let scenery = Arc::new((*ideal.scenery).clone().with_course(course));
         let ideal = MachineStage { scenery, ..ideal };
         let settings = Settings { analog: nominal.analog.clone(), ..ideal.settings.clone() };

@@ -6,7 +6,7 @@ use exact::Columns;
 use generator::{Session, Stage};
 use machine::{ControlPlane, MachineStage};
 use rayon::ThreadPool;
-use scenario::{PixelRule, Pose};
+use scenario::{Course, PixelRule, Pose};
 
 use crate::DriveError;
 
@@ -37,8 +37,9 @@ impl Bench {
         Ok(Self { machine, stage, session, judge, control, exact })
     }
 
-    /// The same stage after other poses: `first` is that of frame 0, and `course` has all that are remembered.
-    pub fn machine_after(&self, first: Pose, course: Vec<Pose>) -> MachineStage {
+    /// The same stage on another course: `first` is the pose of frame 0, and `course` has the poses that are remembered, also those that are added
+    /// to it later.
+    pub fn machine_on(&self, first: Pose, course: Course) -> MachineStage {
         let scenery = (*self.machine.scenery).clone().with_course(course);
         let scenery = scenery.with_start(Some(Pose { yoke: 0.0, ..first }));
         MachineStage { scenery: Arc::new(scenery), ..self.machine.clone() }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use diagnostics::Problem;
 use limits::Limit;
 use quantities::{radians, sin_cos};
-use scenario::{Driven, DrivenError, Pose};
+use scenario::{Course, Driven, DrivenError, Pose};
 
 use crate::bench::Bench;
 use crate::saved::{self, SavedFile};
@@ -16,12 +16,12 @@ use crate::{Drive, DriveError, EyePose, Seen, Viewpoint};
 pub struct Loop {
     drive: Arc<Drive>,
     driven: Driven,
-    /// The stage with what was driven, and the generator on it; made when it is needed.
+    /// The stage on the course, and the generator on it; made when it is needed, and kept while the loop goes on.
     bench: Option<Bench>,
     /// Poses of the pictures of the first and of the last frame.
     ends: Option<[Pose; 2]>,
-    /// Poses of the pictures so far, for generators with memory.
-    course: Vec<Pose>,
+    /// Poses of the pictures so far, for generators with memory. The generator of `bench` holds the same course.
+    course: Course,
     /// Poses of the vehicle so far, as they were told.
     told: Vec<EyePose>,
 }
@@ -43,6 +43,7 @@ impl Loop {
         let mut driven = Self::new(drive);
         for pose in poses {
             let next = driven.next(pose)?;
+            driven.remember(next.picture);
             driven.go(next);
         }
         Ok(driven)
@@ -166,10 +167,6 @@ impl Loop {
 
     fn go(&mut self, Next { driven, told, picture }: Next) {
         let first = self.ends.map_or(picture, |[first, _]| first);
-        if self.drive.remembers_frames() {
-            self.course.truncate(self.told.len());
-            self.course.push(picture);
-        }
         (self.ends, self.driven) = (Some([first, picture]), driven);
         self.told.push(told);
     }
@@ -187,27 +184,46 @@ impl Loop {
         Err(problem.help("open the scenario with a larger `scenario.frames`").into())
     }
 
-    /// The picture of the next frame from `pose`. Where the generator has memory it is made ready anew with what was driven.
+    /// The picture of the next frame from `pose`, which the generator remembers from then on if it can be drawn.
     fn draw(&mut self, pose: Pose) -> Result<Seen, DriveError> {
-        let (frame, remembers) = (self.frames(), self.drive.remembers_frames());
-        self.course.extend(remembers.then_some(pose));
-        let bench = match self.bench.take().filter(|_| !remembers) {
-            Some(bench) => Ok(bench),
-            None => self.ready(self.ends.map_or(pose, |[first, _]| first)),
+        if let Some(bench) = &self.bench {
+            let can = bench.session.check(self.frames(), &pose);
+            can.map_err(|error| DriveError::of(self.drive.file(), &error))?;
+        }
+        self.remember(pose);
+        self.draw_remembered(pose).inspect_err(|_| self.forget())
+    }
+
+    fn draw_remembered(&mut self, pose: Pose) -> Result<Seen, DriveError> {
+        let (frame, first) = (self.frames(), self.ends.map_or(pose, |[first, _]| first));
+        let bench = match self.bench.take() {
+            Some(bench) => bench,
+            None => self.ready(first)?,
         };
-        // What could not be drawn was not driven.
-        self.course.truncate(self.told.len());
-        let bench = bench?;
-        let drawn = Viewpoint { drive: &self.drive, bench: &bench, frame, pose }.draw();
-        // The first pose decides what is chosen once for a mission.
-        self.bench = Some(bench).filter(|_| drawn.is_ok() || (frame > 0 && !remembers));
-        drawn
+        let bench = self.bench.insert(bench);
+        Viewpoint { drive: &self.drive, bench, frame, pose }.draw()
+    }
+
+    /// Forgets a pose that was remembered and not driven. What was chosen by a first pose, or worked out from this one, goes with it.
+    fn forget(&mut self) {
+        let driven = self.told.len();
+        if driven == 0 || self.course.len() > driven {
+            self.bench = None;
+            self.course = self.course.iter().take(driven).copied().collect();
+        }
+    }
+
+    /// Adds the pose of the next picture to the course, where the generator has memory.
+    fn remember(&self, pose: Pose) {
+        if self.drive.remembers_frames() {
+            self.course.push(pose);
+        }
     }
 
     /// The generator on the stage of the drive with the course behind it, from `first` on.
     fn ready(&self, first: Pose) -> Result<Bench, DriveError> {
         let Drive { opened, pool, bench, .. } = &*self.drive;
-        Bench::new(opened, pool, bench.machine_after(first, self.course.clone()))
+        Bench::new(opened, pool, bench.machine_on(first, self.course.clone()))
     }
 }
 

@@ -42,7 +42,11 @@ impl Viewpoint<'_> {
         let file = drive.file();
         if !drive.opened.is_machine() {
             let title = format!("{} has no digital events", drive.drawn_by());
-            return Err(DriveError::asked(file, title, "a hardware model"));
+            let problem = Problem::of_file(file, title).expected("a hardware model");
+            return Err(match drive.opened.generator.has_deadlines() {
+                true => problem.help("its deadlines are counted by `timing`").into(),
+                false => problem.into(),
+            });
         }
         let settings = &bench.machine.settings;
         self.expect_words(&wishes.filter)?;

@@ -7,7 +7,7 @@
 //!                            │                      │       ├─ pixel ──▶ Explained
 //!                            │                      │       ├─ sweeps ─▶ Events   digital events
 //!                            │                      │       ├─ condition ─▶ Triggered   places where it is met
-//!                            │                      │       ├──────────▶ FrameTiming   deadlines that were not met
+//!                            │                      │       ├──────────▶ FrameTiming   deadlines, and those that were not met
 //!                            │                      │       └─ late word ─▶ LateWordsEffect   pixels that it changed
 //!                            └─▶ Loop ─ last frame ─┘
 //!                                 ├─ pose ─▶ Seen ─▶ your controller ─▶ pose ...
@@ -31,6 +31,7 @@ mod closed_loop;
 mod digital;
 mod error;
 mod explained;
+mod identity;
 mod late;
 mod open;
 mod parameters;
@@ -62,12 +63,13 @@ pub use open::{Drive, Raster};
 pub use parameters::Parameter;
 pub use placed::{Flight, Place, Unplaced};
 pub use pose::EyePose;
+pub use run_record::Program;
 pub use saved::SavedFile;
 pub use scenario::Scalar;
 pub use seen::Seen;
 #[cfg(feature = "studies")]
 pub use studied::Study;
-pub use timed::FrameTiming;
+pub use timed::{DeadlineCount, FrameTiming};
 pub use traces::{Trace, Traces};
 pub use triggered::{TriggerPlace, TriggerWishes, Triggered};
 pub use truth::{Codes, Truth, TruthPlane};

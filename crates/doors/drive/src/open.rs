@@ -66,7 +66,7 @@ impl Drive {
         let pool = pool.map_err(|error| DriveError::asked(&file, error.to_string(), "fewer threads"))?;
         let (opened, asked) = asked::record(|| open(scenario, wishes));
         let opened = opened.map_err(|error| DriveError::opening(&file, error))?;
-        let parameters = parameters(&opened.inputs.model_values, &asked);
+        let parameters = parameters(&opened, &asked);
         let machine = pool.install(|| match other {
             Some(other) => opened.machine_stage_upon(&other.opened, &other.bench.machine),
             None => opened.machine_stage(),
@@ -127,7 +127,7 @@ impl Drive {
         &self.opened.remarks
     }
 
-    /// Every value of the hardware model, in alphabetical order of keys.
+    /// Every value of the hardware model, or of the run parameters and gear of another generator and of the view, in alphabetical order of keys.
     pub fn parameters(&self) -> &[Parameter] {
         &self.parameters
     }

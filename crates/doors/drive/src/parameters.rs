@@ -1,18 +1,19 @@
-//! The values of the hardware model, with what their reader asked for.
+//! The values that decide how a generator draws, with what their reader asked for.
 
 use std::collections::BTreeMap;
 
 use diagnostics::asked::{Asked, Shape, ShapeKind};
+use front_door::Opened;
 use hardware_model::EffectiveValue;
 use serde_json::Value;
 use toml::Table;
 
-/// One value of the hardware model.
+/// One value of the hardware model or of a generator.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Parameter {
     /// Dotted key, as `--set` takes it.
     pub key: String,
-    /// Value as it is now.
+    /// Value as it is now; null where no file sets it, so that the generator has its own.
     pub value: Value,
     /// Type of value: number, whole, boolean, text, word, list or table.
     pub kind: &'static str,
@@ -24,34 +25,49 @@ pub struct Parameter {
     pub high: Option<f64>,
     /// Words that may stand there.
     pub words: Vec<String>,
-    /// File and line that the value comes from, as `hardware-models/ideal.toml:8`.
+    /// File and line that the value comes from, as `hardware-models/ideal.toml:8`; the name of the generator where no file sets it.
     pub source: String,
 }
 
-/// `values` with the shapes that their readers `asked` for.
-pub(crate) fn parameters(values: &[EffectiveValue], asked: &[Asked]) -> Vec<Parameter> {
+/// The values of `opened` with the shapes that their readers `asked` for, and what else the reader of its generator asked for.
+pub(crate) fn parameters(opened: &Opened, asked: &[Asked]) -> Vec<Parameter> {
     // The model is read after the scenario, which may have a key of the same name.
     let shapes: BTreeMap<&str, &Shape> =
         asked.iter().map(|asked| (asked.path.as_str(), &asked.shape)).collect();
-    values.iter().map(|value| parameter(value, shapes.get(value.key.as_str()).copied())).collect()
+    let is_own = |key: &str| opened.row.is_some_and(|row| row.owns(key)) && !key.contains('[');
+    let may_be_set = shapes.iter().filter(|(key, shape)| is_own(key) && is_value(&shape.kind));
+    let mut all: BTreeMap<&str, Option<&EffectiveValue>> = may_be_set.map(|(key, _)| (*key, None)).collect();
+    all.extend(opened.values.iter().map(|value| (value.key.as_str(), Some(value))));
+    let all = all.into_iter();
+    all.map(|(key, value)| parameter(key, value, shapes.get(key).copied(), opened.drawn_by())).collect()
 }
 
-fn parameter(effective: &EffectiveValue, shape: Option<&Shape>) -> Parameter {
-    let value = read(&effective.value);
+/// Whether something of this kind is one value, not a table of values.
+fn is_value(kind: &ShapeKind) -> bool {
+    !matches!(kind, ShapeKind::Table | ShapeKind::Tables | ShapeKind::OpenTable)
+}
+
+fn parameter(
+    key: &str,
+    effective: Option<&EffectiveValue>,
+    shape: Option<&Shape>,
+    drawn_by: &str,
+) -> Parameter {
+    let value = effective.map_or(Value::Null, |effective| read(&effective.value));
     let end = |end: fn(&Shape) -> Option<(f64, bool)>| shape.and_then(end).map(|(number, _)| number);
     let mut words = shape.map_or_else(Vec::new, |shape| shape.or_words.clone());
     if let Some(ShapeKind::Words(more)) = shape.map(|shape| &shape.kind) {
         words.extend(more.iter().cloned());
     }
     Parameter {
-        key: effective.key.clone(),
+        key: key.into(),
         kind: shape.map_or_else(|| kind_of(&value), |shape| kind(&shape.kind)),
         value,
         unit: shape.and_then(|shape| shape.unit.clone()),
         low: end(|shape| shape.low),
         high: end(|shape| shape.high),
         words,
-        source: effective.origin.clone(),
+        source: effective.map_or(drawn_by, |effective| &effective.origin).into(),
     }
 }
 

@@ -30,7 +30,7 @@ impl<H: Home> Session<H> {
             from: keys.whole("from"),
             to: keys.whole("to"),
         };
-        let limit = keys.whole("limit").unwrap_or(MOST_EVENTS);
+        let limit = keys.count("limit").unwrap_or(MOST_EVENTS);
         let wishes = EventWishes { sweeps: keys.sweeps("sweeps"), filter, limit: Some(limit) };
         keys.finish()?;
         let events = which.at(self.held()?)?.events(&wishes)?;

@@ -7,6 +7,7 @@ use diagnostics::{Problem, Problems, nearest};
 use drive::{DriveError, EyePose};
 use serde_json::{Map, Value};
 
+use crate::asked_pose::AskedPose;
 use crate::requests::COMMON;
 use crate::wire::kind;
 use crate::{Message, RequestRow};
@@ -70,6 +71,11 @@ impl<'a> Keys<'a> {
     /// A whole number from 0.
     pub fn whole(&self, key: &str) -> Option<u64> {
         self.optional(key, "a whole number from 0", Value::as_u64)
+    }
+
+    /// A whole number from 1.
+    pub fn count(&self, key: &str) -> Option<u64> {
+        self.optional(key, "a whole number from 1", |value| value.as_u64().filter(|count| *count > 0))
     }
 
     /// A place in a picture.
@@ -144,7 +150,7 @@ impl<'a> Keys<'a> {
     }
 
     /// A pose that may be left out.
-    pub fn pose(&self, key: &str) -> Option<EyePose> {
+    pub fn pose(&self, key: &str) -> Option<AskedPose> {
         let map =
             self.optional(key, "an object with x_m, y_m, z_m, ...", |value| value.as_object().cloned())?;
         self.expect_known(&format!("{key}."), &map, &POSE.map(|(name, _)| name));
@@ -163,15 +169,21 @@ impl<'a> Keys<'a> {
         let [x, y, z, heading_deg, pitch_deg, roll_deg, time_s, yoke_deg] = numbers;
         let eye_m = [x?, y?, z?];
         let (heading_deg, pitch_deg, roll_deg) = (heading_deg?, pitch_deg?, roll_deg?);
-        Some(EyePose { time_s: time_s?, eye_m, heading_deg, pitch_deg, roll_deg, yoke_deg: yoke_deg? })
+        let eye = EyePose { time_s: time_s?, eye_m, heading_deg, pitch_deg, roll_deg, yoke_deg: yoke_deg? };
+        Some(AskedPose { eye, has_time: map.get("time_s").is_some_and(Value::is_number) })
     }
 
     /// A pose that must be there.
-    pub fn needed_pose(&self, key: &str) -> Option<EyePose> {
+    pub fn needed_pose(&self, key: &str) -> Option<AskedPose> {
         if self.map.get(key).is_none_or(Value::is_null) {
             self.wrong(key, "an object with x_m, y_m, z_m, heading_deg, pitch_deg and roll_deg");
         }
         self.pose(key)
+    }
+
+    /// Adds a fault of the request.
+    pub fn refuse(&self, problem: Problem) {
+        self.problems.push(problem);
     }
 
     fn wrong(&self, key: &str, expected: &str) {

@@ -19,6 +19,7 @@
 //! # See also
 //! `docs/loop-protocol.md`: every request with an example. `browser`: the module that hosts a session in a page. `drive`: what is answered.
 
+mod asked_pose;
 mod digital;
 mod keeping;
 mod keys;
@@ -34,6 +35,7 @@ mod requests;
 mod searching;
 mod session;
 mod signals;
+mod state;
 mod wire;
 
 pub use message::{MAGIC, Message, PREFIX};

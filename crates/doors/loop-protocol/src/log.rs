@@ -1,6 +1,6 @@
 //! What a loop has drawn: the hash of each frame, and with which settings.
 
-use drive::{Drive, Wishes};
+use drive::{Drive, Economy, Scalar, Wishes};
 use serde_json::{Value, json};
 
 use crate::Opening;
@@ -62,6 +62,27 @@ fn options(wishes: &Wishes) -> Vec<String> {
     wishes.bank.iter().for_each(|bank| add("--bank", bank.display().to_string()));
     wishes.sweeps.iter().for_each(|sweeps| add("--sweeps", sweeps.to_string()));
     wishes.samples.iter().for_each(|samples| add("--samples", samples.to_string()));
+    wishes.scalar.iter().for_each(|scalar| add("--scalar", word(*scalar).into()));
     wishes.set.iter().for_each(|(key, value)| add("--set", format!("{key}={value}")));
+    words.extend(economy(wishes.economy).map(str::to_owned));
     words
+}
+
+/// The word of `lunoid replay` for a scalar type.
+fn word(scalar: Scalar) -> &'static str {
+    match scalar {
+        Scalar::F32 => "f32",
+        Scalar::F64 => "f64",
+    }
+}
+
+/// The option of `lunoid replay` for what may be left out.
+fn economy(economy: Economy) -> Option<&'static str> {
+    match economy {
+        // What is forced for a measurement has no option.
+        Economy::Bounded | Economy::LosslessBut(_) => None,
+        Economy::Lossless => Some("--lossless"),
+        Economy::Everything => Some("--everything"),
+        Economy::Preview => Some("--preview"),
+    }
 }

@@ -34,6 +34,11 @@ impl Message {
         Self { planes, ..self }
     }
 
+    /// The number of the message under `id`; null if it has none.
+    pub(crate) fn id(&self) -> Value {
+        self.header.get("id").filter(|id| id.is_u64()).cloned().unwrap_or_default()
+    }
+
     /// The plane of a name.
     pub fn plane(&self, name: &str) -> Option<&Plane> {
         self.planes.iter().find(|plane| plane.name() == name)

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use diagnostics::Problem;
-use drive::{Drive, DriveError, Loop, SavedFile, Wishes};
+use drive::{Drive, DriveError, Loop, Program, SavedFile, Wishes};
 use serde_json::{Map, Value, json};
 
 use crate::Plane;
@@ -63,6 +63,12 @@ impl Opening {
 
 /// Where a session lives: who opens scenarios and keeps records for it.
 pub trait Home {
+    /// The program that draws: a state of another one is not taken up. A host that does not say otherwise is known by its version alone.
+    fn program(&self) -> Program {
+        let [commit, result_family] = ["unknown"; 2].map(str::to_owned);
+        Program { name: "lunoid".into(), version: env!("CARGO_PKG_VERSION").into(), commit, result_family }
+    }
+
     /// Takes the files that a request `open` has as planes: name and bytes of each. They stay for later openings. A host that does not say
     /// otherwise refuses them.
     ///

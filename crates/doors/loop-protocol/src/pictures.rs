@@ -25,7 +25,7 @@ impl<H: Home> Session<H> {
         keys.finish()?;
         let drive = &self.held()?.drive;
         let at = drive.at(frame.unwrap_or_default())?;
-        seen(&at, at.draw()?, &wanted?)
+        seen(&at, at.draw()?, &wanted)
     }
 
     pub(crate) fn look(&mut self, keys: Keys) -> Result<Reply, DriveError> {
@@ -34,17 +34,17 @@ impl<H: Home> Session<H> {
         keys.finish()?;
         let drive = &self.held()?.drive;
         let Some(pose) = pose else { return Ok(Value::Null.into()) };
-        let at = drive.from_pose(frame.unwrap_or(0), &pose)?;
-        seen(&at, at.draw()?, &wanted?)
+        let at = pose.at(drive, frame)?;
+        seen(&at, at.draw()?, &wanted)
     }
 
     pub(crate) fn step(&mut self, keys: Keys) -> Result<Reply, DriveError> {
         let pose = keys.needed_pose("pose");
         let wanted = Wanted::of(&keys);
         keys.finish()?;
-        let (held, wanted) = (self.held()?, wanted?);
+        let held = self.held()?;
         let Some(pose) = pose else { return Ok(Value::Null.into()) };
-        let drawn = held.driven.look(&pose)?;
+        let drawn = held.driven.look(&pose.eye)?;
         held.log.step(&held.drive, &held.opening, drawn.hash());
         seen(&held.driven.viewpoint()?, drawn, &wanted)
     }
@@ -65,18 +65,18 @@ struct Wanted {
 }
 
 impl Wanted {
-    /// The planes of a request; the picture alone if it names none.
-    fn of(keys: &Keys) -> Result<Self, DriveError> {
+    /// The planes of a request; the picture alone if it names none. Unknown names are faults of the request.
+    fn of(keys: &Keys) -> Self {
         let names = if keys.has("planes") { keys.texts("planes") } else { vec![PICTURE.into()] };
         let known = known();
-        if let Some(name) = names.iter().find(|name| !known.contains(&name.as_str())) {
+        for name in names.iter().filter(|name| !known.contains(&name.as_str())) {
             let problem = Problem::of_file(NAME, format!("no plane `{name}`")).key("planes").found(name);
-            return Err(problem.expected(format!("some of {}", known.join(", "))).into());
+            keys.refuse(problem.expected(format!("some of {}", known.join(", "))));
         }
         let has = |name: &str| names.iter().any(|other| other == name);
         let truth = Drive::truth_names().into_iter().filter(|name| has(name));
         let truth = truth.collect::<Vec<_>>().join(",");
-        Ok(Self { picture: has(PICTURE), light: has(LIGHT), sweep: has(SWEEP), truth })
+        Self { picture: has(PICTURE), light: has(LIGHT), sweep: has(SWEEP), truth }
     }
 }
 

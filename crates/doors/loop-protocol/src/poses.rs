@@ -3,6 +3,7 @@
 use drive::{DriveError, EyePose, Viewpoint};
 use serde_json::{Value, json};
 
+use crate::asked_pose::AskedPose;
 use crate::keys::Keys;
 use crate::session::{Held, Reply};
 use crate::{Home, Session};
@@ -12,6 +13,7 @@ impl<H: Home> Session<H> {
         let (pose, metres, turn) = (keys.pose("pose"), keys.number("metres"), keys.number("turn_deg"));
         keys.finish()?;
         let held = self.held()?;
+        let pose = pose.map(|pose| pose.eye);
         let from = match pose.or(held.driven.poses().last().copied()) {
             Some(pose) => pose,
             None => held.drive.pose(0)?,
@@ -32,7 +34,7 @@ pub(crate) fn pose_json(pose: &EyePose) -> Value {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Which {
     frame: Option<u64>,
-    pose: Option<EyePose>,
+    pose: Option<AskedPose>,
 }
 
 impl Which {
@@ -44,7 +46,7 @@ impl Which {
     /// The frame of `held`.
     pub fn at(self, held: &mut Held) -> Result<Viewpoint<'_>, DriveError> {
         match (self.pose, self.frame) {
-            (Some(pose), frame) => held.drive.from_pose(frame.unwrap_or(0), &pose),
+            (Some(pose), frame) => pose.at(&held.drive, frame),
             (None, Some(frame)) => held.drive.at(frame),
             (None, None) => held.driven.viewpoint(),
         }

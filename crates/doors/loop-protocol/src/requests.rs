@@ -41,11 +41,11 @@ pub const REQUESTS: [RequestRow; 22] = [
         &["on", "frame", "pose", "sweeps", "samples", "after", "limit"],
     ),
     row("effect", "Say which pixels late words changed.", &["late", "frame", "pose"]),
-    row("timing", "Count what of a frame was late.", &["frame", "pose"]),
+    row("timing", "Count the deadlines of a frame, and those that were missed.", &["frame", "pose"]),
     row("omissions", "List what was left out, and why.", &[]),
     row("signals", "List the signals.", &[]),
     row("blocks", "List the blocks with their signals.", &[]),
-    row("parameters", "List the values of the hardware model.", &[]),
+    row("parameters", "List the values that decide how the machine draws.", &[]),
     row("faults", "List the overlays of one fault that ship.", &[]),
     row("planes", "List the planes that a picture can have.", &[]),
 ];

@@ -1,6 +1,6 @@
 //! The requests `trigger`, `effect` and `timing`.
 
-use drive::{DriveError, FrameTiming, TriggerPlace, TriggerWishes, Triggered};
+use drive::{DeadlineCount, DriveError, FrameTiming, TriggerPlace, TriggerWishes, Triggered};
 use serde_json::{Map, Value, json};
 
 use crate::keys::Keys;
@@ -16,7 +16,7 @@ impl<H: Home> Session<H> {
             sweeps: keys.sweeps("sweeps"),
             samples: keys.samples("samples"),
             after: keys.optional("after", "a number", Value::as_f64),
-            limit: keys.whole("limit").unwrap_or(1),
+            limit: keys.count("limit").unwrap_or(1),
         };
         keys.finish()?;
         let Triggered { frame, places, sweeps } = which.at(self.held()?)?.trigger(&wishes)?;
@@ -35,9 +35,16 @@ impl<H: Home> Session<H> {
     pub(crate) fn timing(&mut self, keys: Keys) -> Result<Reply, DriveError> {
         let which = Which::of(&keys);
         keys.finish()?;
-        let FrameTiming { frame, folds, late_words, missed } = which.at(self.held()?)?.timing()?;
-        Ok(json!({ "frame": frame, "folds": folds, "late_words": late_words, "missed": missed }).into())
+        let FrameTiming { frame, folds, late_words, missed, deadlines } = which.at(self.held()?)?.timing()?;
+        let deadlines: Vec<Value> = deadlines.iter().map(deadline_json).collect();
+        let ok = json!({ "frame": frame, "folds": folds, "late_words": late_words, "missed": missed, "deadlines": deadlines });
+        Ok(ok.into())
     }
+}
+
+fn deadline_json(deadline: &DeadlineCount) -> Value {
+    let DeadlineCount { name, count, missed, least_slack_us } = deadline;
+    json!({ "name": name, "count": count, "missed": missed, "least_slack_us": least_slack_us })
 }
 
 /// A place, with the words that `lunoid trigger --json` has for it.

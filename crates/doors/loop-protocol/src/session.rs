@@ -61,7 +61,7 @@ impl<H: Home> Session<H> {
 
     /// Answers a request. The same requests have the same answers, to the byte.
     pub fn answer(&mut self, request: &Message) -> Message {
-        let id = request.header.get("id").filter(|id| id.is_u64()).cloned().unwrap_or_default();
+        let id = request.id();
         match self.reply(request) {
             Ok(Reply { ok, planes }) => Message::new(json!({ "id": id, "ok": ok })).with(planes),
             Err(error) => refusal(id, error.faults()),
@@ -134,13 +134,15 @@ fn asked(request: &Message) -> Result<&'static RequestRow, DriveError> {
     })
 }
 
-/// The answer to bytes that are no message.
+/// The answer to bytes that are no message, or a faulty one.
 pub fn unreadable(error: &WireError) -> Message {
-    let faults = match error {
-        WireError::Problems(list) => list.records(),
-        WireError::Io(error) => vec![Problem::of_file("message", error.to_string()).record()],
-    };
-    refusal(Value::Null, faults)
+    match error {
+        WireError::Faulty { id, problems } => refusal(id.clone(), problems.records()),
+        WireError::Problems(list) => refusal(Value::Null, list.records()),
+        WireError::Io(error) => {
+            refusal(Value::Null, vec![Problem::of_file("message", error.to_string()).record()])
+        }
+    }
 }
 
 /// The answer that nothing was done.

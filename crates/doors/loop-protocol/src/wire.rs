@@ -23,6 +23,13 @@ pub enum WireError {
     Io(io::Error),
     /// The bytes are no message. What follows them cannot be told apart.
     Problems(ProblemList),
+    /// The bytes of a message are all there, and its header is faulty. The next message can be read.
+    Faulty {
+        /// The `id` of the message; null if it has none.
+        id: Value,
+        /// Every fault of the header.
+        problems: ProblemList,
+    },
 }
 
 impl From<Problem> for WireError {
@@ -35,7 +42,7 @@ impl std::fmt::Display for WireError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Io(error) => error.fmt(f),
-            Self::Problems(list) => list.fmt(f),
+            Self::Problems(list) | Self::Faulty { problems: list, .. } => list.fmt(f),
         }
     }
 }
@@ -46,7 +53,8 @@ impl Message {
     /// Reads the next message of `from`; `None` where nothing follows.
     ///
     /// # Errors
-    /// If reading fails, the bytes are no message, or they are longer than the limits `header-bytes` and `plane-bytes` allow.
+    /// If reading fails, the bytes are no message, they are longer than the limits `header-bytes` and `plane-bytes` allow, or something is
+    /// wrong in them.
     pub fn read(from: &mut impl Read) -> Result<Option<Self>, WireError> {
         let prefix = take(from, PREFIX as u64)?;
         if prefix.is_empty() {
@@ -55,8 +63,13 @@ impl Message {
         let [header, planes] = lengths(&prefix)?;
         let text = take(from, header)?;
         expect_whole("header", text.len() as u64, header)?;
-        let mut message = Self::new(object(&text)?);
-        let listed = listed(NAME, &mut message.header, planes).map_err(WireError::Problems)?;
+        let (mut message, listed) = match opened(&text, planes) {
+            Ok(opened) => opened,
+            Err((id, problems)) => {
+                pass_over(from, planes)?;
+                return Err(WireError::Faulty { id, problems });
+            }
+        };
         for Listed { name, dtype, shape, count } in listed {
             let bytes = take(from, count)?;
             expect_whole(&format!("plane `{name}`"), bytes.len() as u64, count)?;
@@ -96,6 +109,21 @@ fn take(from: &mut impl Read, count: u64) -> Result<Vec<u8>, WireError> {
     let mut bytes = Vec::with_capacity(count.min(FIRST) as usize);
     from.take(count).read_to_end(&mut bytes).map_err(WireError::Io)?;
     Ok(bytes)
+}
+
+/// Passes over the planes of a message that is not taken up.
+fn pass_over(from: &mut impl Read, planes: u64) -> Result<(), WireError> {
+    let passed = io::copy(&mut from.take(planes), &mut io::sink()).map_err(WireError::Io)?;
+    expect_whole("planes", passed, planes)
+}
+
+/// The message of a header without its planes, and their list; or the `id` of the header and what is wrong with it.
+fn opened(text: &[u8], planes: u64) -> Result<(Message, Vec<Listed>), (Value, ProblemList)> {
+    let mut message = Message::new(object(text).map_err(|problems| (Value::Null, problems))?);
+    match listed(NAME, &mut message.header, planes) {
+        Ok(listed) => Ok((message, listed)),
+        Err(problems) => Err((message.id(), problems)),
+    }
 }
 
 fn cut(what: &str, found: u64, whole: u64) -> Problem {
@@ -138,7 +166,7 @@ fn lengths(prefix: &[u8]) -> Result<[u64; 2], WireError> {
 }
 
 /// The header as JSON.
-fn object(text: &[u8]) -> Result<Value, WireError> {
+fn object(text: &[u8]) -> Result<Value, ProblemList> {
     let problem = |title: String| Problem::of_file(NAME, title).expected("one JSON object in UTF-8");
     match serde_json::from_slice(text) {
         Ok(Value::Object(header)) => Ok(Value::Object(header)),

@@ -9,8 +9,8 @@
 //!
 //! # Law
 //! - Each reply goes out before the next request of that client is read.
-//! - A client whose bytes are no message gets one error and is let go; the next one is served. On a WebSocket a message has its own end, so the
-//!   client goes on after the error.
+//! - A client whose bytes are no message gets one error and is let go; the next one is served. After a message with faults in it, or on a WebSocket
+//!   where each message has its own end, the client goes on after the error.
 //! - A Unix socket is guarded by the rights of its file. TCP asks each client for a [`Token`] in its first request. A page is served to
 //!   whoever brings the token once, and then to that browser alone.
 //! - Nothing is taken up for a client that has not been admitted but a bounded first request, within [`PATIENCE`].

@@ -3,13 +3,16 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use diagnostics::Problem;
-use drive::{Drive, DriveError, Loop, SavedFile, Wishes};
+use diagnostics::{Problem, Problems};
+use drive::{Drive, DriveError, Loop, Program, SavedFile, Wishes};
 use front_door::Opened;
+use hardware_model::{BUILT_IN, FAULTS};
 use loop_protocol::{Home, Opening};
+use registry::ROWS;
 
 use crate::Failure;
 use crate::loading::{QualityArgs, StageArgs, Threads};
+use crate::program::program;
 
 /// What is served, and where records of it go.
 #[derive(Debug, Args)]
@@ -23,6 +26,10 @@ pub struct ServedArgs {
     /// Folder into which the request `record` writes what was driven; the client gets the files if left out.
     #[arg(long, value_name = "FOLDER")]
     record: Option<PathBuf>,
+    /// Hardware model or overlay of your own that clients may name too; without it they name what ships, and what --machine, --overlay and the
+    /// scenario name. May be given several times.
+    #[arg(long, value_name = "FILE")]
+    offer: Vec<String>,
 }
 
 impl ServedArgs {
@@ -30,9 +37,13 @@ impl ServedArgs {
     pub fn home(&self) -> Result<(Served, Opened), Failure> {
         let stage = self.stage.clone().drawn_by(self.quality);
         let opened = stage.load()?;
+        let wishes = stage.wishes();
+        let overlays = wishes.overlays.iter().map(|overlay| overlay.display().to_string());
+        let named = wishes.machine.iter().cloned().chain([opened.scenario.machine.clone()]).chain(overlays);
         let served = Served {
-            scenario: stage.scenario.clone(),
-            wishes: stage.wishes(),
+            offered: self.offer.iter().cloned().chain(named).collect(),
+            scenario: stage.scenario,
+            wishes,
             threads: self.threads.count()?,
             record: self.record.clone(),
         };
@@ -45,6 +56,8 @@ impl ServedArgs {
 pub struct Served {
     scenario: PathBuf,
     wishes: Wishes,
+    /// What the command line and the scenario name as machines and overlays.
+    offered: Vec<String>,
     /// Number of threads that draw; as many as there are processors if 0.
     threads: usize,
     /// Folder of what was driven.
@@ -65,12 +78,44 @@ impl Served {
         self.open_over(&self.wishes)
     }
 
+    /// Refuses machines and overlays of a client that neither ship nor are offered: they may be any file of this computer.
+    fn expect_offered(&self, asked: &Opening) -> Result<(), DriveError> {
+        let problems = Problems::new();
+        let machines = asked.machine.iter().map(|name| ("machine", name, machines_shipped()));
+        let overlays = asked.overlays.iter().map(|name| ("overlays", name, faults_shipped()));
+        for (key, name, shipped) in machines.chain(overlays) {
+            if self.offered.contains(name) || shipped.contains(&name.as_str()) {
+                continue;
+            }
+            let problem = Problem::of_file("request", format!("`{key}` names what is not offered here"));
+            let problem = problem.key(key).found(format!("`{name}`"));
+            let problem = problem.expected(format!("one of {}", shipped.join(", ")));
+            problems.push(problem.help("start the command with `--offer FILE` for a file of your own"));
+        }
+        Ok(problems.into_result()?)
+    }
+
     fn open_over(&self, wishes: &Wishes) -> Result<Drive, DriveError> {
         Drive::open(&self.scenario, wishes, self.threads)
     }
 }
 
+/// Names of all hardware models and generators that ship.
+fn machines_shipped() -> Vec<&'static str> {
+    BUILT_IN.iter().map(|(name, _)| *name).chain(registry::names()).collect()
+}
+
+/// Names of all overlays of one fault that ship.
+fn faults_shipped() -> Vec<&'static str> {
+    let of_generators = ROWS.iter().filter_map(|row| row.gear).flat_map(|gear| gear.faults);
+    FAULTS.iter().chain(of_generators).map(|(name, _)| *name).collect()
+}
+
 impl Home for Served {
+    fn program(&self) -> Program {
+        program()
+    }
+
     fn open(&mut self, asked: &Opening) -> Result<Drive, DriveError> {
         let own = self.scenario();
         if let Some(other) = asked.scenario.as_ref().filter(|other| **other != own) {
@@ -78,6 +123,7 @@ impl Home for Served {
             let problem = problem.found(format!("`{other}`")).expected(format!("`{own}`, or no scenario"));
             return Err(problem.help("start the command on that scenario").into());
         }
+        self.expect_offered(asked)?;
         self.open_over(&asked.over(&self.wishes))
     }
 

@@ -155,7 +155,13 @@ export class Lunoid {
   /** `sweeps` and `samples` are one, or the first and the one after the last; `after` is an instant of the first sweep, in samples. */
   trigger(on: string, options?: Which & RequestOptions & { sweeps?: number | [number, number]; samples?: number | [number, number]; after?: number; limit?: number }): Promise<{ frame: number; places: Place[]; sweeps: number } & Planes>;
   effect(late: string, options?: Which & RequestOptions): Promise<any>;
-  timing(options?: Which & RequestOptions): Promise<{ frame: number; folds: number; late_words: number; missed: number } & Planes>;
+  timing(options?: Which & RequestOptions): Promise<{
+    frame: number;
+    folds: number | null;
+    late_words: number | null;
+    missed: number;
+    deadlines: { name: string; count: number; missed: number; least_slack_us: number | null }[];
+  } & Planes>;
   omissions(options?: RequestOptions): Promise<any>;
   signals(options?: RequestOptions): Promise<any>;
   blocks(options?: RequestOptions): Promise<any>;

@@ -4,11 +4,11 @@
 //! among them: the name of a hardware model chooses it.
 //!
 //! - [`find`], [`names`]: rows by name. [`judge`]: the one that error is measured against.
-//! - [`configure`]: run parameters and gear, layer by layer, into a generator.
+//! - [`configure`], [`configure_told`]: run parameters and gear, layer by layer, into a generator.
 
 use std::sync::Arc;
 
-use diagnostics::{Layers, Problem, ProblemList, Problems, TomlFile};
+use diagnostics::{Layers, Origin, Problem, ProblemList, Problems, TomlFile};
 use generator::{Generator, PrepareError, Role, Row, Session, Stage};
 
 /// All rows, in the order in which they are listed.
@@ -66,13 +66,34 @@ pub fn configure(
     row: &Row,
     layers: impl IntoIterator<Item = TomlFile>,
 ) -> Result<Arc<dyn Generator>, ProblemList> {
+    configure_told(row, layers).map(|configured| configured.generator)
+}
+
+/// A generator, and what its tables come to.
+pub struct Configured {
+    /// The generator with its run parameters and gear.
+    pub generator: Arc<dyn Generator>,
+    /// Each value of its tables that a file sets: dotted key, and where it stands.
+    pub values: Vec<(String, Origin)>,
+}
+
+/// The same with the values of the tables.
+///
+/// # Errors
+/// As [`configure`].
+pub fn configure_told(
+    row: &Row,
+    layers: impl IntoIterator<Item = TomlFile>,
+) -> Result<Configured, ProblemList> {
     let problems = Problems::new();
     let gear = row.gear.and_then(|gear| TomlFile::parse(gear.file, gear.text, &problems));
     let layers = Layers::new(gear.into_iter().chain(layers));
     let root = layers.root(&problems);
     let generator = (row.configure)(&root);
     row.tables().for_each(|table| root.table_or_empty(table).finish());
-    problems.resolve(generator)
+    let mut values = layers.origins();
+    values.retain(|(key, _)| row.owns(key));
+    problems.resolve(generator.map(|generator| Configured { generator, values }))
 }
 
 /// The same from keys of `--set` alone.

@@ -61,7 +61,7 @@ pub fn moving(effects: Effects, update: Rate, frames: u32) -> Stage {
         Pose { attitude, ..pose() }
     };
     let still = stage(effects, update);
-    let scenery = (*still.scenery).clone().with_course((0..frames).map(nod).collect());
+    let scenery = (*still.scenery).clone().with_course((0..frames).map(nod).collect::<Vec<_>>());
     Stage { scenery: Arc::new(scenery), ..still }
 }
 

@@ -45,8 +45,7 @@ impl Session {
     /// If its raster is too large.
     pub fn new(stage: Stage, parameters: Parameters, hardware: Hardware) -> Result<Self, PrepareError> {
         let screen = scene_sampler::screen(&stage, NAME)?;
-        let frames = stage.scenery.course().len();
-        if parameters.overload.shows_earlier_frames() && frames == 0 {
+        if parameters.overload.shows_earlier_frames() && stage.scenery.course().is_empty() {
             return Err(PrepareError::Unsupported {
                 generator: NAME,
                 what: format!("overload `{}` without the frames before", parameters.overload.word()),
@@ -54,7 +53,7 @@ impl Session {
             });
         }
         let rings = ground::rings(&stage, &parameters);
-        Ok(Self { stage, screen, parameters, hardware, fields: Fields::of(frames), rings })
+        Ok(Self { stage, screen, parameters, hardware, fields: Fields::default(), rings })
     }
 
     /// Gathers frame `frame` from `pose`.

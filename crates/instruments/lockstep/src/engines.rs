@@ -35,6 +35,8 @@ pub struct Engines {
     session: Box<dyn Session>,
     control: ControlPlane,
     broken_lines: Vec<Vec<f64>>,
+    /// Poses of the mission, one a frame.
+    course: Vec<Pose>,
 }
 
 /// The stage that makes light of slopes, as one sweep drives it.
@@ -66,7 +68,8 @@ impl Engines {
     pub fn new(stage: MachineStage) -> Self {
         let session = stage.clone().prepare();
         let broken_lines = broken_lines(&stage.settings.analog);
-        Self { control: ControlPlane::new(stage.clone()), stage, session, broken_lines }
+        let course = stage.scenery.course().to_vec();
+        Self { control: ControlPlane::new(stage.clone()), stage, session, broken_lines, course }
     }
 
     /// Sweeps `sweeps` of frame `frame` seen from `pose`, on both; the report of the first has the events of the frame.
@@ -134,7 +137,7 @@ impl Engines {
             heading: pose.attitude.heading,
             pitch: pose.attitude.pitch,
             frame,
-            course: self.stage.scenery.course(),
+            course: &self.course,
         }
     }
 

@@ -28,6 +28,7 @@ mod opened;
 mod overlays;
 mod photographs;
 mod stage;
+mod together;
 mod wishes;
 mod written_keys;
 

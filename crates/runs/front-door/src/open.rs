@@ -4,18 +4,20 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use control_plane::instants_obstacle;
-use diagnostics::{Problem, Problems, TomlFile};
+use diagnostics::{Origin, Problem, Problems, TomlFile};
 use files::{is_file, is_there, make_folder};
-use generator::{Generator, Row};
-use hardware_model::{Asked, Economy, LoadedModel, Settings, SettingsError};
+use generator::Row;
+use hardware_model::{Asked, Economy, EffectiveValue, LoadedModel, Settings, SettingsError};
 use limits::Limit;
 use machine::HybridMachine;
+use registry::Configured;
 use run_record::{FileRecord, Inputs};
 use scenario::{GroundSource, RasterWishes, Scenario};
 
 use crate::keys::{Decides, decides, drop_wish, of_scenario};
 use crate::kind::read_scenario_over;
 use crate::overlays;
+use crate::together::together;
 use crate::{OpenError, Opened, Wishes, read_model};
 
 /// The hardware model of a scenario whose `machine` is `named`: raster, range and laws under a generator that has no
@@ -30,14 +32,17 @@ pub fn base_model(named: &str) -> &str {
 /// Everything that is wrong in files and wishes, before any ground is made.
 pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
     expect_tables_of_scenarios(&wishes.set)?;
-    let mut scenario = seen_through(path, read_scenario_over(path, wishes)?, wishes)?;
+    let scenario = read_scenario_over(path, wishes);
+    let scenario = scenario.map_err(|error| together(error, faults_of_tables(path, None, wishes)))?;
+    let mut scenario = seen_through(path, scenario, wishes)?;
     if let Some(bank) = &wishes.bank {
         scenario.ground = GroundSource::Bank(bank.clone());
     }
     expect_bank(path, &scenario, wishes)?;
     let asked = wishes.machine.as_deref();
     let row = registry::find(asked.unwrap_or(&scenario.machine));
-    let model = model(path, &scenario, row, wishes)?;
+    let mut tables = faults_of_tables(path, row, wishes).into_iter();
+    let model = model(path, &scenario, row, wishes).map_err(|error| together(error, tables.by_ref()))?;
     overlays::expect_of(row, row.map_or(model.model.name.as_str(), |row| row.name), wishes)?;
     wish(&mut scenario, wishes);
     let settings = crate::settings(&scenario, &model.model).map_err(|error| unfit(path, &error))?;
@@ -51,13 +56,14 @@ pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
         return Err(OpenError::Wish(format!("--quality draft (--preview): {obstacle}; {remedy}")));
     }
     let inputs = inputs(path, &scenario, &model, wishes)?;
-    let generator = match row {
-        Some(row) => guest(path, row, wishes)?,
-        None => Arc::new(HybridMachine::new(settings.clone())) as Arc<dyn Generator>,
-    };
-    for other in registry::ROWS.iter().filter(|other| row != Some(other)) {
-        check_parameters(path, other, wishes)?;
+    if let Some(first) = tables.next() {
+        return Err(together(first, tables));
     }
+    let Configured { generator, values } = match row {
+        Some(row) => guest(path, row, wishes)?,
+        None => Configured { generator: Arc::new(HybridMachine::new(settings.clone())), values: Vec::new() },
+    };
+    let values = values.into_iter().map(effective).chain(of_view(&model.values, row)).collect();
     let pauses = scenario.path_beside_mission(settings.timebase.update);
     let remarks = model.remarks.into_iter().chain(scenario.notes.iter().cloned()).chain(pauses).collect();
     Ok(Opened {
@@ -66,6 +72,7 @@ pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
         settings,
         row,
         generator,
+        values,
         remarks,
         inputs,
         path: path.to_owned(),
@@ -177,12 +184,19 @@ fn wish(scenario: &mut Scenario, wishes: &Wishes) {
     scenario.scalar = wishes.scalar.unwrap_or(scenario.scalar);
 }
 
-/// The generator of a row, with the tables of the scenario and the keys that are set.
-pub(crate) fn guest(
-    path: &Path,
-    row: &'static Row,
-    wishes: &Wishes,
-) -> Result<Arc<dyn Generator>, OpenError> {
+fn effective((key, origin): (String, Origin)) -> EffectiveValue {
+    EffectiveValue { key, origin: origin.to_string(), value: origin.text }
+}
+
+/// What of the values of the hardware model the drawing generator takes: those of the view alone where it is that of a row.
+fn of_view(values: &[EffectiveValue], row: Option<&Row>) -> impl Iterator<Item = EffectiveValue> {
+    let is_taken =
+        move |value: &&EffectiveValue| row.is_none() || matches!(decides(&value.key), Decides::View);
+    values.iter().filter(is_taken).cloned()
+}
+
+/// The generator of a row, with the tables of the scenario and the keys that are set; and the values of its tables.
+pub(crate) fn guest(path: &Path, row: &'static Row, wishes: &Wishes) -> Result<Configured, OpenError> {
     let problems = Problems::new();
     let name = path.display().to_string();
     let text = files::read_all(path, Limit::TextBytes)?;
@@ -192,13 +206,18 @@ pub(crate) fn guest(
     problems.into_result()?;
     let overlays = overlays::of_generators(wishes)?.into_iter().filter(|overlay| overlay.row == row);
     let overlays = overlays.map(|overlay| overlay.file);
-    Ok(registry::configure(row, file.into_iter().chain(overlays).chain(sets))?)
+    Ok(registry::configure_told(row, file.into_iter().chain(overlays).chain(sets))?)
 }
 
-/// Run parameters of a generator that does not draw must be right all the same.
-fn check_parameters(path: &Path, row: &'static Row, wishes: &Wishes) -> Result<(), OpenError> {
-    let set = wishes.set.iter().filter(|(key, _)| is_parameter(row, key)).cloned().collect();
-    guest(path, row, &Wishes { set, ..Wishes::default() }).map(drop)
+/// What is wrong with the tables of generators, first those of `drawing`, which draws. Run parameters of the others must be right all the same.
+fn faults_of_tables(path: &Path, drawing: Option<&'static Row>, wishes: &Wishes) -> Vec<OpenError> {
+    let check = |row: &'static Row| {
+        let set = wishes.set.iter().filter(|(key, _)| is_parameter(row, key)).cloned().collect();
+        guest(path, row, &Wishes { set, ..Wishes::default() })
+    };
+    let drawing_faults = drawing.into_iter().map(|row| guest(path, row, wishes));
+    let others = registry::ROWS.iter().copied().filter(|row| Some(*row) != drawing);
+    drawing_faults.chain(others.map(check)).filter_map(Result::err).collect()
 }
 
 /// Refuses pictures that are too large to be drawn.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use control_plane::{Elaboration, MachineStage};
 use generator::{Generator, Row, Stage};
-use hardware_model::{HardwareModel, Settings};
+use hardware_model::{EffectiveValue, HardwareModel, Settings};
 use run_record::Inputs;
 use scenario::{PathProblems, PoseTable, Scenario};
 
@@ -30,6 +30,9 @@ pub struct Opened {
     pub row: Option<&'static Row>,
     /// Generator that draws, configured by the scenario and the wishes.
     pub generator: Arc<dyn Generator>,
+    /// Values that decide how the generator draws, each with its origin: those of the hardware model, or of a guest's run parameters and gear and
+    /// of the view.
+    pub values: Vec<EffectiveValue>,
     /// What is odd about the files of model and scenario, in words.
     pub remarks: Vec<String>,
     /// Files, for the record of a run.
@@ -128,7 +131,7 @@ impl Opened {
         };
         let mut wishes = self.wishes.clone();
         wishes.set.extend(sets.iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())));
-        guest(&self.path, row, &wishes)
+        Ok(guest(&self.path, row, &wishes)?.generator)
     }
 
     /// Name of who draws: the hardware model, or the generator.

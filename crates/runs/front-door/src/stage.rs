@@ -6,7 +6,7 @@ use control_plane::MachineStage;
 use generator::Stage;
 use hardware_model::{HardwareModel, Settings, SettingsError};
 use landscape::{Bank, Landscape, bank_file};
-use scenario::{GroundSource, PathProblems, Pose, PoseTable, RollDisplay, Scenario, Scenery};
+use scenario::{Course, GroundSource, PathProblems, PoseTable, RollDisplay, Scenario, Scenery};
 
 use crate::StageError;
 use crate::face_lists::face_lists;
@@ -108,11 +108,7 @@ pub(crate) fn with_course(stage: MachineStage, scenario: &Scenario) -> Result<Ma
 }
 
 /// The pose of every frame.
-fn course(
-    scenario: &Scenario,
-    landscape: &Landscape,
-    settings: &Settings,
-) -> Result<Vec<Pose>, PathProblems> {
+fn course(scenario: &Scenario, landscape: &Landscape, settings: &Settings) -> Result<Course, PathProblems> {
     let update = settings.timebase.update;
     let table = PoseTable::resolve(scenario, landscape, update, settings.yoke, 0..scenario.frames(update))?;
     Ok(table.rows().iter().map(|row| row.pose).collect())

@@ -15,6 +15,7 @@
 //! - [`words`]: keys that scenarios and hardware models share.
 
 mod channel;
+mod course;
 mod craters;
 mod curve;
 mod drift;
@@ -57,6 +58,7 @@ mod written;
 mod yoke;
 
 pub use channel::Channel;
+pub use course::Course;
 pub use craters::{CraterList, CraterPopulation, CraterWishes};
 pub use drift::Drift;
 pub use driven::{Driven, DrivenError};

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use landscape::{Attitude, Sun};
 use solids::Body;
 
-use crate::{Carried, Channel, DatedSky, Effects, FaceLists, Group, Guest, Pose, VehicleShape};
+use crate::{Carried, Channel, Course, DatedSky, Effects, FaceLists, Group, Guest, Pose, VehicleShape};
 
 /// A body that stands from one time to another.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,7 +39,7 @@ pub struct Scenery {
     groups: Vec<Group>,
     patches: Vec<TrackPatch>,
     start: Option<Pose>,
-    course: Vec<Pose>,
+    course: Course,
     vehicle: Option<VehicleShape>,
     channel: Option<Channel>,
     face_lists: Arc<FaceLists>,
@@ -62,7 +62,7 @@ impl Scenery {
             groups: Vec::new(),
             patches: Vec::new(),
             start: None,
-            course: Vec::new(),
+            course: Course::default(),
             vehicle: None,
             channel: None,
             face_lists: Arc::default(),
@@ -131,12 +131,12 @@ impl Scenery {
     }
 
     /// The same with the pose of every frame from the first: what a data bank has to have fetched depends on all.
-    pub fn with_course(self, course: Vec<Pose>) -> Self {
-        Self { course, ..self }
+    pub fn with_course(self, course: impl Into<Course>) -> Self {
+        Self { course: course.into(), ..self }
     }
 
     /// Poses of the mission, one a frame; none if nobody needs to know how a frame was come by.
-    pub fn course(&self) -> &[Pose] {
+    pub fn course(&self) -> &Course {
         &self.course
     }
 

@@ -27,6 +27,24 @@ fn a_scenario_with_three_faults_tells_all_with_their_lines() {
     }
 }
 
+/// The scenario, the tables of generators in its file and the hardware model are read side by side.
+#[test]
+fn faults_of_scenario_generators_and_model_are_told_at_once() {
+    let keys = |scene: &Scene| -> Vec<String> {
+        let faults = refused(Drive::open(&scene.path(), &scene.wishes, 1)).faults();
+        faults.into_iter().filter_map(|fault| fault.key).collect()
+    };
+    let tables = "[sampled]\noverload = \"never\"\n[lunsim]\nfly = 1\n";
+    let scene = Scene::new(tables, &[]);
+    let text = fs::read_to_string(scene.path()).unwrap();
+    fs::write(scene.path(), text.replace("seed = 3", "seed = -3")).unwrap();
+    assert_eq!(keys(&scene), ["landscape.generated.seed", "sampled.overload", "lunsim.fly"]);
+    let of_model = Scene::new(tables, &[("loader.axes_ns", "3"), ("cpu.axes_ns", "3")]);
+    let mut keys = keys(&of_model);
+    keys.sort();
+    assert_eq!(keys, ["cpu.axes_ns", "loader.axes_ns", "lunsim.fly", "sampled.overload"]);
+}
+
 #[test]
 fn what_is_asked_wrongly_is_refused() {
     let drive = Scene::new("", &[]).drive();

@@ -1,5 +1,6 @@
 //! Loops: what was driven, saved and replayed, has the same pixels.
 
+use std::fs;
 use std::sync::Arc;
 
 use drive::{Drive, EyePose, Loop};
@@ -48,7 +49,7 @@ fn both(scene: &Scene, steps: u64) -> [Vec<String>; 2] {
 /// Past the path, with rocks that lie along it: they stay where they were.
 #[test]
 fn a_loop_saved_and_replayed_has_the_same_pixels() {
-    for machine in ["ideal", "exact", "lunsim", "sampled"] {
+    for machine in ["ideal", "pra-parts", "modern-analog", "exact", "lunsim", "sampled"] {
         let [looked, replayed] = both(&Scene::new("", &FREE).by(machine), 9);
         assert_eq!(looked, replayed, "{machine}");
     }
@@ -63,10 +64,57 @@ fn machines_with_memory_remember_what_was_driven() {
         let [looked, replayed] = both(&scene, 8);
         assert_eq!(looked, replayed, "{machine}");
     }
-    let scene = Scene::new("", &[("sampled.overload", "'late'")]).by("sampled");
-    assert!(scene.drive().remembers_frames());
-    let [looked, replayed] = both(&scene, 5);
-    assert_eq!(looked, replayed);
+    for overload in ["'late'", "'extend'"] {
+        let scene = Scene::new("", &[("sampled.overload", overload)]).by("sampled");
+        assert!(scene.drive().remembers_frames());
+        let [looked, replayed] = both(&scene, 9);
+        assert_eq!(looked, replayed, "{overload}");
+    }
+}
+
+/// What cannot be drawn is not remembered: the loop goes on as if nobody had asked for it, whether it goes back to the start or not.
+#[test]
+fn a_pose_that_cannot_be_drawn_leaves_no_trace_in_the_memory() {
+    let scene = Scene::new("", &[]).by("pra-overloaded");
+    let drive = scene.drive();
+    let start = drive.pose(0).unwrap();
+    let poses: Vec<EyePose> = (0..6).map(|step| wild(step, &start)).collect();
+    let upside_down = EyePose { pitch_deg: 89.0, ..start };
+    let mut smooth = Loop::new(Arc::clone(&drive));
+    let mut disturbed = Loop::new(Arc::clone(&drive));
+    for pose in &poses {
+        disturbed.look(&upside_down).unwrap_err();
+        assert_eq!(disturbed.look(pose).unwrap().hash(), smooth.look(pose).unwrap().hash());
+    }
+    // A branch from the middle remembers what it has driven, and nothing of the loop that went on.
+    let mut branch = Loop::after(Arc::clone(&drive), &poses[..3]).unwrap();
+    let mut other = Loop::new(drive);
+    poses[..3].iter().for_each(|pose| drop(other.look(pose).unwrap()));
+    assert_eq!(branch.look(&poses[5]).unwrap().hash(), other.look(&poses[5]).unwrap().hash());
+}
+
+/// A frame that fails while it is drawn was not driven: the memory has the frame that is drawn in its place.
+#[test]
+fn a_frame_that_fails_is_not_remembered() {
+    let mut scene = Scene::new("[shadows]\n", &[]).by("pra-overloaded");
+    let start = scene.drive().pose(0).unwrap();
+    let poses: Vec<EyePose> = (0..4).map(|step| wild(step, &start)).collect();
+    let mut smooth = Loop::new(scene.drive());
+    let hashes: Vec<String> = poses.iter().map(|pose| smooth.look(pose).unwrap().hash()).collect();
+    let cache = scene.folder.path().join("cache");
+    scene.wishes.shadow_cache = Some(cache.clone());
+    let mut disturbed = Loop::new(scene.drive());
+    for (number, (pose, hash)) in poses.iter().zip(hashes).enumerate() {
+        // No boundary can be kept where a file is in the way, and elsewhere the boundaries are others.
+        let [x, y, z] = start.eye_m;
+        let elsewhere = EyePose { eye_m: [x + 30.0 * number as f64, y, z + 9.0], ..start };
+        fs::remove_dir_all(&cache).unwrap();
+        fs::write(&cache, "in the way").unwrap();
+        assert!(disturbed.look(&elsewhere).is_err(), "step {number}");
+        fs::remove_file(&cache).unwrap();
+        fs::create_dir(&cache).unwrap();
+        assert_eq!(disturbed.look(pose).unwrap().hash(), hash);
+    }
 }
 
 /// The memory is in the pixels: the same pose after another drive is another picture.

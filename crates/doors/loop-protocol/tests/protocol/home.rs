@@ -4,7 +4,7 @@ use std::fs;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use drive::{Drive, DriveError, EyePose, Wishes};
+use drive::{Drive, DriveError, EyePose, Program, Wishes};
 use loop_protocol::{Home, Message, Opening, Plane, Session};
 use serde_json::{Value, json};
 use tempfile::TempDir;
@@ -16,6 +16,7 @@ const SCENARIO: &str = include_str!("../../../drive/tests/scene.toml");
 pub struct Scene {
     folder: Arc<TempDir>,
     base: Wishes,
+    version: Option<&'static str>,
 }
 
 impl Scene {
@@ -24,7 +25,24 @@ impl Scene {
         let folder = Arc::new(tempfile::tempdir().unwrap());
         let base = Wishes { machine: Some(machine.into()), ..Wishes::default() };
         fs::write(folder.path().join("scene.toml"), SCENARIO).unwrap();
-        Self { folder, base }
+        Self { folder, base, version: None }
+    }
+
+    /// The same with other words in the file of the scenario.
+    pub fn reworded(self, from: &str, to: &str) -> Self {
+        fs::write(self.path(), SCENARIO.replace(from, to)).unwrap();
+        self
+    }
+
+    /// The same in a program of another version.
+    pub fn of_version(self, version: &'static str) -> Self {
+        Self { version: Some(version), ..self }
+    }
+
+    /// The same with a key that the host sets.
+    pub fn setting(mut self, key: &str, value: &str) -> Self {
+        self.base.set.push((key.into(), value.into()));
+        self
     }
 
     /// A session that has opened it.
@@ -45,6 +63,11 @@ impl Scene {
 }
 
 impl Home for Scene {
+    fn program(&self) -> Program {
+        let [name, commit, result_family] = ["lunoid", "c", "unfused"].map(str::to_owned);
+        Program { name, version: self.version.unwrap_or("1.0.0").into(), commit, result_family }
+    }
+
     fn open(&mut self, asked: &Opening) -> Result<Drive, DriveError> {
         Drive::open(&self.path(), &asked.over(&self.base), 1)
     }

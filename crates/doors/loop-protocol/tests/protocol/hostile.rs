@@ -28,7 +28,7 @@ fn bytes(header: &str, planes: &[u8]) -> Vec<u8> {
 
 fn refused(bytes: &[u8]) -> Vec<String> {
     match Message::decode(bytes) {
-        Err(WireError::Problems(list)) => list
+        Err(WireError::Problems(list) | WireError::Faulty { problems: list, .. }) => list
             .records()
             .iter()
             .map(|fault| format!("{} {:?} {:?}", fault.title, fault.found, fault.expected))
@@ -74,6 +74,27 @@ fn rubbish_has_one_error_each() {
         let faults = refused(&bytes);
         assert!(faults.len() == 1 && faults[0].contains(word), "{word}: {faults:?}");
     }
+}
+
+/// Faults within a whole message leave the next message readable; a broken frame does not.
+#[test]
+fn what_follows_a_faulty_message_is_read() {
+    let hello = Message::new(json!({ "id": 2, "do": "hello" })).encode();
+    let listed = r#"{"id":9,"do":"open","planes":[{"name":"a","dtype":"f16","shape":[1]}]}"#;
+    for (header, planes, id) in
+        [("{\"id\":", &b""[..], json!(null)), ("[1]", b"abc", json!(null)), (listed, b"ab", json!(9))]
+    {
+        let both = [bytes(header, planes), hello.clone()].concat();
+        let mut rest = &both[..];
+        let Err(WireError::Faulty { id: found, problems }) = Message::read(&mut rest) else {
+            panic!("{header}")
+        };
+        assert_eq!((found, problems.len()), (id, 1), "{header}");
+        assert_eq!(Message::read(&mut rest).unwrap().unwrap().header["do"], "hello", "{header}");
+    }
+    let cut = bytes(listed, b"ab");
+    let cut = Message::read(&mut &cut[..cut.len() - 1]);
+    assert!(matches!(cut, Err(WireError::Problems(_))), "planes that are not all there: {cut:?}");
 }
 
 /// Lengths of 2^63 are refused before any byte is waited for; deep JSON does not end the program.

@@ -1,5 +1,6 @@
 //! The protocol: bytes of messages, answers of a session, and hostile input.
 
+mod guests;
 mod home;
 mod hostile;
 mod page;

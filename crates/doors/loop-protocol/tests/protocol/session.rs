@@ -47,6 +47,13 @@ fn requests_that_are_wrong_name_all_their_faults() {
             &["no plane `deep`", "picture, light, sweep, range"],
             1,
         ),
+        (json!({ "do": "step", "planes": ["deep", "wide"] }), &["`pose`", "`deep`", "`wide`"], 3),
+        (json!({ "do": "events", "frame": 0, "limit": 0 }), &["`limit`", "a whole number from 1"], 1),
+        (
+            json!({ "do": "trigger", "frame": 0, "on": "rising tg.height 0", "limit": 0 }),
+            &["a whole number from 1"],
+            1,
+        ),
         (json!({ "do": "probe", "signals": ["zz.*"], "sweeps": 0, "frame": 0 }), &["zz.*"], 1),
         (json!({ "do": "probe", "signals": ["tg.*"], "frame": 0 }), &["`sweeps`"], 1),
         (json!({ "do": "probe", "signals": ["tg.*"], "sweeps": [3, 3], "frame": 0 }), &["3..3"], 1),

@@ -3,8 +3,9 @@
 use std::fs;
 
 use drive::{Drive, EyePose, Wishes};
-use loop_protocol::{Message, Session};
+use loop_protocol::{Message, Plane, Session};
 use quantities::unit_interval;
+use run_record::sealed;
 use serde_json::{Value, json};
 
 use crate::home::{Scene, ask, ask_with, done, ok, pose_json, problems_of};
@@ -68,19 +69,74 @@ fn a_state_is_gone_on_from() {
         }
         let [a, b] = [&mut first, &mut second].map(|session| ask(session, json!({ "do": "state" })));
         assert_eq!(a, b);
-        // Damaged states change nothing.
-        let bytes = a.planes[0].bytes().to_vec();
-        let text = String::from_utf8(bytes).unwrap();
-        for damaged in [
-            &text[1..],
-            &text.replace("lunoid.loop.state/1", "lunoid.loop.state/2"),
-            &text.replacen("\"from\":0", "\"from\":1", 1),
-        ] {
-            let planes = vec![loop_protocol::Plane::of_file("state", damaged.as_bytes().to_vec())];
-            problems_of(&ask_with(&mut second, json!({ "do": "restore" }), planes));
-        }
-        assert_eq!(ask(&mut second, json!({ "do": "state" })), b);
     }
+}
+
+fn restored(session: &mut Session<Scene>, state: &str) -> Message {
+    ask_with(session, json!({ "do": "restore" }), vec![Plane::of_file("state", state.as_bytes().to_vec())])
+}
+
+/// A session of `scene` that has driven two poses, with its state.
+fn driven(scene: Scene) -> (Session<Scene>, String) {
+    let poses = poses(&scene, 2);
+    let mut session = scene.session();
+    poses.iter().for_each(|pose| drop(done(&step(&mut session, pose))));
+    let state = ask(&mut session, json!({ "do": "state" }));
+    let text = String::from_utf8(state.planes[0].bytes().to_vec()).unwrap();
+    (session, text)
+}
+
+/// Who changes a hash, a pose or a setting breaks the seal; who seals the state anew says so with other keys. Nothing is taken up.
+#[test]
+fn a_state_that_was_changed_is_refused() {
+    let (mut session, text) = driven(Scene::by("ideal"));
+    let state: Value = serde_json::from_str(&text).unwrap();
+    let hash = state["pixels_blake3"][1].as_str().unwrap();
+    let before = ask(&mut session, json!({ "do": "state" }));
+    let changed = "the state was changed since it was handed out";
+    for (tampered, title) in [
+        (text[1..].to_owned(), changed),
+        (text.replace(hash, &"0".repeat(64)), changed),
+        (text.replacen("\"from\":0", "\"from\":1", 1), changed),
+        (text.replace("ideal", "exact"), changed),
+        (r#"{"schema":"lunoid.loop.state/1"}"#.to_owned(), "the state has another schema"),
+        (sealed(r#"{"poses":[]}"#), "the state does not hold together"),
+        (sealed(r#"{"schema":"lunoid.loop.state/2"}"#), "the state does not hold together"),
+    ] {
+        assert_eq!(problems_of(&restored(&mut session, &tampered))[0]["title"], title);
+    }
+    let none = ask(&mut session, json!({ "do": "restore" }));
+    assert_eq!(problems_of(&none)[0]["found"], "no plane");
+    assert_eq!(ask(&mut session, json!({ "do": "state" })), before);
+}
+
+/// A state goes on where the same program draws the same scenario with the same settings, and nowhere else; the refusal names what differs.
+#[test]
+fn a_state_of_another_scenario_model_or_program_is_refused() {
+    let (mut session, text) = driven(Scene::by("pra-nominal"));
+    assert_eq!(done(&restored(&mut Scene::by("pra-nominal").session(), &text))["driven"], 2);
+    let steeper = Scene::by("pra-nominal").reworded("elevation_deg = 15", "elevation_deg = 16");
+    let younger = Scene::by("pra-nominal").of_version("0.0.0");
+    for (scene, differs) in [
+        (steeper, "files.scene.toml.0 ("),
+        (younger, "program.version ("),
+        (Scene::by("pra-frugal"), "drawn_by (\"pra-nominal\" there, \"pra-frugal\" now)"),
+        (
+            Scene::by("pra-nominal").setting("loader.access_ns", "90"),
+            "set.loader.access_ns (nothing there, \"90\" now)",
+        ),
+    ] {
+        let mut other = scene.session();
+        let before = ask(&mut other, json!({ "do": "hello" }));
+        let problem = problems_of(&restored(&mut other, &text)).remove(0);
+        assert_eq!(problem["title"], "the state is of another scenario, model or program");
+        assert!(problem["found"].as_str().unwrap().contains(differs), "{problem}");
+        assert!(problem["expected"].as_str().unwrap().contains("A bump ahead"), "{problem}");
+        assert_eq!(ask(&mut other, json!({ "do": "hello" })), before);
+    }
+    // The settings of the state are its own: they come with it.
+    ok(&mut session, json!({ "do": "set", "set": { "loader.access_ns": 90 } }));
+    assert_eq!(done(&restored(&mut session, &text))["set"], json!({}));
 }
 
 #[test]

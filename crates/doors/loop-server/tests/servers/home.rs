@@ -29,6 +29,13 @@ pub fn hello() -> Vec<u8> {
     request(json!({ "id": 1, "do": "hello" }))
 }
 
+/// A message with request number 9 whose plane has a type that is none.
+pub fn faulty() -> Vec<u8> {
+    let header = r#"{"id":9,"do":"hello","planes":[{"name":"a","dtype":"f16","shape":[1]}]}"#;
+    let lengths = [header.len() as u64, 2].map(u64::to_le_bytes).concat();
+    [b"lunoid.1", &lengths[..], header.as_bytes(), b"ab"].concat()
+}
+
 /// Sends `bytes` and no more; the headers of all replies.
 pub fn said(mut stream: impl Read + Write, close: impl FnOnce(), bytes: &[u8]) -> Vec<Value> {
     // A server that has refused has closed.

@@ -6,8 +6,9 @@ use std::sync::mpsc;
 use std::thread;
 
 use loop_server::on_unix_socket;
+use serde_json::json;
 
-use crate::home::{fault, hello, said, session};
+use crate::home::{fault, faulty, hello, said, session};
 
 #[test]
 fn rubbish_lets_one_client_go_and_the_next_is_served() {
@@ -23,6 +24,9 @@ fn rubbish_lets_one_client_go_and_the_next_is_served() {
         said(stream, || other.shutdown(Shutdown::Write).unwrap(), bytes)
     };
     let first = spoken(&hello());
+    let faulty = spoken(&[faulty(), hello()].concat());
+    assert_eq!((faulty.len(), fault(&faulty[0])), (2, "no type of numbers"), "its client goes on");
+    assert_eq!((&faulty[0]["id"], &faulty[1]["ok"]), (&json!(9), &first[0]["ok"]));
     let bad = spoken(b"rubbish, and much more of it");
     assert_eq!((bad.len(), fault(&bad[0])), (1, "the bytes are no message of lunoid.loop/1"));
     assert!(heard.recv().unwrap().starts_with("warning: a client was let go: "));

@@ -20,7 +20,7 @@ const AFTER: &str = "Examples:
 
 A client writes a request, reads its reply, and only then sends the next one (docs/loop-protocol.md). On standard input and output there
 is one client, and the command ends with it. On a socket one client is served after another: each finds the scenario as it is opened here,
-and nothing that another has driven. Bytes that are no request end a client with one error. On TCP the first request is a `hello` with the
+and nothing that another has driven. Bytes that are no message end a client with one error. On TCP the first request is a `hello` with the
 token that the command says, or with that of LUNOID_TOKEN. Ctrl-C ends the command.";
 
 /// Answer requests of another program: pictures of poses, signals, explanations, one step after another.
@@ -88,7 +88,7 @@ fn failed(error: ServerError) -> Failure {
 fn ended(error: WireError) -> Failure {
     match error {
         WireError::Io(error) => Failure::stdout(error),
-        WireError::Problems(list) => Failure::Problems(list),
+        WireError::Problems(list) | WireError::Faulty { problems: list, .. } => Failure::Problems(list),
     }
 }
 

@@ -159,6 +159,60 @@ fn the_same_requests_have_the_same_bytes_and_rubbish_is_one_error() {
     assert!(rubbish.stdout.starts_with(&first.stdout), "what was asked before is answered");
 }
 
+/// A client names what ships and what the command line offers; of other files it does not even hear whether they are there.
+#[test]
+fn a_client_names_no_file_that_is_not_offered() {
+    let folder = tempdir().unwrap();
+    let file = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        fs::write(&path, text).unwrap();
+        path.to_str().unwrap().to_owned()
+    };
+    let slow = file("slow.toml", "format = 1\n[loader]\naccess_ns = 900\n");
+    let other = file("other.toml", "format = 1\n[loader]\naccess_ns = 800\n");
+    let secret = file("secret.toml", "password = \"1234\"\n");
+    let answers = |requests: &[String]| -> Vec<serde_json::Value> {
+        let mut child = serving(&["--overlay", &slow, "--offer", &other]);
+        let asked: Vec<u8> = requests.iter().flat_map(|header| request(header)).collect();
+        child.stdin.take().unwrap().write_all(&asked).unwrap();
+        let said = child.wait_with_output().unwrap().stdout;
+        let mut rest = &said[..];
+        let mut headers = Vec::new();
+        while let Some((prefix, behind)) = rest.split_at_checked(24) {
+            let length = u64::from_le_bytes(prefix[8..16].try_into().unwrap()) as usize;
+            headers.push(serde_json::from_slice(&behind[..length]).unwrap());
+            rest = &behind[length..];
+        }
+        headers
+    };
+    let set = |key: &str, value: &str| format!(r#"{{"id":1,"do":"set",{key}:{value}}}"#);
+    let overlays = |name: &str| set(r#""overlays""#, &format!(r#"["{name}"]"#));
+    let said = answers(&[
+        overlays("tear"),
+        overlays(&slow),
+        overlays(&other),
+        set(r#""machine""#, r#""pra-nominal""#),
+        overlays(&secret),
+        overlays("/no/such/file"),
+        set(r#""machine""#, &format!("\"{secret}\"")),
+        format!(r#"{{"id":1,"do":"open","machine":"{secret}","overlays":["{secret}"]}}"#),
+    ]);
+    assert_eq!(said.len(), 8);
+    for allowed in &said[..4] {
+        assert!(allowed["ok"].is_object(), "{allowed}");
+    }
+    for (refused, count) in said[4..].iter().zip([1, 1, 1, 2]) {
+        let problems = refused["error"]["problems"].as_array().expect("it is refused");
+        assert_eq!(problems.len(), count, "{refused}");
+        for problem in problems {
+            assert!(problem["title"].as_str().unwrap().contains("not offered here"), "{problem}");
+            assert!(problem["expected"].as_str().unwrap().starts_with("one of "), "{problem}");
+            assert!(problem["help"].as_str().unwrap().contains("--offer"), "{problem}");
+        }
+        assert!(!refused.to_string().contains("1234"));
+    }
+}
+
 #[cfg(unix)]
 #[test]
 fn a_socket_serves_one_client_after_another() {

@@ -16,7 +16,7 @@ fn at(frame: u64) -> Pose {
 
 fn on_course(frames: u64) -> Stage {
     let mut stage = stage(vec![sea_list(&sea(SeaState::High, Pattern::Random { seed: 1 }))]);
-    stage.scenery = Arc::new((*stage.scenery).clone().with_course((0..frames).map(at).collect()));
+    stage.scenery = Arc::new((*stage.scenery).clone().with_course((0..frames).map(at).collect::<Vec<_>>()));
     stage
 }
 

@@ -143,7 +143,7 @@ fn first_asked(demand: &BankDemand) -> (&'static str, u64) {
 
 /// Turning rate of the view, mean over the mission (degrees/s).
 fn turning(rehearsal: &Rehearsal) -> f64 {
-    let course = rehearsal.stage.scenery.course();
+    let course = rehearsal.stage.scenery.course().to_vec();
     let turn = |pair: &[scenario::Pose]| {
         let full = 2.0 * std::f64::consts::PI;
         let turn = (pair[1].attitude.heading - pair[0].attitude.heading).abs() % full;
