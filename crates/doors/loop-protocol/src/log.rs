@@ -79,10 +79,12 @@ fn word(scalar: Scalar) -> &'static str {
 /// The option of `lunoid replay` for what may be left out.
 fn economy(economy: Economy) -> Option<&'static str> {
     match economy {
-        // What is forced for a measurement has no option.
-        Economy::Bounded | Economy::LosslessBut(_) => None,
+        // The default, and what is chosen for a measurement and has no option.
+        Economy::Normal | Economy::LosslessBut(_) => None,
+        Economy::Bounded => Some("--quality=fine"),
+        Economy::Instants(1) => Some("--quality=draft"),
+        Economy::Instants(_) => None,
         Economy::Lossless => Some("--lossless"),
         Economy::Everything => Some("--everything"),
-        Economy::Preview => Some("--preview"),
     }
 }
