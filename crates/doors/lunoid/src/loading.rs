@@ -157,6 +157,14 @@ pub struct Threads {
     pub jobs: Option<u16>,
 }
 
+/// Stands for `--shadow-cache` where that is left out. Workers of one run share a folder so, and the words of the run do not name it.
+const SHADOW_CACHE: &str = "LUNOID_SHADOW_CACHE";
+
+/// The folder that the variable names, if it is not empty.
+fn shadow_cache() -> Option<PathBuf> {
+    env::var_os(SHADOW_CACHE).filter(|folder| !folder.is_empty()).map(PathBuf::from)
+}
+
 /// Stands for `--jobs` where that is left out.
 const THREADS: &str = "LUNOID_THREADS";
 
@@ -238,7 +246,7 @@ impl StageArgs {
                 ScalarWord::F64 => Scalar::F64,
             }),
             economy: options.economy(),
-            shadow_cache: options.shadow_cache.clone(),
+            shadow_cache: options.shadow_cache.clone().or_else(shadow_cache),
         }
     }
 
