@@ -5,17 +5,16 @@ from __future__ import annotations
 import json
 import os
 import shutil
-import signal
 import stat
 import subprocess
 import sys
 import threading
-import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 from conftest import SCENE
+from killing import content, run_with_a_kill
 
 import lunoid
 from lunoid import farm
@@ -37,12 +36,6 @@ def whole(place: Path) -> dict[str, bytes]:
     """The run of one machine."""
     subprocess.run([PROGRAM, "replay", "scene.toml", "--truth", "range,label", "--out", "whole", "--quiet"], check=True)
     return content(place / "whole")
-
-
-def content(folder: Path) -> dict[str, bytes]:
-    """Every file below a folder but the wall times."""
-    files = [path for path in folder.rglob("*") if path.is_file() and path.name != "performance.json"]
-    return {str(path.relative_to(folder)): path.read_bytes() for path in files}
 
 
 def job(**options: object) -> farm.Job:
@@ -222,24 +215,6 @@ def test_no_file_is_unpickled() -> None:
     assert not [path for path in sources if "pickle" in path.read_text() or "marshal" in path.read_text()]
 
 
-def killed(folder: Path, ended: Callable[[], bool], with_child: bool) -> Iterator[int]:
-    """Kills the worker that draws a shard, once a frame of it is there; the numbers of the processes that were killed."""
-    while not ended():
-        for journal in folder.glob("*-shard-*/frames.journal"):
-            try:
-                holder = int((journal.parent / ".lunoid.lock").read_text())
-                parent = int(Path(f"/proc/{holder}/stat").read_text().rsplit(")", 1)[1].split()[1])
-                if journal.read_text().count("\n") < 2 or parent == os.getpid():
-                    continue
-                for process in [parent, holder] if with_child else [parent]:
-                    os.kill(process, signal.SIGKILL)
-                    yield process
-                return
-            except (OSError, ValueError):
-                continue
-        time.sleep(0.001)
-
-
 @pytest.mark.parametrize("with_child", [True, False])
 def test_dask_and_a_worker_killed(place, whole, with_child) -> None:
     distributed = pytest.importorskip("distributed")
@@ -259,12 +234,7 @@ def test_ray_and_a_worker_killed(place, whole, with_child) -> None:
 
 
 def drawn_with_a_kill(workers: farm.Farm, whole: dict[str, bytes], with_child: bool) -> None:
-    reports: list[farm.Report] = []
-    thread = threading.Thread(target=lambda: reports.append(workers.run(job(), shards=2, progress=None)))
-    thread.start()
-    victims = list(killed(Path("joined-farm").absolute(), lambda: not thread.is_alive(), with_child))
-    thread.join()
+    report, victims = run_with_a_kill(workers, job(), Path("joined-farm").absolute(), with_child)
     assert len(victims) == (2 if with_child else 1), "no worker was killed in time"
-    (report,) = reports
     assert report.complete, str(report)
     assert content(Path("joined")) == whole

@@ -86,12 +86,13 @@ def draw(task: Task, hold: Hold = lambda process: None) -> Outcome:
     if faults := _inputs.faults(task["inputs"], tree(farm)):
         return _refusal(host, "; ".join(faults))
     while True:
+        while _is_drawn_elsewhere(program, task):
+            time.sleep(_PATIENCE_S)
         code, why = _run([*command(task, program), "--quiet", "--no-progress"], farm, hold)
         if code == 0:
             return Outcome(done=True, usage=False, why="", host=host)
         if not _is_drawn_elsewhere(program, task):
             return Outcome(done=False, usage=code == _USAGE, why=f"worker {host}: {why}", host=host)
-        time.sleep(_PATIENCE_S)
 
 
 def _refusal(host: str, why: str) -> Outcome:
