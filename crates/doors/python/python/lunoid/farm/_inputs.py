@@ -52,9 +52,9 @@ def lay_out(inputs: Inputs, tree: Path) -> None:
 def _make_way(tree: Path, name: str) -> None:
     """Makes the folders of ``name`` one after the other: a name may lead through a folder and out of it again."""
     place = tree
-    for part in Path(name).parts[:-1]:
+    for part in ("", *Path(name).parts[:-1]):
         place = place / part
-        place.mkdir(parents=True, exist_ok=True)
+        place.mkdir(exist_ok=True)
 
 
 def faults(inputs: Inputs, tree: Path) -> list[str]:
