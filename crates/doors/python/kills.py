@@ -22,7 +22,9 @@ from killing import content, run_with_a_kill
 from lunoid import farm
 
 SCENARIO = "scenarios/first-light.toml"
-OPTIONS: dict[str, Any] = {"frames": range(12), "sweeps": 60, "samples": 80, "machine": "pra-nominal", "truth": ["range", "label"]}
+FRAMES = range(24)
+SMALL = {"scenario.raster.columns": 60, "scenario.raster.lines": 40}
+OPTIONS: dict[str, Any] = {"frames": FRAMES, "sweeps": 60, "samples": 80, "set": SMALL, "machine": "pra-nominal", "truth": ["range", "label"]}
 
 
 @contextmanager
@@ -51,7 +53,7 @@ def main(program: str, kills: int, names: list[str], out: str) -> None:
         "commit": subprocess.run(["git", "rev-parse", "HEAD"], capture_output=True, text=True, check=True).stdout.strip(),
         "python": platform.python_version(),
         "scenario": SCENARIO,
-        "options": {**OPTIONS, "frames": [0, 12]},
+        "options": {**OPTIONS, "frames": [FRAMES.start, FRAMES.stop]},
         "workers": 2,
         "shards": 2,
         "engines": [],

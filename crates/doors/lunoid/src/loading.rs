@@ -113,7 +113,8 @@ pub struct StageOptions {
     /// Leave nothing out: every block for which there is a source runs, and every switch, with work or not.
     #[arg(long)]
     pub everything: bool,
-    /// Keep shadow boundaries in this folder from run to run: they are found again by ground, sun and fineness.
+    /// Keep shadow boundaries in this folder from run to run: they are found again by ground, sun and fineness. The folder that the
+    /// variable LUNOID_SHADOW_CACHE names if left out, if that names one.
     #[arg(long, value_name = "FOLDER")]
     pub shadow_cache: Option<PathBuf>,
 }
