@@ -49,8 +49,10 @@ def status(folder: str = "joined-farm") -> dict:
 
 @pytest.mark.parametrize("shards", [1, 2, 7, "by cost"])
 def test_joined_shards_are_the_run_of_one_machine(whole, shards) -> None:
-    report = farm.on(None, workers=2).run(job(), shards=shards)
+    heard: list[farm.Progress] = []
+    report = farm.on(None, workers=2).run(job(), shards=shards, progress=heard.append)
     assert report.complete and report.frames == 12
+    assert (heard[-1].shards, heard[-1].of, heard[-1].frames) == (report.shards, report.shards, 12)
     assert report.shards == (8 if shards == "by cost" else shards) == report.tries
     assert content(Path("joined")) == whole
     # The same job again has nothing to do.
