@@ -227,6 +227,8 @@ def test_dask_and_a_worker_killed(place, whole, with_child) -> None:
     with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster:
         with distributed.Client(cluster) as client:
             drawn_with_a_kill(farm.on(client), whole, with_child)
+            # A result that is held would be worked out again when its worker is lost.
+            assert not client.futures
 
 
 @pytest.mark.parametrize("with_child", [True, False])

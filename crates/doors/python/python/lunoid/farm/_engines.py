@@ -85,7 +85,12 @@ class Dask:
         return bool(started.done())
 
     def outcome(self, started: Any) -> Outcome:
-        outcome: Outcome = started.result()
+        self._started.remove(started)
+        try:
+            outcome: Outcome = started.result()
+        finally:
+            # A result that is still held is worked out again when the worker that has it is lost.
+            started.release()
         return outcome
 
     def stop(self) -> None:
@@ -114,6 +119,7 @@ class Ray:
         return bool(self._ray.wait([started], timeout=0)[0])
 
     def outcome(self, started: Any) -> Outcome:
+        self._started.remove(started)
         outcome: Outcome = self._ray.get(started)
         return outcome
 
