@@ -62,8 +62,11 @@ def main(program: str, kills: int, names: list[str], out: str) -> None:
         place = Path(folder)
         whole = drawn_whole(program, place)
         for name in names:
-            record["engines"].append(one_engine(name, kills, place, whole))
-            Path(out).write_text(json.dumps(record, indent=2) + "\n")
+            record["engines"].append({})
+            for counts in one_engine(name, kills, place, whole):
+                # A record that is cut short has what was counted so far.
+                record["engines"][-1] = counts
+                Path(out).write_text(json.dumps(record, indent=2) + "\n")
     print(Path(out).read_text())
 
 
@@ -73,7 +76,9 @@ def drawn_whole(program: str, place: Path) -> dict[str, bytes]:
     return content(place / "whole")
 
 
-def one_engine(name: str, kills: int, place: Path, whole: dict[str, bytes]) -> dict[str, Any]:
+def one_engine(name: str, kills: int, place: Path, whole: dict[str, bytes]) -> Iterator[dict[str, Any]]:
+    """Runs until `kills` workers were killed; the counts after each run."""
+    package = {"Dask": "distributed", "Ray": "ray"}.get(name)
     counts = {"runs": 0, "workers_killed": 0, "with_its_command": 0, "tries": 0, "equal": 0}
     begun = time.monotonic()
     with engine(name) as workers:
@@ -93,8 +98,7 @@ def one_engine(name: str, kills: int, place: Path, whole: dict[str, bytes]) -> d
             shutil.rmtree(joined)
             shutil.rmtree(f"{joined}-farm")
             print(f"{name}: {counts['workers_killed']} killed in {counts['runs']} runs", file=sys.stderr)
-    package = {"Dask": "distributed", "Ray": "ray"}.get(name)
-    return {"engine": name, "version": version(package) if package else None, **counts, "seconds": round(time.monotonic() - begun)}
+            yield {"engine": name, "version": version(package) if package else None, **counts, "seconds": round(time.monotonic() - begun)}
 
 
 # Workers of Dask import this file.
