@@ -180,6 +180,34 @@ def test_a_worker_with_another_program_or_file_refuses_by_name(place) -> None:
     assert "joined-farm/inputs/scene.toml: found " in report.set_aside[0].why
 
 
+def test_an_engine_without_workers_is_not_waited_for_without_end(place, monkeypatch: pytest.MonkeyPatch) -> None:
+    class Empty:
+        """Takes tasks, and has nobody who does them."""
+
+        name = "empty"
+
+        def workers(self) -> int:
+            return 0
+
+        def start(self, task):
+            return task
+
+        def is_ready(self, started) -> bool:
+            return False
+
+        def outcome(self, started):
+            raise AssertionError("nothing is ready")
+
+        def stop(self) -> None:
+            self.stopped = True
+
+    engine = Empty()
+    monkeypatch.setattr("lunoid.farm._run._ALONE_S", 1.0)
+    with pytest.raises(farm.FarmError, match="empty has had no worker for 1 s; start workers"):
+        farm.on(engine).run(job(), shards=2)
+    assert engine.stopped
+
+
 def test_a_folder_has_one_job(place) -> None:
     farm.on(None, workers=2).run(job(), shards=2)
     with pytest.raises(lunoid.InputError, match="3 shards; expected the 2 shards"):

@@ -20,7 +20,7 @@ class Engine(Protocol):
     """Name of the engine, as a report says it."""
 
     def workers(self) -> int:
-        """Number of tasks that run at once."""
+        """Number of tasks that run at once; 0 while no worker is there."""
 
     def start(self, task: Task) -> Any:
         """Begins a task, and returns what stands for it."""
@@ -74,7 +74,7 @@ class Dask:
         self._started: list[Any] = []
 
     def workers(self) -> int:
-        return max(1, int(sum(self._client.nthreads().values())))
+        return int(sum(self._client.nthreads().values()))
 
     def start(self, task: Task) -> Any:
         started = self._client.submit(draw, task, pure=False, retries=0)
@@ -108,7 +108,7 @@ class Ray:
         self._started: list[Any] = []
 
     def workers(self) -> int:
-        return max(1, int(self._ray.cluster_resources().get("CPU", 1)))
+        return int(self._ray.cluster_resources().get("CPU", 0))
 
     def start(self, task: Task) -> Any:
         started = self._draw.remote(task)

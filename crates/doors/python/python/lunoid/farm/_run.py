@@ -23,6 +23,8 @@ _LOOK_S = 0.05
 """Time between two looks at the tasks (s)."""
 _TELL_S = 2.0
 """Time between two tellings of progress (s)."""
+_ALONE_S = 60.0
+"""Time that a run waits for an engine that has no worker (s)."""
 
 
 def on(engine: Any = None, *, workers: int | None = None, threads: int = 1, program: str | None = None) -> Farm:
@@ -81,7 +83,7 @@ class Farm:
         if retries < 1:
             raise refused(job.scenario, f"retries={retries}", found=retries, expected="a whole number from 1 on")
         begun = time.monotonic()
-        settled = plan(job, shards, self._engine.workers(), self._program)
+        settled = plan(job, shards, max(1, self._engine.workers()), self._program)
         try:
             set_aside, tries = self._draw(job, settled, retries, progress)
         except BaseException:
@@ -110,6 +112,7 @@ class Farm:
         open_shards = [_Shard(task, self._engine.start(task)) for task in tasks]
         set_aside: list[SetAside] = []
         tries, told = len(tasks), time.monotonic()
+        manned = told
         while open_shards:
             time.sleep(_LOOK_S)
             for shard in [shard for shard in open_shards if self._engine.is_ready(shard.started)]:
@@ -123,8 +126,14 @@ class Farm:
                 else:
                     open_shards.remove(shard)
                     set_aside.append(_set_aside(shard, outcome["why"], settled.program))
-            if progress is not None and (not open_shards or time.monotonic() - told >= _TELL_S):
-                told = time.monotonic()
+            now = time.monotonic()
+            if open_shards and now - told < _TELL_S:
+                continue
+            told = now
+            manned = now if self._engine.workers() else manned
+            if open_shards and now - manned > _ALONE_S:
+                raise FarmError(f"{self._engine.name} has had no worker for {_ALONE_S:.0f} s; start workers and run the job again: what is drawn is kept")
+            if progress is not None:
                 progress(_how_far(settled, len(set_aside)))
         return sorted(set_aside, key=lambda one: int(one.shard.split("/")[0])), tries
 
