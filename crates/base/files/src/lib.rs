@@ -2,7 +2,7 @@
 //!
 //! - [`write_atomic`] writes beside the target and renames: a reader sees the old file or the new one.
 //! - [`Temporary`] is what a file is called until it is whole; [`abandon_temporaries`] leaves none behind a process that ends.
-//! - [`Folder`] is a folder that one process writes into; [`make_folder`] makes one.
+//! - [`Folder`] is a folder that one process writes into; [`make_folder`] makes one, [`is_locked`] says whether a process writes there now.
 //! - [`open()`], [`open_own`] and [`expect_output`] are the gate: whatever is opened is a file. Nothing is written through a link.
 //! - [`remove_leftovers`] removes what killed commands have left.
 //! - [`read_all`] reads a file up to a limit that the caller states, [`FilePieces`] piece by piece to where each stays.
@@ -42,7 +42,7 @@ pub use folder::{Folder, FolderError, make_folder, rename};
 pub use given::{GIVEN, GIVEN_BYTES, GIVEN_FILES, GivenError, give, is_given, take_back, take_back_all};
 pub use kind::{Kind, leads_outside};
 pub use leftovers::{remove_leftovers, remove_leftovers_of};
-pub use lock::{LOCK, Lock};
+pub use lock::{LOCK, Lock, is_locked};
 pub use npy::{Npy, NpyData, NpyLayout, npy_layout, read_npy, write_npy};
 pub use npy_error::{NpyError, NpyFileError};
 pub use npz::{parse_npz, write_npz};

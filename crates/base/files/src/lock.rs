@@ -3,6 +3,8 @@
 use std::fs::{self, File, TryLockError};
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
+use std::thread;
+use std::time::Duration;
 
 use crate::folder::FolderError;
 use crate::open::open_own;
@@ -12,6 +14,18 @@ pub const LOCK: &str = ".lunoid.lock";
 
 /// Bytes of the holder's number that are read: a number has fewer.
 const HOLDER_BYTES: u64 = 20;
+
+/// How often a lock is tried that is held: whoever asks [`is_locked`] holds it for an instant.
+const TRIES: u32 = 5;
+/// Time between two tries.
+const BETWEEN: Duration = Duration::from_millis(20);
+
+/// Whether a process writes into `folder`. The answer is for this instant; a folder whose lock cannot be asked for counts as free.
+pub fn is_locked(folder: &Path) -> bool {
+    // Asking makes no file: a folder without a lock file is free.
+    let Ok(file) = File::open(folder.join(LOCK)) else { return false };
+    matches!(file.try_lock_shared(), Err(TryLockError::WouldBlock))
+}
 
 /// A lock of the system: it ends with the process, so a file that a killed run left locks nobody out.
 #[derive(Debug)]
@@ -28,6 +42,7 @@ impl Lock {
     pub fn take(folder: &Path) -> Result<Self, FolderError> {
         let path = folder.join(LOCK);
         let failed = |source| FolderError::System { path: path.clone(), doing: "lock the folder", source };
+        let mut tries = 1;
         loop {
             let file = open_own(&path)?;
             match file.try_lock() {
@@ -40,6 +55,10 @@ impl Lock {
                 }
                 // The run that held it removed it between our opening and locking.
                 Ok(()) => {}
+                Err(TryLockError::WouldBlock) if tries < TRIES => {
+                    tries += 1;
+                    thread::sleep(BETWEEN);
+                }
                 Err(TryLockError::WouldBlock) => {
                     let mut holder = String::new();
                     // Without a number the message is still right.

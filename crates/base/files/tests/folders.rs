@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use files::{Folder, FolderError, LOCK, read_all, remove_leftovers, remove_leftovers_of};
+use files::{Folder, FolderError, LOCK, Lock, is_locked, read_all, remove_leftovers, remove_leftovers_of};
 
 /// Everything below a folder: what a link says, the content of files, nothing for folders.
 fn content(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
@@ -197,4 +197,26 @@ mod unix {
             assert_eq!(leads_outside(&at("in"), &at("in").join(name)).is_some(), leaves, "{name}");
         }
     }
+}
+
+#[test]
+fn whoever_asks_for_a_lock_keeps_nobody_out() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join(LOCK);
+    assert!(!is_locked(folder.path()) && !path.exists(), "asking makes no file");
+    let lock = Lock::take(folder.path()).expect("free");
+    assert!(is_locked(folder.path()));
+    drop(lock);
+    fs::write(&path, "1").expect("a killed run leaves the file");
+    assert!(!is_locked(folder.path()));
+    // The instant in which somebody asks.
+    let asking = fs::File::open(&path).expect("there");
+    asking.lock_shared().expect("free");
+    let ends = std::thread::spawn(move || {
+        std::thread::sleep(std::time::Duration::from_millis(30));
+        drop(asking);
+    });
+    let taken = Lock::take(folder.path());
+    ends.join().expect("ended");
+    assert!(taken.is_ok(), "{:?}", taken.err());
 }

@@ -3,7 +3,7 @@
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use crate::commands::{
-    augment, bank, beam, cartridge, check, compare, completions, dataset, drive, explain, info, list,
+    augment, bank, beam, cartridge, check, compare, completions, dataset, drive, explain, farm, info, list,
     lockstep, man, merge, model, netlist, page, photo, probe, replay, schema, serve, sight, sizing, state,
     study, sun, survey, terrain, timing, trace, trigger,
 };
@@ -71,6 +71,8 @@ pub enum Command {
     Page(page::PageCommand),
     /// Join the shards of a run into the run of one machine.
     Merge(merge::MergeCommand),
+    /// Look at the shards that many workers draw.
+    Farm(farm::FarmCommand),
     /// Make labelled frames for learning: samples drawn by a plan, their truth, splits, manifest and data card.
     Dataset(dataset::DatasetCommand),
     /// Put the vehicle's shadow, and its tracks, into an existing picture sequence.

@@ -113,7 +113,8 @@ pub struct StageOptions {
     /// Leave nothing out: every block for which there is a source runs, and every switch, with work or not.
     #[arg(long)]
     pub everything: bool,
-    /// Keep shadow boundaries in this folder from run to run: they are found again by ground, sun and fineness.
+    /// Keep shadow boundaries in this folder from run to run: they are found again by ground, sun and fineness. The folder that the
+    /// variable LUNOID_SHADOW_CACHE names if left out, if that names one.
     #[arg(long, value_name = "FOLDER")]
     pub shadow_cache: Option<PathBuf>,
 }
@@ -190,6 +191,14 @@ pub struct Threads {
     /// Threads; as many as the variable LUNOID_THREADS says if left out, or as processors. The results do not depend on it.
     #[arg(short, long, value_parser = threads)]
     pub jobs: Option<u16>,
+}
+
+/// Stands for `--shadow-cache` where that is left out. Workers of one run share a folder so, and the words of the run do not name it.
+const SHADOW_CACHE: &str = "LUNOID_SHADOW_CACHE";
+
+/// The folder that the variable names, if it is not empty.
+fn shadow_cache() -> Option<PathBuf> {
+    env::var_os(SHADOW_CACHE).filter(|folder| !folder.is_empty()).map(PathBuf::from)
 }
 
 /// Stands for `--jobs` where that is left out.
@@ -278,7 +287,7 @@ impl StageArgs {
                 ScalarWord::F64 => Scalar::F64,
             }),
             economy: options.economy(),
-            shadow_cache: options.shadow_cache.clone(),
+            shadow_cache: options.shadow_cache.clone().or_else(shadow_cache),
         }
     }
 

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 use limits::Limit;
-use run_record::{FrameRecord, TruthFrame, is_as_sealed, sealed};
+use run_record::{FrameRecord, ShardRecord, TruthFrame, is_as_sealed, sealed};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -15,7 +15,7 @@ use crate::ReplayError;
 use crate::fingerprint::Fingerprint;
 
 /// Name of the journal of a run.
-pub(crate) const JOURNAL: &str = "frames.journal";
+pub const JOURNAL: &str = "frames.journal";
 
 /// Schema of the first line.
 const SCHEMA: &str = "lunoid.journal/1";
@@ -27,6 +27,19 @@ struct Heading {
     /// What the fingerprint is of; journals of earlier versions do not say.
     #[serde(default)]
     of: Value,
+    /// Frames of the run; journals of other work do not say.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    span: Option<RunSpan>,
+}
+
+/// Frames of a run that is being drawn.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct RunSpan {
+    /// First frame, and the frame behind the last.
+    pub range: [u64; 2],
+    /// The part of a larger run that this run is, where a worker draws it as a shard.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shard: Option<ShardRecord>,
 }
 
 /// A line of a journal: a frame and the files that it became.
@@ -52,6 +65,8 @@ impl Entry for TruthFrame {
 pub struct Found<T> {
     /// What the work is made from.
     pub fingerprint: Fingerprint,
+    /// Frames of the run, where the journal is a run's and says so.
+    pub span: Option<RunSpan>,
     /// All its whole lines.
     pub frames: Vec<T>,
 }
@@ -75,7 +90,8 @@ pub fn read<T: Entry>(path: &Path) -> Result<Option<Found<T>>, ReplayError> {
     let mut lines = bytes.split(|byte| *byte == b'\n');
     let heading: Option<Heading> = lines.next().and_then(|line| serde_json::from_slice(line).ok());
     let refuse = |reason| Err(ReplayError::Record { path: path.to_owned(), reason });
-    let Some(Heading { fingerprint, of, .. }) = heading.filter(|heading| heading.schema == SCHEMA) else {
+    let Some(Heading { fingerprint, of, span, .. }) = heading.filter(|heading| heading.schema == SCHEMA)
+    else {
         return refuse(format!("the first line has no schema {SCHEMA:?}"));
     };
     let whole = lines.filter_map(|line| str::from_utf8(line).ok()).filter(|line| is_as_sealed(line));
@@ -83,7 +99,7 @@ pub fn read<T: Entry>(path: &Path) -> Result<Option<Found<T>>, ReplayError> {
     if let Some(fault) = frames.iter().find_map(T::fault) {
         return refuse(fault);
     }
-    Ok(Some(Found { fingerprint: Fingerprint { hash: fingerprint, of }, frames }))
+    Ok(Some(Found { fingerprint: Fingerprint { hash: fingerprint, of }, span, frames }))
 }
 
 impl Journal {
@@ -96,8 +112,30 @@ impl Journal {
         fingerprint: &Fingerprint,
         frames: &[T],
     ) -> Result<Self, ReplayError> {
+        Self::begin_headed(path, fingerprint, None, frames)
+    }
+
+    /// Begins a journal of a run, whose heading has the frames of that run.
+    ///
+    /// # Errors
+    /// If the file cannot be written.
+    pub(crate) fn begin_run(
+        path: PathBuf,
+        fingerprint: &Fingerprint,
+        span: RunSpan,
+        frames: &[FrameRecord],
+    ) -> Result<Self, ReplayError> {
+        Self::begin_headed(path, fingerprint, Some(span), frames)
+    }
+
+    fn begin_headed<T: Serialize>(
+        path: PathBuf,
+        fingerprint: &Fingerprint,
+        span: Option<RunSpan>,
+        frames: &[T],
+    ) -> Result<Self, ReplayError> {
         let Fingerprint { hash, of } = fingerprint.clone();
-        let heading = Heading { schema: SCHEMA.into(), fingerprint: hash, of };
+        let heading = Heading { schema: SCHEMA.into(), fingerprint: hash, of, span };
         files::write_atomic(&path, |out| {
             out.write_all(&line(&heading)?)?;
             frames.iter().try_for_each(|frame| out.write_all(&line(frame)?))

@@ -18,7 +18,7 @@ use crate::fingerprint::Fingerprint;
 use crate::folder::RunFolder;
 use crate::held::{HeldRun, RUN_RECORD, frame_range, pretty, whole, write_changed};
 use crate::job::{Control, Job, Progress};
-use crate::journal::{self, JOURNAL, Journal};
+use crate::journal::{self, JOURNAL, Journal, RunSpan};
 use crate::listed::Listed;
 use crate::names::{ANIMATION, CAMERA, CONTACT_SHEET, FRAMES, PERFORMANCE, POSES, picture_name};
 use crate::performance::{CHECK, Performance, StepTimes, performance};
@@ -177,7 +177,8 @@ impl<'a> Run<'a> {
     /// From here on the folder is this run's.
     fn begin(&self) -> Result<Journal, ReplayError> {
         let kept: Vec<FrameRecord> = self.kept.values().cloned().collect();
-        let journal = Journal::begin(self.folder.join(JOURNAL), &self.fingerprint, &kept)?;
+        let span = RunSpan { range: [self.frames.start, self.frames.end], shard: self.job.shard.clone() };
+        let journal = Journal::begin_run(self.folder.join(JOURNAL), &self.fingerprint, span, &kept)?;
         self.folder.make(FRAMES)?;
         let (start, end) = (self.frames.start * self.showings(), self.frames.end * self.showings());
         self.folder.remove_strays(|index| (start..end).contains(&index))?;

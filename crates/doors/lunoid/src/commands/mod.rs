@@ -13,6 +13,7 @@ pub mod dataset;
 pub mod drive;
 mod elevation;
 pub mod explain;
+pub mod farm;
 pub mod info;
 pub mod list;
 pub mod lockstep;
@@ -54,6 +55,7 @@ pub fn run(cli: &Cli, start: Instant) -> Result<Verdict, Failure> {
         Command::Replay(replay) => replay.run(start),
         Command::Page(page) => page.run(),
         Command::Merge(merge) => merge.run(),
+        Command::Farm(farm) => farm.run(),
         Command::Dataset(dataset) => dataset.run(),
         Command::Augment(augment) => augment.run(),
         Command::Compare(compare) => compare.run(),

@@ -13,6 +13,7 @@ mod columns;
 mod dataset;
 mod drive;
 mod explain;
+mod farm;
 mod first_minutes;
 mod help;
 mod lockstep;

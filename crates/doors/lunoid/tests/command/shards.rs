@@ -220,3 +220,20 @@ fn cartridges_sweeps_and_seeds_are_shared_out() {
     };
     assert_eq!([run(&["--shard", "1/2"]), run(&["--shard", "2/2"])].concat(), run(&[]));
 }
+
+#[test]
+fn a_study_says_why_it_has_no_shards() {
+    let scene = Scene::new();
+    for (study, why) in [
+        ("error", "times of two workers cannot be"),
+        ("economy", "times of two workers cannot be"),
+        ("pops", "a pop lies between two frames"),
+        ("shadow", "its largest error is over all places"),
+    ] {
+        let (_, said) = scene.expect(2, &["study", study, "tiny.toml", "--shard", "1/2"]);
+        assert!(said.contains(&format!("study {study} --shard 1/2: this study has no shards")), "{said}");
+        assert!(said.contains(why), "{said}");
+    }
+    let (_, said) = scene.expect(2, &["study", "stability", "--shard", "auto"]);
+    assert!(said.contains("its table has the time of each method"), "{said}");
+}

@@ -24,6 +24,9 @@ const AFTER: &str = "Examples:
 pub struct StudyCommand {
     #[command(subcommand)]
     study: Study,
+    /// Refused, with the reason.
+    #[arg(long, value_name = "K/N|auto", global = true, hide = true)]
+    shard: Option<String>,
 }
 
 #[derive(Debug, Subcommand)]
@@ -43,6 +46,9 @@ enum Study {
 impl StudyCommand {
     /// Runs the chosen study and prints its result.
     pub fn run(&self) -> Result<Verdict, Failure> {
+        if let Some(shard) = &self.shard {
+            return Err(self.study.without_shards(shard));
+        }
         match &self.study {
             Study::Error(study) => study.run(),
             Study::Economy(study) => study.run(),
@@ -50,5 +56,34 @@ impl StudyCommand {
             Study::Pops(study) => study.run(),
             Study::Shadow(study) => study.run(),
         }
+    }
+}
+
+impl Study {
+    /// Why a study is done by one worker, and what several of them may share out.
+    fn without_shards(&self, shard: &str) -> Failure {
+        let (name, why) = match self {
+            Self::Error(_) => (
+                "error",
+                "it holds times against one another, and times of two workers cannot be; give each worker a scenario, or \
+                 ladders by --only",
+            ),
+            Self::Economy(_) => (
+                "economy",
+                "it holds times against one another, and times of two workers cannot be; give each worker a scenario",
+            ),
+            Self::Stability(_) => {
+                ("stability", "its table has the time of each method; give each worker rows by --only")
+            }
+            Self::Pops(_) => (
+                "pops",
+                "a pop lies between two frames, and a cut would lose one; give each worker --frames, each with the first frame of the next",
+            ),
+            Self::Shadow(_) => (
+                "shadow",
+                "its largest error is over all places, and --laws has times; give each worker a sun by --sun",
+            ),
+        };
+        Failure::usage(format!("study {name} --shard {shard}: this study has no shards: {why}"))
     }
 }

@@ -1,0 +1,106 @@
+"""What is to be drawn: a replay, in the words of the command."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from os import PathLike
+from typing import Any, Literal
+
+from .._errors import refused
+from .._toml import value as _toml_value
+
+_Path = str | PathLike[str]
+
+_TRIAL_RASTER = ("--sweeps", "24", "--samples", "40")
+
+
+@dataclass(frozen=True)
+class Job:
+    """A replay that workers share. Made by :func:`replay`."""
+
+    scenario: str
+    """File of the scenario, from the folder of the caller on."""
+    stage: tuple[str, ...]
+    """Options of the command that choose scenario, machine and ground."""
+    raster: tuple[str, ...]
+    """Options of the command that state the raster of the signals."""
+    pictures: tuple[str, ...]
+    """Options of the command that state what becomes of a frame."""
+    frames: tuple[str, ...]
+    """Option of the command that states the frames; empty for all."""
+    files: tuple[str, ...]
+    """Files that the options name."""
+    out: str
+    """Folder of the joined run."""
+
+    @property
+    def words(self) -> list[str]:
+        """Words of the whole run, behind ``lunoid replay``."""
+        return [self.scenario, *self.stage, *self.raster, *self.pictures, *self.frames]
+
+    @property
+    def costs(self) -> list[str]:
+        """Words of the same run with a small raster, whose times say where the shards are cut."""
+        return [self.scenario, *self.stage, *_TRIAL_RASTER, *self.frames, "--no-page"]
+
+    @property
+    def has_page(self) -> bool:
+        """Whether the joined run has a page."""
+        return "--no-page" not in self.pictures
+
+
+def replay(
+    scenario: _Path,
+    *,
+    frames: range | None = None,
+    truth: Sequence[str] = (),
+    out: _Path,
+    machine: str | None = None,
+    overlays: Sequence[_Path] = (),
+    set: Mapping[str, Any] | None = None,
+    channel: str | None = None,
+    bank: _Path | None = None,
+    sweeps: int | None = None,
+    samples: int | None = None,
+    scalar: Literal["f32", "f64"] | None = None,
+    economy: Literal["bounded", "lossless", "everything", "preview"] = "bounded",
+    depth: Literal[8, 16] = 8,
+    refresh: bool = False,
+    apng: bool = False,
+    page: bool = True,
+) -> Job:
+    """A replay of ``scenario`` into the folder ``out``, with the options of ``lunoid replay`` and of :func:`lunoid.open`.
+
+    ``frames``: numbers of frames, counted at the update rate; all if left out. ``truth``: kinds of ground truth, as ``range`` and
+    ``label``. ``depth``: bits of a pixel. ``refresh``: one picture for each showing of the display. ``apng``: an animated PNG as well.
+
+    >>> from lunoid import farm
+    >>> job = farm.replay("scenarios/first-light.toml", frames=range(4), truth=["range"], out="data/first-light")
+    >>> " ".join(job.words)
+    'scenarios/first-light.toml --truth range --frames 0..4'
+    """
+    name = os.fspath(scenario)
+    if frames is not None and (frames.step != 1 or not 0 <= frames.start < frames.stop):
+        raise refused(name, f"frames {frames}", found=frames, expected="a range of step 1 from 0 on, as range(0, 120)")
+    named = [os.fspath(file) for file in (*overlays, *([bank] if bank is not None else []))]
+    stage: list[str] = []
+    stage += _option("--machine", machine)
+    for file in overlays:
+        stage += _option("--overlay", os.fspath(file))
+    for key, found in (set or {}).items():
+        stage += _option("--set", f"{key}={_toml_value(key, found)}")
+    stage += _option("--channel", channel) + _option("--bank", None if bank is None else os.fspath(bank))
+    stage += [] if economy == "bounded" else [f"--{economy}"]
+    raster = _option("--sweeps", sweeps) + _option("--samples", samples) + _option("--scalar", scalar)
+    pictures = [] if depth == 8 else _option("--depth", depth)
+    pictures += _option("--truth", ",".join(truth) or None)
+    flags = {"--refresh": refresh, "--apng": apng, "--no-page": not page}
+    pictures += [flag for flag, is_given in flags.items() if is_given]
+    span = [] if frames is None else _option("--frames", f"{frames.start}..{frames.stop}")
+    return Job(name, tuple(stage), tuple(raster), tuple(pictures), tuple(span), tuple(named), os.path.abspath(os.fspath(out)))
+
+
+def _option(name: str, value: object) -> list[str]:
+    return [] if value is None else [name, str(value)]
