@@ -19,6 +19,7 @@ export function effectsPanel(at, model, tube, { failed }) {
   });
 
   const compare = async () => {
+    if (standing === null) return;
     const { faults } = await model.faults();
     const rows = predicted(faults, model.view.faults);
     const shown = standing;

@@ -63,7 +63,7 @@ export class ScopeHand {
   #release(event) {
     const isLast = this.#down.delete(event.pointerId) && this.#down.size === 0;
     if (!isLast || this.#hasMoved || !this.#scope.isReady()) return;
-    this.#scope.point(this.#scope.sample(this.#share(event.clientX) * this.#canvas.width), Number(event.shiftKey));
+    this.#scope.point(this.#scope.sample(this.#share(event.clientX)), Number(event.shiftKey));
   }
 
   #key(event) {

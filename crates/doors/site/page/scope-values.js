@@ -1,4 +1,4 @@
-// The values at the cursors of the scope, in words.
+// The values at the cursors of the scope, in words and in a table.
 
 /** A number in five digits. */
 export function short(value) {
@@ -21,22 +21,48 @@ export function valueAt(traces, name, instant) {
   return own[(next < 0 ? times.length : next) - 1] ?? null;
 }
 
-/** Says the trigger, the values at both cursors, their difference, and what the reference has at A. */
-export function told({ traces, reference, cursors, trigger }) {
+/** The cursors, the trigger and the values there: `lead` in words, `heads` of columns, and `rows` of text, one a wire. */
+export function told({ traces, reference, cursors, trigger, sampleUs, notes }) {
   const last = traces.planes.places.values.length - 1;
   const [a, b] = cursors.map((sample) => (sample === null ? null : Math.max(0, Math.min(last, Math.round(sample)))));
-  const at = (sample) => values(traces, sample).map(({ name, unit, value }) => `${name} ${short(value)}${unit}`).join(", ");
-  const said = trigger === null ? [] : [`Trigger T at ${trigger.toFixed(3)} samples.`];
-  if (a !== null) said.push(`A, sample ${a}: ${at(a)}.`);
-  if (a !== null && reference) {
-    const behind = values(traces, a).filter(({ name }) => reference.planes[name]);
-    said.push(`Reference: ${behind.map(({ name, unit }) => `${name} ${short(reference.planes[name].values[a])}${unit}`).join(", ")}.`);
-  }
-  if (b !== null) said.push(`B, sample ${b}: ${at(b)}.`);
-  if (a !== null && b !== null) {
-    const before = values(traces, a);
-    const less = values(traces, b).map(({ name, unit, value }, row) => `${name} ${short(value - before[row].value)}${unit}`);
-    said.push(`B less A, ${b - a} samples: ${less.join(", ")}.`);
-  }
-  return said.join(" ") || "Wheel or two fingers zoom, drag moves, a click sets cursor A, with Shift cursor B.";
+  const time = (sample) => (sampleUs ? `, ${(sample * sampleUs).toFixed(3)} µs` : "");
+  const lead = [...notes];
+  if (trigger !== null) lead.push(`Trigger T at sample ${trigger.toFixed(3)}${time(trigger)}.`);
+  if (a !== null) lead.push(`Cursor A at sample ${a}${time(a)}.`);
+  if (b !== null) lead.push(`Cursor B at sample ${b}${time(b)}.`);
+  if (a !== null && b !== null) lead.push(`B less A: ${b - a} samples${time(b - a)}.`);
+  if (lead.length === 0) lead.push("Wheel or two fingers zoom, drag moves, a click sets cursor A, with Shift cursor B.");
+  const columns = [];
+  if (a !== null) columns.push(["A", values(traces, a)]);
+  if (b !== null) columns.push(["B", values(traces, b)]);
+  if (a !== null && b !== null) columns.push(["B less A", less(values(traces, b), values(traces, a))]);
+  if (a !== null && reference) columns.push(["reference at A", values(traces, a).map((row) => ({ ...row, value: reference.planes[row.name]?.values[a] }))]);
+  const names = columns[0]?.[1] ?? [];
+  const text = ({ value, unit }) => (value === undefined ? "" : `${short(value)}${unit}`);
+  const rows = names.map(({ name }, row) => [name, ...columns.map(([, own]) => text(own[row]))]);
+  return { lead: lead.join(" "), heads: columns.map(([head]) => head), rows };
+}
+
+function less(after, before) {
+  return after.map((row, at) => ({ ...row, value: row.value - before[at].value }));
+}
+
+/** The same in one text, for a few wires. */
+export function inSentence({ lead, heads, rows }) {
+  const column = (head, at) => `${head}: ${rows.map(([name, ...own]) => `${name} ${own[at]}`).join(", ")}.`;
+  return [lead, ...heads.map(column)].join(" ");
+}
+
+/** Shows them: the words in `values`, and a table of the wires below, where a cursor is set. */
+export function showValues(at, { lead, heads, rows }) {
+  at("values").textContent = lead;
+  const table = at("value-rows");
+  table.parentElement.hidden = rows.length === 0;
+  const row = (cells, name) => {
+    const made = document.createElement("tr");
+    made.append(...cells.map((textContent) => Object.assign(document.createElement(name), { textContent })));
+    return made;
+  };
+  table.tHead.replaceChildren(row(["wire", ...heads], "th"));
+  table.tBodies[0].replaceChildren(...rows.map((cells) => row(cells, "td")));
 }

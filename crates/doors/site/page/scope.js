@@ -1,7 +1,9 @@
 // The scope: analog traces in panels by unit, digital lanes below them, what was before behind, two cursors; or one wire over another.
 
-import { curve } from "./curve.js";
+import { curve, firstAt } from "./curve.js";
 import { ScopeHand } from "./scope-hand.js";
+import { lane } from "./scope-lane.js";
+import { placeTicks, sampleTicks } from "./scope-ticks.js";
 import { short, told } from "./scope-values.js";
 import { over } from "./scope-xy.js";
 
@@ -9,6 +11,10 @@ const LEFT = 88;
 const TOP = 14;
 const LANE = 22;
 const AXIS = 34;
+/** Least height of a panel, and of the whole (CSS pixels); least samples across. */
+const LEAST = { panel: 84, whole: 320, samples: 2 };
+/** From one name of a panel to the next, across and down. */
+const NAME = [12, 14];
 const COLOURS = ["#0b6fc2", "#c2480b", "#0b8a4b", "#8a3fc2", "#a67c00", "#00838f", "#ad1457", "#5d4037"];
 const MARK = "#d32f2f";
 const MOST = { analog: 8, digital: 16, behind: 24 };
@@ -25,8 +31,13 @@ export class Scope {
   #across = "sample";
   /** The instant of the trigger (samples), where one was found. */
   #trigger = null;
+  /** Size in CSS pixels. */
+  #width = 0;
+  #height = 0;
+  /** From one sample to the next (µs); 0 where it is not known. */
+  sampleUs = 0;
 
-  /** `say` is told the values at the cursors, in words; `pick` the sample that the reader puts cursor A or B on. */
+  /** `say` is told the values at the cursors (see `told` in scope-values.js); `pick` the sample that the reader puts cursor A or B on. */
   constructor(canvas, say, pick = () => {}) {
     this.#canvas = canvas;
     this.#say = say;
@@ -34,7 +45,7 @@ export class Scope {
       isReady: () => this.#traces !== null,
       last: () => this.#last,
       cursor: (which) => this.#cursors[which],
-      sample: (x) => this.#sample(x),
+      sample: (share) => this.#sample(share * this.#width),
       point: (sample, which) => {
         this.point(sample, which);
         pick(sample, which);
@@ -65,7 +76,8 @@ export class Scope {
     this.#canvas.dataset.sweep = "";
     this.#canvas.dataset.trigger = "";
     this.#canvas.getContext("2d").clearRect(0, 0, this.#canvas.width, this.#canvas.height);
-    this.#say("No wire of a sweep is shown.");
+    this.#canvas.style.height = "";
+    this.#say({ lead: "No wire of a sweep is shown.", heads: [], rows: [] });
   }
 
   /** Lays what is shown now behind what comes, or takes it away. */
@@ -111,22 +123,17 @@ export class Scope {
 
   #x(sample) {
     const [from, to] = this.#window;
-    return LEFT + ((this.#share(sample) - from) / (to - from)) * (this.#canvas.width - LEFT - 8);
+    return LEFT + ((this.#share(sample) - from) / (to - from)) * (this.#width - LEFT - 8);
   }
 
   get #last() {
     return this.#traces.planes.places.values.length - 1;
   }
 
-  /** The sample nearest to a column of the canvas. */
+  /** The sample nearest to a place across the canvas. */
   #sample(x) {
-    let [low, high] = [0, this.#last];
-    while (high - low > 1) {
-      const middle = (low + high) >> 1;
-      if (this.#x(middle) <= x) low = middle;
-      else high = middle;
-    }
-    return x - this.#x(low) < this.#x(high) - x ? low : high;
+    const high = Math.max(1, Math.min(this.#last, firstAt(x, (sample) => this.#x(sample), this.#last)));
+    return x - this.#x(high - 1) < this.#x(high) - x ? high - 1 : high;
   }
 
   #slide(by) {
@@ -139,38 +146,63 @@ export class Scope {
   #scale(factor, at) {
     const [from, to] = this.#window;
     const middle = from + at * (to - from);
-    const width = Math.max(0.002, Math.min(1, (to - from) * factor));
+    const width = Math.max(LEAST.samples / this.#last, Math.min(1, (to - from) * factor));
     const start = Math.max(0, Math.min(1 - width, middle - at * width));
     this.#window = [start, start + width];
     this.#draw();
   }
 
   #draw() {
-    const canvas = this.#canvas;
-    const ratio = globalThis.devicePixelRatio || 1;
-    canvas.width = Math.max(200, Math.round(canvas.clientWidth * ratio));
-    canvas.height = Math.max(120, Math.round(canvas.clientHeight * ratio));
-    const context = canvas.getContext("2d");
-    context.font = "12px system-ui, sans-serif";
-    this.#ink = getComputedStyle(canvas).color;
-    if (!this.#traces) return;
-    const analog = this.#traces.signals.filter((row) => row.kind === "analog").slice(0, MOST.analog);
-    const digital = this.#traces.signals.filter((row) => row.kind !== "analog").slice(0, MOST.digital);
-    if (this.#across === "xy" && analog.length > 1) {
-      const box = { left: LEFT, top: TOP, width: canvas.width - LEFT - 8, height: canvas.height - TOP - AXIS };
-      const extents = [this.#extent([analog[0]]), this.#extent([analog[1]])];
-      over(context, { wires: analog, box, extents, traces: this.#traces, before: this.#before, cursors: this.#cursors, ink: this.#ink, colour: COLOURS[0] });
-      return this.#tell();
-    }
+    const [analog, digital] = this.#shown();
     const panels = [...Map.groupBy(analog, (row) => row.unit)];
-    const room = canvas.height - TOP - AXIS - digital.length * LANE;
+    const context = this.#clean(TOP + AXIS + panels.length * LEAST.panel + digital.length * LANE);
+    if (!this.#traces) return;
+    if (this.#across === "xy") return this.#drawOver(context, analog);
+    const room = this.#height - TOP - AXIS - digital.length * LANE;
     const height = panels.length ? room / panels.length : 0;
     const colour = new Map(analog.map(({ name }, at) => [name, COLOURS[at % COLOURS.length]]));
     panels.forEach(([unit, rows], at) => this.#panel(context, unit, rows, colour, TOP + at * height, height - 12));
     digital.forEach((row, at) => this.#lane(context, row, TOP + room + at * LANE));
-    this.#axis(context, canvas.height - AXIS + 8);
-    this.#drawTrigger(context, canvas.height - AXIS);
-    this.#drawCursors(context, canvas.height - AXIS);
+    this.#axis(context, this.#height - AXIS + 8);
+    this.#drawTrigger(context, this.#height - AXIS);
+    this.#drawCursors(context, this.#height - AXIS);
+    this.#tell();
+  }
+
+  /** The rows of the wires that are shown: analog ones, and digital ones. */
+  #shown() {
+    const signals = this.#traces?.signals ?? [];
+    const analog = signals.filter((row) => row.kind === "analog").slice(0, MOST.analog);
+    return [analog, signals.filter((row) => row.kind !== "analog").slice(0, MOST.digital)];
+  }
+
+  /** An empty canvas, high enough for what is shown; it is drawn on in CSS pixels, however large these are on the screen. */
+  #clean(needed) {
+    const canvas = this.#canvas;
+    canvas.style.height = needed > LEAST.whole ? `${needed}px` : "";
+    const ratio = globalThis.devicePixelRatio || 1;
+    [this.#width, this.#height] = [Math.max(200, canvas.clientWidth), Math.max(120, canvas.clientHeight)];
+    canvas.width = Math.round(this.#width * ratio);
+    canvas.height = Math.round(this.#height * ratio);
+    const context = canvas.getContext("2d");
+    context.scale(ratio, ratio);
+    context.font = "12px system-ui, sans-serif";
+    this.#ink = getComputedStyle(canvas).color;
+    return context;
+  }
+
+  /** The second analog wire over the first. */
+  #drawOver(context, analog) {
+    if (analog.length < 2) {
+      const lead = "X-Y draws the second analog wire over the first: name two.";
+      context.fillStyle = this.#ink;
+      context.textAlign = "center";
+      context.fillText(lead, this.#width / 2, this.#height / 2, this.#width);
+      return this.#say({ lead, heads: [], rows: [] });
+    }
+    const box = { left: LEFT, top: TOP, width: this.#width - LEFT - 8, height: this.#height - TOP - AXIS };
+    const extents = [this.#extent([analog[0]]), this.#extent([analog[1]])];
+    over(context, { wires: analog, box, extents, traces: this.#traces, before: this.#before, cursors: this.#cursors, ink: this.#ink, colour: COLOURS[0] });
     this.#tell();
   }
 
@@ -201,8 +233,8 @@ export class Scope {
     const y = (value) => top + height - ((value - low) / (high - low)) * height;
     context.strokeStyle = this.#ink;
     context.globalAlpha = 0.25;
-    context.strokeRect(LEFT, top, this.#canvas.width - LEFT - 8, height);
-    if (low < 0 && high > 0) context.strokeRect(LEFT, y(0), this.#canvas.width - LEFT - 8, 0);
+    context.strokeRect(LEFT, top, this.#width - LEFT - 8, height);
+    if (low < 0 && high > 0) context.strokeRect(LEFT, y(0), this.#width - LEFT - 8, 0);
     context.globalAlpha = 1;
     context.fillStyle = this.#ink;
     const end = unit === "1" ? "" : ` ${unit}`;
@@ -210,57 +242,44 @@ export class Scope {
     context.fillText(`${short(high)}${end}`, LEFT - 4, top + 10);
     context.fillText(`${short(low)}${end}`, LEFT - 4, top + height);
     context.textAlign = "left";
-    const way = { x: (sample) => this.#x(sample), y, bounds: [LEFT, this.#canvas.width - 8] };
-    rows.forEach(({ name }, at) => {
+    const way = { x: (sample) => this.#x(sample), y, bounds: [LEFT, this.#width - 8] };
+    let [across, down] = [LEFT + 6, top + 12];
+    rows.forEach(({ name }) => {
       context.globalAlpha = 0.35;
       for (const { planes } of this.#before) {
         if (planes[name]) curve(context, planes[name].values, { ...way, colour: this.#ink });
       }
       context.globalAlpha = 1;
       curve(context, this.#traces.planes[name].values, { ...way, colour: colour.get(name) });
+      const wide = context.measureText(name).width;
+      if (across > LEFT + 6 && across + wide > this.#width - 8) [across, down] = [LEFT + 6, down + NAME[1]];
       context.fillStyle = colour.get(name);
-      context.fillText(name, LEFT + 6 + at * 130, top + 12);
+      context.fillText(name, across, down);
+      across += wide + NAME[0];
     });
   }
 
-  /** A gate as levels; what changes at instants as strokes there. */
   #lane(context, { name, kind }, top) {
-    const { values } = this.#traces.planes[name];
-    const times = this.#traces.planes[`times:${name}`]?.values;
     context.fillStyle = this.#ink;
     context.textAlign = "left";
-    context.strokeStyle = this.#ink;
-    context.beginPath();
-    const level = (value) => top + LANE - 6 - (value > 0.5 ? LANE - 10 : 0);
-    values.forEach((value, at) => {
-      const x = this.#x(times ? times[at] : at);
-      if (x < LEFT || x > this.#canvas.width - 8) return;
-      if (times && kind !== "gate") {
-        context.moveTo(x, top + 4);
-        context.lineTo(x, top + LANE - 6);
-      } else if (at === 0) {
-        context.moveTo(x, level(value));
-      } else {
-        context.lineTo(x, level(values[at - 1]));
-        context.lineTo(x, level(value));
-      }
-    });
-    context.stroke();
-    context.fillText(name, 2, top + LANE - 8);
+    context.fillText(name, 2, top + LANE - 8, LEFT - 6);
+    const { planes } = this.#traces;
+    const wire = { kind, values: planes[name].values, times: planes[`times:${name}`]?.values };
+    lane(context, wire, { left: LEFT, top, width: this.#width - LEFT - 8, height: LANE }, (at) => this.#x(at), this.#ink);
   }
 
   #axis(context, top) {
-    const places = this.#traces.planes.places.values;
+    const { planes, place } = this.#traces;
+    const x = (sample) => this.#x(sample);
+    const isTime = this.#across === "sample";
+    const [from, to] = this.#window.map((share) => share * this.#last);
+    const ticks = isTime ? sampleTicks(from, to, x) : placeTicks(planes.places.values, x, LEFT + 8, this.#width - LEFT - 24);
     context.fillStyle = this.#ink;
     context.textAlign = "center";
-    for (let tick = 0; tick <= 6; tick += 1) {
-      const x = LEFT + (tick / 6) * (this.#canvas.width - LEFT - 24) + 8;
-      let sample = 0;
-      while (sample < places.length - 1 && this.#x(sample) < x) sample += 1;
-      context.fillText(this.#across === "sample" ? String(sample) : short(places[sample]), x, top + 8);
-    }
-    const says = this.#across === "sample" ? "sample" : this.#traces.place;
-    context.fillText(says, (LEFT + this.#canvas.width) / 2, top + 22);
+    for (const [at, text] of ticks) context.fillText(text, at, top + 8);
+    const each = this.sampleUs ? `, ${short(this.sampleUs)} µs each` : "";
+    context.fillText(isTime ? `sample from the start of the sweep${each}` : place, (LEFT + this.#width) / 2, top + 22, this.#width - LEFT - 8);
+    this.#canvas.dataset.ticks = ticks.map(([, text]) => text).join(" ");
   }
 
   /** The mark of the trigger: a line in its colour, with a T beside it. */
@@ -269,6 +288,7 @@ export class Scope {
     if (this.#trigger === null) return;
     const x = this.#x(this.#trigger);
     this.#canvas.dataset.mark = x;
+    if (this.#isOutside(x)) return;
     context.strokeStyle = context.fillStyle = MARK;
     context.textAlign = "right";
     context.beginPath();
@@ -278,12 +298,17 @@ export class Scope {
     context.fillText("T", x - 3, TOP + 10);
   }
 
+  #isOutside(x) {
+    return x < LEFT - 1 || x > this.#width - 7;
+  }
+
   #drawCursors(context, bottom) {
     context.fillStyle = this.#ink;
     context.textAlign = "center";
     this.#cursors.forEach((sample, which) => {
       if (sample === null) return;
       const x = this.#x(sample);
+      if (this.#isOutside(x)) return;
       context.strokeStyle = this.#ink;
       context.setLineDash(which === 0 ? [4, 3] : [1, 3]);
       context.beginPath();
@@ -295,8 +320,12 @@ export class Scope {
     });
   }
 
-  /** Says the values at the cursors and at the trigger. */
+  /** Says the values at the cursors and at the trigger, and how many wires have no room. */
   #tell() {
-    this.#say(told({ traces: this.#traces, reference: this.#reference, cursors: this.#cursors, trigger: this.#trigger }));
+    const { signals } = this.#traces;
+    const over = signals.length - this.#shown().flat().length;
+    const notes = over > 0 ? [`${signals.length - over} of ${signals.length} wires are shown: at most ${MOST.analog} analog and ${MOST.digital} digital ones.`] : [];
+    const { sampleUs } = this;
+    this.#say(told({ traces: this.#traces, reference: this.#reference, cursors: this.#cursors, trigger: this.#trigger, sampleUs, notes }));
   }
 }

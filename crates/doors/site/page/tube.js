@@ -17,7 +17,7 @@ export class Tube {
   /** `pick` is called with the column and the line of a pixel that was chosen. */
   constructor(canvas, pick) {
     this.#canvas = canvas;
-    canvas.addEventListener("click", (event) => pick(...this.#pixel(event)));
+    canvas.addEventListener("click", (event) => this.#image && pick(...this.#pixel(event)));
     canvas.addEventListener("keydown", (event) => {
       const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
       if (!way || !this.#image) return;

@@ -17,7 +17,7 @@ macro_rules! page {
 type File = (&'static str, &'static [u8]);
 
 /// All files of the page, whose machine is in a worker of its own.
-pub const PAGE: [File; 54] = [
+pub const PAGE: [File; 60] = [
     page!("block-card.js"),
     page!("compare.js"),
     page!("curve.js"),
@@ -29,6 +29,7 @@ pub const PAGE: [File; 54] = [
     page!("effects-panel.js"),
     page!("events-table.js"),
     page!("fault-board.js"),
+    page!("fields.js"),
     page!("figure-kinds.js"),
     page!("figure-scenes.js"),
     page!("figures.css"),
@@ -41,11 +42,13 @@ pub const PAGE: [File; 54] = [
     page!("here.js"),
     page!("home.js"),
     page!("icon.svg"),
+    page!("in-words.js"),
     page!("index.html"),
     page!("instrument.css"),
     page!("instrument.html"),
     page!("instrument.js"),
     page!("journal.js"),
+    page!("known.js"),
     page!("late-frames.js"),
     page!("link.js"),
     page!("loop-keeper.js"),
@@ -54,8 +57,11 @@ pub const PAGE: [File; 54] = [
     page!("message.js"),
     page!("module.js"),
     page!("opening.js"),
+    page!("panels.js"),
     page!("picture.js"),
     page!("scope-hand.js"),
+    page!("scope-lane.js"),
+    page!("scope-ticks.js"),
     page!("scope-values.js"),
     page!("scope-xy.js"),
     page!("scope.js"),

@@ -1,0 +1,29 @@
+// Errors in the words of the page. The machine's messages name options of the command line, which a reader of the page does not have.
+
+/** Words of the command line with those of the page, in the order in which they are looked for. */
+const WORDS = [
+  [/^--set:\d+: /, ""],
+  [/^--(machine|overlay): /, ""],
+  [/given:/g, ""],
+  [/^(\S+): \1: /, "$1: "],
+  [/--set (\S+?): /g, "$1: "],
+  [/with --set (\S+?)=(\S+)/g, "by the setting $1 = $2"],
+  [/--set (\S+?)=(\S+)/g, "the setting $1 = $2"],
+  [/(?:give|draw it with) --machine (a hardware model|\S+)/g, "choose the machine $1"],
+  [/--machine (\S+)/g, "the machine $1"],
+  [/--signals (\S+?): /g, "wire $1: "],
+  [/`lunoid signals` lists them/g, "the block diagram shows them"],
+  [/; a file of your own is named by its path/g, ""],
+  [/--set\b/g, "a setting"],
+];
+
+/** What an error says to a reader of the page. */
+export function inWords(error) {
+  return WORDS.reduce((text, [found, instead]) => text.replace(found, instead), error.message);
+}
+
+/** The same, to the end of what is wrong: what was found and expected stands in the error. */
+export function inShort(error) {
+  const [problem] = error.problems ?? [];
+  return inWords({ message: problem ? `${problem.file}: ${problem.title}` : error.message });
+}
