@@ -7,6 +7,7 @@ import { gzipSync } from "node:zlib";
 import { Chromium } from "./chromium.mjs";
 import { instrument } from "./instrument.mjs";
 import { panels } from "./panels.mjs";
+import { refused } from "./refused.mjs";
 import { serve } from "./server.mjs";
 import { vectors } from "./vectors.mjs";
 
@@ -267,6 +268,7 @@ try {
   await times(chromium);
   await instrument(chromium, host, native, expect, dirname(site));
   await panels(chromium, host, native, expect);
+  await refused(chromium, host, native, expect);
   const messages = await chromium.console();
   expect(messages.length === 0, `the console is empty: ${JSON.stringify(messages.slice(0, 3))}`);
   const elsewhere = host.asked.filter((name) => !name.startsWith(PATH));

@@ -22,8 +22,7 @@ export function inWords(error) {
   return WORDS.reduce((text, [found, instead]) => text.replace(found, instead), error.message);
 }
 
-/** The same, to the end of what is wrong: what was found and expected stands in the error. */
+/** What is wrong, without the place, what was found and what was expected. */
 export function inShort(error) {
-  const [problem] = error.problems ?? [];
-  return inWords({ message: problem ? `${problem.file}: ${problem.title}` : error.message });
+  return inWords({ message: error.problems?.[0].title ?? error.message });
 }
