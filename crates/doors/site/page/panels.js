@@ -69,7 +69,7 @@ export class Panels {
     const names = view.wires.split(",").map((word) => word.trim()).filter(Boolean);
     const answer = await Promise.resolve(probe(names)).catch(async () => {
       const found = await knownWires(names, probe);
-      refused(found.refused);
+      if (found.refused.length > 0) refused(found.refused);
       view.wires = found.known.join(",") || this.#wires;
       return probe(view.wires.split(",").filter(Boolean));
     });

@@ -5,9 +5,8 @@ export function short(value) {
   return Number.isFinite(value) ? String(Number(value.toPrecision(5))) : "none";
 }
 
-/** The values of a sample, with its place; of a signal that is told when it changes, none. */
-function values(traces, sample) {
-  const analog = traces.signals.filter(({ name }) => !traces.planes[`times:${name}`]);
+/** The values of the wires `analog` at a sample, and its place first. */
+function values(traces, analog, sample) {
   const value = ({ name, unit }) => ({ name, unit: unit === "1" ? "" : ` ${unit}`, value: traces.planes[name].values[sample] });
   return [{ name: traces.place, unit: "", value: traces.planes.places.values[sample] }, ...analog.map(value)];
 }
@@ -21,8 +20,8 @@ export function valueAt(traces, name, instant) {
   return own[(next < 0 ? times.length : next) - 1] ?? null;
 }
 
-/** The cursors, the trigger and the values there: `lead` in words, `heads` of columns, and `rows` of text, one a wire. */
-export function told({ traces, reference, cursors, trigger, sampleUs, notes }) {
+/** The cursors, the trigger and the values there: `lead` in words, `heads` of columns, and `rows` of text, one for each of the wires `analog`. */
+export function told({ traces, analog, reference, cursors, trigger, sampleUs, notes }) {
   const last = traces.planes.places.values.length - 1;
   const [a, b] = cursors.map((sample) => (sample === null ? null : Math.max(0, Math.min(last, Math.round(sample)))));
   const time = (sample) => (sampleUs ? `, ${(sample * sampleUs).toFixed(3)} µs` : "");
@@ -33,10 +32,10 @@ export function told({ traces, reference, cursors, trigger, sampleUs, notes }) {
   if (a !== null && b !== null) lead.push(`B less A: ${b - a} samples${time(b - a)}.`);
   if (lead.length === 0) lead.push("Wheel or two fingers zoom, drag moves, a click sets cursor A, with Shift cursor B.");
   const columns = [];
-  if (a !== null) columns.push(["A", values(traces, a)]);
-  if (b !== null) columns.push(["B", values(traces, b)]);
-  if (a !== null && b !== null) columns.push(["B less A", less(values(traces, b), values(traces, a))]);
-  if (a !== null && reference) columns.push(["reference at A", values(traces, a).map((row) => ({ ...row, value: reference.planes[row.name]?.values[a] }))]);
+  if (a !== null) columns.push(["A", values(traces, analog, a)]);
+  if (b !== null) columns.push(["B", values(traces, analog, b)]);
+  if (a !== null && b !== null) columns.push(["B less A", less(values(traces, analog, b), values(traces, analog, a))]);
+  if (a !== null && reference) columns.push(["reference at A", values(traces, analog, a).map((row) => ({ ...row, value: reference.planes[row.name]?.values[a] }))]);
   const names = columns[0]?.[1] ?? [];
   const text = ({ value, unit }) => (value === undefined ? "" : `${short(value)}${unit}`);
   const rows = names.map(({ name }, row) => [name, ...columns.map(([, own]) => text(own[row]))]);

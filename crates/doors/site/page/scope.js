@@ -188,6 +188,7 @@ export class Scope {
     context.scale(ratio, ratio);
     context.font = "12px system-ui, sans-serif";
     this.#ink = getComputedStyle(canvas).color;
+    this.#paper = getComputedStyle(document.documentElement).backgroundColor;
     return context;
   }
 
@@ -206,7 +207,9 @@ export class Scope {
     this.#tell();
   }
 
+  /** Colours of text and page. */
   #ink = "#000";
+  #paper = "#fff";
 
   /** What stands behind: the reference, and what persists. */
   get #before() {
@@ -244,19 +247,31 @@ export class Scope {
     context.textAlign = "left";
     const way = { x: (sample) => this.#x(sample), y, bounds: [LEFT, this.#width - 8] };
     let [across, down] = [LEFT + 6, top + 12];
-    rows.forEach(({ name }) => {
+    for (const { name } of rows) {
       context.globalAlpha = 0.35;
       for (const { planes } of this.#before) {
         if (planes[name]) curve(context, planes[name].values, { ...way, colour: this.#ink });
       }
       context.globalAlpha = 1;
       curve(context, this.#traces.planes[name].values, { ...way, colour: colour.get(name) });
+    }
+    for (const { name } of rows) {
       const wide = context.measureText(name).width;
       if (across > LEFT + 6 && across + wide > this.#width - 8) [across, down] = [LEFT + 6, down + NAME[1]];
       context.fillStyle = colour.get(name);
-      context.fillText(name, across, down);
+      this.#haloed(context, name, across, down);
       across += wide + NAME[0];
-    });
+    }
+  }
+
+  /** Text that can be read on curves. */
+  #haloed(context, text, x, y) {
+    context.strokeStyle = this.#paper;
+    context.lineWidth = 4;
+    context.lineJoin = "round";
+    context.strokeText(text, x, y);
+    context.lineWidth = 1;
+    context.fillText(text, x, y);
   }
 
   #lane(context, { name, kind }, top) {
@@ -323,9 +338,10 @@ export class Scope {
   /** Says the values at the cursors and at the trigger, and how many wires have no room. */
   #tell() {
     const { signals } = this.#traces;
-    const over = signals.length - this.#shown().flat().length;
+    const [analog, digital] = this.#shown();
+    const over = signals.length - analog.length - digital.length;
     const notes = over > 0 ? [`${signals.length - over} of ${signals.length} wires are shown: at most ${MOST.analog} analog and ${MOST.digital} digital ones.`] : [];
     const { sampleUs } = this;
-    this.#say(told({ traces: this.#traces, reference: this.#reference, cursors: this.#cursors, trigger: this.#trigger, sampleUs, notes }));
+    this.#say(told({ traces: this.#traces, analog, reference: this.#reference, cursors: this.#cursors, trigger: this.#trigger, sampleUs, notes }));
   }
 }

@@ -24,7 +24,10 @@ export class Tube {
       event.preventDefault();
       const step = STEPS[Number(event.shiftKey)];
       const [column, line] = this.#marker ?? [this.#image.width >> 1, this.#image.height >> 1];
-      pick(...this.#inside(column + step * way[0], line + step * way[1]));
+      const to = this.#inside(column + step * way[0], line + step * way[1]);
+      // The next key may come before the machine has answered.
+      this.mark(...to);
+      pick(...to);
     });
   }
 

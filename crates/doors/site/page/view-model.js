@@ -13,7 +13,7 @@ export const MOST = { kmh: 16, turn: 30 };
 /**
  * Events: `opened` (facts), `picture` (seen, with its lane), `traces` (null without wires), `events` (with their sweep), `wires` (traces of the
  * diagram), `explained` (null without a pixel), `cursor` (sample), `triggered` (place or null), `driven` (frames), `fault` (error), `refused`
- * (parts of a link that are left out, each with its error), `busy` (boolean). What the machine refuses is taken back: the view says what stands.
+ * (parts that are left out, each with its error), `busy` (boolean). What the machine refuses is taken back: the view says what stands.
  */
 export class ViewModel extends EventTarget {
   #machine;
@@ -25,6 +25,8 @@ export class ViewModel extends EventTarget {
   #runs = false;
   /** Whether the view is that of a link, of which only a part may be known. */
   #isLink = false;
+  /** Whether the reader has chosen another machine, which may not have all that is set. */
+  #isOther = false;
   /** The picture that stands, what it was made of, and its lane and frame. */
   #shown = {};
   #drawn = null;
@@ -89,6 +91,12 @@ export class ViewModel extends EventTarget {
     this.#isLink = true;
     this.lane = PATH;
     this.show(view);
+  }
+
+  /** Draws by another machine, with those settings that it has. */
+  choose(machine) {
+    this.#isOther = true;
+    this.show({ machine, faults: [] });
   }
 
   /** Looks at a frame of a lane, with the settings that it was driven with. */
@@ -238,7 +246,7 @@ export class ViewModel extends EventTarget {
         if (JSON.stringify([this.lane, this.view]) !== before) this.#at += 1;
       });
     }
-    [this.#runs, this.#isLink] = [false, false];
+    [this.#runs, this.#isLink, this.#isOther] = [false, false, false];
     this.#tell("busy", false);
   }
 
@@ -248,21 +256,15 @@ export class ViewModel extends EventTarget {
     if (at !== this.#at) return;
     const { known, refused } = bounded(this.view, this.frames, this.facts);
     Object.assign(this.view, known);
-    this.#refuse(refused, () => {});
+    if (this.#isLink && refused.length > 0) this.#tell("refused", refused);
     if (this.#key !== this.#drawn) await this.#picture();
     if (at === this.#at) await this.#fill(at);
   }
 
-  /** Tells parts of a link that are left out. `otherwise` is called with those of a view that the reader has set. */
-  #refuse(refused, otherwise) {
-    if (refused.length === 0) return;
-    if (this.#isLink) this.#tell("refused", refused);
-    else otherwise(refused);
-  }
-
+  /** Fills the panels. Wires that are not there are left out of a link, and a fault of the reader's. */
   #fill(at) {
-    const first = ([{ error }]) => this.#tell("fault", error);
-    return this.#panels.fill(this.#drawn, () => at === this.#at, (refused) => this.#refuse(refused, first));
+    const refused = (wires) => (this.#isLink ? this.#tell("refused", wires) : this.#tell("fault", wires[0].error));
+    return this.#panels.fill(this.#drawn, () => at === this.#at, refused);
   }
 
   /** What the picture of now is made of. */
@@ -305,7 +307,7 @@ export class ViewModel extends EventTarget {
     const { scenario } = this.view;
     const wishes = this.#wishes;
     const opened = await this.#opening.open(scenario, wishes).catch((error) => {
-      if (this.#isLink) return this.#known(scenario, wishes);
+      if (this.#isLink || this.#isOther) return this.#known(scenario, wishes);
       this.#back(scenario, wishes);
       throw error;
     });
@@ -316,10 +318,14 @@ export class ViewModel extends EventTarget {
     this.#tell("opened", this.facts);
   }
 
+  /** Opens what the machine knows of `asked`. A machine that cannot draw the scenario at all goes back to the one before. */
   async #known(scenario, asked) {
+    const before = { ...this.#opening.wishes };
     const { opened, wishes, refused } = await openKnown(this.#opening, scenario, asked);
-    if (isSame(asked, this.#wishes)) Object.assign(this.view, wishes);
-    this.#refuse(refused, () => {});
+    const none = this.#isLink ? null : refused.find(({ part }) => part.startsWith("machine="));
+    if (isSame(asked, this.#wishes)) Object.assign(this.view, none ? before : wishes);
+    if (none) throw none.error;
+    if (refused.length > 0) this.#tell("refused", refused);
     return opened;
   }
 
