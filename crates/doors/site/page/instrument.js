@@ -38,7 +38,7 @@ const START = { scenario: rows[0].scenario, wires: "", ...FIRST };
 const machine = new Lunoid(new Here({ hear }));
 const model = new ViewModel(machine, given);
 const tube = new Tube(at("tube"), (column, line) => model.show({ column, line }));
-const scope = new Scope(at("scope"), (told) => showValues(at, told), (sample, which) => { if (which === 0) model.point(sample); });
+const scope = new Scope(at("scope"), (told) => showValues(at("values"), at("value-rows"), told), (sample, which) => { if (which === 0) model.point(sample); });
 const slow = new SlowMotion(model, tube);
 let [shipped, parameters] = [[], []];
 let goes = null;

@@ -20,18 +20,20 @@ export function valueAt(traces, name, instant) {
   return own[(next < 0 ? times.length : next) - 1] ?? null;
 }
 
-/** The cursors, the trigger and the values there: `lead` in words, `heads` of columns, and `rows` of text, one for each of the wires `analog`. */
-export function told({ traces, analog, reference, cursors, trigger, sampleUs, notes }) {
+/** The cursors, the pointer, the trigger and the values there: `lead` in words, `heads` of columns, and `rows` of text, one for each of the wires `analog`. */
+export function told({ traces, analog, reference, cursors, pointer, trigger, sampleUs, notes }) {
   const last = traces.planes.places.values.length - 1;
   const [a, b] = cursors.map((sample) => (sample === null ? null : Math.max(0, Math.min(last, Math.round(sample)))));
   const time = (sample) => (sampleUs ? `, ${(sample * sampleUs).toFixed(3)} µs` : "");
   const lead = [...notes];
   if (trigger !== null) lead.push(`Trigger T at sample ${trigger.toFixed(3)}${time(trigger)}.`);
+  if (pointer !== null) lead.push(`Pointer at sample ${pointer}${time(pointer)}.`);
   if (a !== null) lead.push(`Cursor A at sample ${a}${time(a)}.`);
   if (b !== null) lead.push(`Cursor B at sample ${b}${time(b)}.`);
   if (a !== null && b !== null) lead.push(`B less A: ${b - a} samples${time(b - a)}.`);
   if (lead.length === 0) lead.push("Wheel or two fingers zoom, drag moves, a click sets cursor A, with Shift cursor B.");
   const columns = [];
+  if (pointer !== null) columns.push(["pointer", values(traces, analog, pointer)]);
   if (a !== null) columns.push(["A", values(traces, analog, a)]);
   if (b !== null) columns.push(["B", values(traces, analog, b)]);
   if (a !== null && b !== null) columns.push(["B less A", less(values(traces, analog, b), values(traces, analog, a))]);
@@ -52,10 +54,9 @@ export function inSentence({ lead, heads, rows }) {
   return [lead, ...heads.map(column)].join(" ");
 }
 
-/** Shows them: the words in `values`, and a table of the wires below, where a cursor is set. */
-export function showValues(at, { lead, heads, rows }) {
-  at("values").textContent = lead;
-  const table = at("value-rows");
+/** Shows them: the words in the element `words`, and the wires in `table` with its frame around it, where a cursor is set. */
+export function showValues(words, table, { lead, heads, rows }) {
+  words.textContent = lead;
   table.parentElement.hidden = rows.length === 0;
   const row = (cells, name) => {
     const made = document.createElement("tr");

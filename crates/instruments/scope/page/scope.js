@@ -28,6 +28,8 @@ export class Scope {
   #behind = [];
   #window = [0, 1];
   #cursors = [null, null];
+  /** The sample under the pointer; null where it is elsewhere. */
+  #pointer = null;
   #across = "sample";
   /** The instant of the trigger (samples), where one was found. */
   #trigger = null;
@@ -50,6 +52,7 @@ export class Scope {
         this.point(sample, which);
         pick(sample, which);
       },
+      hover: (sample) => this.#hover(sample),
       slide: (by) => this.#slide(by),
       scale: (factor, at) => this.#scale(factor, at),
     });
@@ -108,6 +111,12 @@ export class Scope {
   /** Sets cursor A or B, 0 or 1, on a sample. */
   point(sample, which = 0) {
     this.#cursors[which] = sample;
+    this.#draw();
+  }
+
+  #hover(sample) {
+    if (sample === this.#pointer) return;
+    this.#pointer = sample;
     this.#draw();
   }
 
@@ -318,6 +327,12 @@ export class Scope {
   }
 
   #drawCursors(context, bottom) {
+    if (this.#under !== null) {
+      context.globalAlpha = 0.4;
+      context.fillStyle = this.#ink;
+      context.fillRect(this.#x(this.#under), TOP, 1, bottom - TOP);
+      context.globalAlpha = 1;
+    }
     context.fillStyle = this.#ink;
     context.textAlign = "center";
     this.#cursors.forEach((sample, which) => {
@@ -335,6 +350,11 @@ export class Scope {
     });
   }
 
+  /** The sample under the pointer, of the sweep that is shown; X-Y has none. */
+  get #under() {
+    return this.#pointer === null || this.#across === "xy" ? null : Math.min(this.#pointer, this.#last);
+  }
+
   /** Says the values at the cursors and at the trigger, and how many wires have no room. */
   #tell() {
     const { signals } = this.#traces;
@@ -342,6 +362,6 @@ export class Scope {
     const over = signals.length - analog.length - digital.length;
     const notes = over > 0 ? [`${signals.length - over} of ${signals.length} wires are shown: at most ${MOST.analog} analog and ${MOST.digital} digital ones.`] : [];
     const { sampleUs } = this;
-    this.#say(told({ traces: this.#traces, analog, reference: this.#reference, cursors: this.#cursors, trigger: this.#trigger, sampleUs, notes }));
+    this.#say(told({ traces: this.#traces, analog, reference: this.#reference, cursors: this.#cursors, pointer: this.#under, trigger: this.#trigger, sampleUs, notes }));
   }
 }
