@@ -54,7 +54,8 @@ mod tests {
 
     #[test]
     fn the_scripts_name_only_each_other() {
-        let imports = LIVE.iter().flat_map(|(_, text)| text.lines()).filter(|line| line.starts_with("import "));
+        let imports =
+            LIVE.iter().flat_map(|(_, text)| text.lines()).filter(|line| line.starts_with("import "));
         for line in imports {
             assert!(LIVE.iter().any(|(name, _)| line.ends_with(&format!(" from \"./{name}\";"))), "{line}");
         }
