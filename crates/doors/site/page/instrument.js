@@ -5,6 +5,7 @@ import { Lunoid } from "./lunoid.js";
 import { showEvents } from "./events-table.js";
 import { diagramPanel } from "./diagram-panel.js";
 import { DrivePad } from "./drive-pad.js";
+import { MOST } from "./driving.js";
 import { effectsPanel } from "./effects-panel.js";
 import { showFaults, showNumbers } from "./fault-board.js";
 import { bound, fill, keepingFocus, noteTyping } from "./fields.js";
@@ -19,7 +20,7 @@ import { name } from "./time-bar.js";
 import { timePanel } from "./time-panel.js";
 import { triggerPanel } from "./trigger-panel.js";
 import { Tube } from "./tube.js";
-import { MOST, ViewModel } from "./view-model.js";
+import { ViewModel } from "./view-model.js";
 
 /** Most bytes of files that are read at a time. */
 const MOST_BYTES = 256 * 2 ** 20;

@@ -1,14 +1,13 @@
 // What is looked at, and the machine that shows it. One cursor for all panels; the newest wish is drawn, and none is queued.
 
 import { Drives, PATH } from "./drives.js";
+import { way } from "./driving.js";
 import { bounded, openKnown } from "./known.js";
 import { LoopKeeper } from "./loop-keeper.js";
 import { Opening } from "./opening.js";
 import { Panels } from "./panels.js";
 import { Trigger } from "./trigger.js";
-
-/** Most that the report lets the vehicle do (section 3): 16 km/h, and 30 degrees a second here (chosen). */
-export const MOST = { kmh: 16, turn: 30 };
+import { Turns } from "./turns.js";
 
 /**
  * Events: `opened` (facts), `picture` (seen, with its lane), `traces` (null without wires), `events` (with their sweep), `wires` (traces of the
@@ -20,9 +19,8 @@ export class ViewModel extends EventTarget {
   #opening;
   #keeper;
   #panels;
-  #at = 0;
+  #turns;
   #looks = 0;
-  #runs = false;
   /** Whether the view is that of a link, of which only a part may be known. */
   #isLink = false;
   /** Whether the reader has chosen another machine, which may not have all that is set. */
@@ -48,6 +46,7 @@ export class ViewModel extends EventTarget {
     this.diagram = [];
     this.facts = null;
     this.#keeper = new LoopKeeper(machine, this.drives, { now: () => this.#opening.wishes, restored: (wishes) => this.#opening.restored(wishes) });
+    this.#turns = new Turns((at) => this.#attempt(at), (isBusy) => this.#hear(isBusy));
     this.#panels = new Panels(this, machine, (name, detail) => this.#tell(name, detail));
   }
 
@@ -160,7 +159,7 @@ export class ViewModel extends EventTarget {
     return this.#alone(async () => {
       const { pose } = this.#shown;
       // The picture that stands is the one that was asked for; its machine comes back with the next wish.
-      this.#at += 1;
+      this.#turns.wish();
       await this.#opening.heal(this.#wishes);
       return this.isDriven ? this.#machine.look(pose, { frame: this.view.frame }) : this.#machine.frame(this.view.frame);
     });
@@ -169,7 +168,7 @@ export class ViewModel extends EventTarget {
   /** Drives one frame further from where the reader looks. Answers when it is drawn: whether the reader still looks at the drive. */
   drive(kmh, turn) {
     return this.#alone(async () => {
-      const [at, looks] = [this.#at, this.#looks];
+      const [at, looks] = [this.#turns.newest, this.#looks];
       const { pose: from } = this.#shown;
       await (this.isDriven ? this.#keeper.goOn(this.lane, this.view.frame) : this.#keeper.leave());
       await this.#open();
@@ -214,57 +213,46 @@ export class ViewModel extends EventTarget {
   }
 
   #wish() {
-    this.#at += 1;
-    this.#run();
+    this.#turns.wish();
   }
 
-  /** Answers what `once` does with the machine to itself; what is wished for meanwhile is shown behind it. */
-  async #alone(once) {
-    while (this.#runs) await this.settled();
-    this.#runs = true;
-    const at = this.#at;
-    this.#tell("busy", true);
+  #alone(once) {
+    return this.#turns.alone(once, () => this.settled());
+  }
+
+  /** Draws the wish `at`, and tells its fault. Answers whether something was taken back, so that it is to be shown anew. */
+  async #attempt(at) {
+    const before = JSON.stringify([this.lane, this.view]);
     try {
-      return await once();
-    } finally {
-      this.#runs = false;
-      if (at === this.#at) this.#tell("busy", false);
-      else this.#run();
+      await this.#refresh(at);
+    } catch (error) {
+      this.#tell("fault", error);
+      return JSON.stringify([this.lane, this.view]) !== before;
     }
+    return false;
   }
 
-  async #run() {
-    if (this.#runs) return;
-    this.#runs = true;
-    this.#tell("busy", true);
-    for (let at = -1; at !== this.#at; ) {
-      at = this.#at;
-      const before = JSON.stringify([this.lane, this.view]);
-      await this.#refresh(at).catch((error) => {
-        this.#tell("fault", error);
-        // What was taken back is shown anew.
-        if (JSON.stringify([this.lane, this.view]) !== before) this.#at += 1;
-      });
-    }
-    [this.#runs, this.#isLink, this.#isOther] = [false, false, false];
-    this.#tell("busy", false);
+  /** The machine is busy, or has drawn the newest wish. */
+  #hear(isBusy) {
+    if (!isBusy) [this.#isLink, this.#isOther] = [false, false];
+    this.#tell("busy", isBusy);
   }
 
   /** Opens, draws and looks, and stops where something newer is wished for. */
   async #refresh(at) {
     await this.#open();
-    if (at !== this.#at) return;
+    if (at !== this.#turns.newest) return;
     const { known, refused } = bounded(this.view, this.frames, this.facts);
     Object.assign(this.view, known);
     if (this.#isLink && refused.length > 0) this.#tell("refused", refused);
     if (this.#key !== this.#drawn) await this.#picture();
-    if (at === this.#at) await this.#fill(at);
+    if (at === this.#turns.newest) await this.#fill(at);
   }
 
   /** Fills the panels. Wires that are not there are left out of a link, and a fault of the reader's. */
   #fill(at) {
     const refused = (wires) => (this.#isLink ? this.#tell("refused", wires) : this.#tell("fault", wires[0].error));
-    return this.#panels.fill(this.#drawn, () => at === this.#at, refused);
+    return this.#panels.fill(this.#drawn, () => at === this.#turns.newest, refused);
   }
 
   /** What the picture of now is made of. */
@@ -350,12 +338,6 @@ export class ViewModel extends EventTarget {
     this.trigger.arm();
     this.#tell("picture", { ...seen, lane, frame });
   }
-}
-
-/** What a vehicle at so many km/h and degrees a second does in so many seconds, within what it may. */
-function way(kmh, turn, seconds) {
-  const bound = (value, most) => Math.max(-most, Math.min(most, Number(value) || 0));
-  return { metres: (bound(kmh, MOST.kmh) / 3.6) * seconds, turn_deg: bound(turn, MOST.turn) * seconds };
 }
 
 function isSame(one, other) {

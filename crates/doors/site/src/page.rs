@@ -17,7 +17,7 @@ macro_rules! page {
 pub type File = (&'static str, &'static [u8]);
 
 /// The page's own files, whose machine is in a worker of its own.
-const OWN: [File; 53] = [
+const OWN: [File; 55] = [
     page!("block-card.js"),
     page!("compare.js"),
     page!("diagram-panel.js"),
@@ -25,6 +25,7 @@ const OWN: [File; 53] = [
     page!("diagram.js"),
     page!("drive-pad.js"),
     page!("drives.js"),
+    page!("driving.js"),
     page!("effects-panel.js"),
     page!("events-table.js"),
     page!("fault-board.js"),
@@ -68,6 +69,7 @@ const OWN: [File; 53] = [
     page!("trigger-panel.js"),
     page!("trigger.js"),
     page!("tube.js"),
+    page!("turns.js"),
     page!("view-model.js"),
     page!("worker-home.js"),
     page!("worker.js"),

@@ -117,7 +117,7 @@ fn readings(run: &Run) -> Markup {
                     @if run.has_sweeps() { div { dt { "Sweep" } dd #under { "–" } } }
                 }
                 @if run.has_sweeps() {
-                    h3 { "Sweeps with late words" }
+                    h3 { "Late sweeps" }
                     dl.pose { div { dt { "Red at the edges" } dd #late-says { "–" } } }
                 }
             }

@@ -251,8 +251,8 @@ export class Scope {
     context.fillStyle = this.#ink;
     const end = unit === "1" ? "" : ` ${unit}`;
     context.textAlign = "right";
-    context.fillText(`${short(high)}${end}`, LEFT - 4, top + 10);
-    context.fillText(`${short(low)}${end}`, LEFT - 4, top + height);
+    context.fillText(`${short(high)}${end}`, LEFT - 4, top + 10, LEFT - 8);
+    context.fillText(`${short(low)}${end}`, LEFT - 4, top + height, LEFT - 8);
     context.textAlign = "left";
     const way = { x: (sample) => this.#x(sample), y, bounds: [LEFT, this.#width - 8] };
     let [across, down] = [LEFT + 6, top + 12];
