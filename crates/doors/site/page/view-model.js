@@ -245,7 +245,7 @@ export class ViewModel extends EventTarget {
     const { known, refused } = bounded(this.view, this.frames, this.facts);
     Object.assign(this.view, known);
     if (this.#isLink && refused.length > 0) this.#tell("refused", refused);
-    if (this.#key !== this.#drawn) await this.#picture();
+    if (this.#key !== this.#drawn || this.#isAstray) await this.#picture();
     if (at === this.#turns.newest) await this.#fill(at);
   }
 
@@ -253,6 +253,11 @@ export class ViewModel extends EventTarget {
   #fill(at) {
     const refused = (wires) => (this.#isLink ? this.#tell("refused", wires) : this.#tell("fault", wires[0].error));
     return this.#panels.fill(this.#drawn, () => at === this.#turns.newest, refused);
+  }
+
+  /** Whether the loop has gone on from a frame that the machine can tell of in its loop alone. */
+  get #isAstray() {
+    return this.isDriven && this.facts.remembers_frames && !this.#keeper.isLast(this.lane, this.view.frame);
   }
 
   /** What the picture of now is made of. */
