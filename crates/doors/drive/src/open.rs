@@ -26,6 +26,8 @@ pub struct Raster {
     pub sweeps: u32,
     /// Samples of a sweep; 0 if it has no signals.
     pub samples: u32,
+    /// From one sample of a sweep to the next (µs), the first of which is the start of the sweep; 0 if it has no signals.
+    pub sample_us: f64,
     /// Pictures computed a second.
     pub update_hz: f64,
     /// Tangents of half the field of view, across and down.
@@ -112,6 +114,7 @@ impl Drive {
             lines: view.lines,
             sweeps: scan.map_or(0, |clock| clock.sweeps),
             samples: scan.map_or(0, |clock| clock.active_samples),
+            sample_us: scan.map_or(0.0, |clock| 1e6 / clock.sample_rate().hertz()),
             update_hz: view.update.hertz(),
             tan_half_field: [view.field.tan_half_width, view.field.tan_half_height],
         }

@@ -90,6 +90,7 @@ fn facts(held: &Held) -> Value {
         "lines": raster.lines,
         "sweeps": raster.sweeps,
         "samples": raster.samples,
+        "sample_us": raster.sample_us,
         "update_hz": raster.update_hz,
         "remembers_frames": drive.remembers_frames(),
         "remarks": drive.remarks(),

@@ -6,7 +6,10 @@ import { dirname, join } from "node:path";
 import { gzipSync } from "node:zlib";
 import { Chromium } from "./chromium.mjs";
 import { instrument } from "./instrument.mjs";
+import { keyboard } from "./keyboard.mjs";
 import { panels } from "./panels.mjs";
+import { refused } from "./refused.mjs";
+import { scope } from "./scope.mjs";
 import { serve } from "./server.mjs";
 import { vectors } from "./vectors.mjs";
 
@@ -267,6 +270,9 @@ try {
   await times(chromium);
   await instrument(chromium, host, native, expect, dirname(site));
   await panels(chromium, host, native, expect);
+  await refused(chromium, host, native, expect);
+  await scope(chromium, host, native, expect);
+  await keyboard(chromium, host, native, expect);
   const messages = await chromium.console();
   expect(messages.length === 0, `the console is empty: ${JSON.stringify(messages.slice(0, 3))}`);
   const elsewhere = host.asked.filter((name) => !name.startsWith(PATH));

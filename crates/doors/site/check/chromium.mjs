@@ -5,6 +5,9 @@ import { createInterface } from "node:readline";
 
 const ARGUMENTS = ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--window-size=1000,800"];
 
+/** Keys by their codes in WebDriver. */
+const KEYS = { Tab: "\ue004", Enter: "\ue007", Shift: "\ue008", Space: "\ue00d", Left: "\ue012", Up: "\ue013", Right: "\ue014", Down: "\ue015" };
+
 export class Chromium {
   static async open() {
     const driver = spawn("chromedriver", ["--port=0"], { stdio: ["ignore", "pipe", "ignore"] });
@@ -56,6 +59,15 @@ export class Chromium {
     const { ok, error } = await this.ask("POST", "/execute/async", { script, args: values });
     if (error) throw new Error(error);
     return ok;
+  }
+
+  /** Presses keys as a keyboard does, one after another: names of `KEYS` or letters, with `Shift+` before them. */
+  keys(...names) {
+    const actions = names.flatMap((name) => {
+      const keys = name.split("+").map((word) => KEYS[word] ?? word);
+      return [...keys.map((value) => ({ type: "keyDown", value })), ...keys.reverse().map((value) => ({ type: "keyUp", value }))];
+    });
+    return this.ask("POST", "/actions", { actions: [{ type: "key", id: "keyboard", actions }] });
   }
 
   /** What the console has had since the last look. */

@@ -1,6 +1,6 @@
 // The panels of the instrument: trigger, bar of time, slow motion, block diagram, effects, pad and gamepad.
 
-import { click, drawn, hash, press, put, text, until } from "./instrument.mjs";
+import { click, drawn, hash, open, press, put, text, until } from "./instrument.mjs";
 
 const TORN = "#scenario=scenarios%2Ffirst-light.toml&set=loader.access_ns%3A90&frame=60&wires=tg.height";
 /** What `lunoid trigger scenarios/first-light.toml --set loader.access_ns=90 --on 'rising tg.height 12' --frames 60..61` finds first. */
@@ -15,9 +15,7 @@ const DATA = `((id) => {
 })`;
 
 export async function panels(chromium, host, native, expect) {
-  await chromium.go("about:blank");
-  await chromium.go(`${host.address}instrument.html${TORN}`);
-  await drawn(chromium);
+  await open(chromium, host, TORN);
   await trigger(chromium, expect);
   await effects(chromium, native, expect);
   await slowMotion(chromium, native, expect);
@@ -162,7 +160,7 @@ async function diagram(chromium, expect) {
     const label = () => [...document.querySelectorAll("#diagram .wire")].find((one) => one.textContent.startsWith("tg.height")).textContent;
     const before = label();
     document.getElementById("scope").dispatchEvent(new KeyboardEvent("keydown", { key: "PageDown", bubbles: true }));
-    return [before, label(), document.getElementById("values").textContent];`);
+    return [before, label(), [...document.querySelectorAll("#value-rows tr")].map((row) => [...row.cells].map((cell) => cell.textContent).join(" ")).join("; ")];`);
   const shown = value[1].replace(/^tg\.height /, "");
   expect(value[0] !== value[1] && value[2].includes(`tg.height ${shown}`), `the values follow the cursor: ${value}`);
   await chromium.run(`document.getElementById("diagram-panel").open = false;`);

@@ -6,7 +6,7 @@ import { readFile, rm } from "node:fs/promises";
 import { join } from "node:path";
 import { createInterface } from "node:readline";
 import { Chromium } from "./chromium.mjs";
-import { drawn, hash, text } from "./instrument.mjs";
+import { drawn, hash, open, text, until } from "./instrument.mjs";
 
 const [lunoid, nativeFile, folder] = process.argv.slice(2);
 const [healed, torn] = JSON.parse(await readFile(nativeFile, "utf8"));
@@ -99,12 +99,47 @@ async function strangers({ address, origin }) {
   await other.close();
 }
 
+/** A page more than the program serves is told so, and comes in when another is closed. */
+async function full(chromium, { origin }) {
+  await open(chromium, { address: `${origin}/` }, "#frame=0");
+  await chromium.run(`
+    window.more = Array.from({ length: 7 }, () => new lunoid.Lunoid(new lunoid.SocketHome()));
+    await Promise.all(window.more.map((machine) => machine.hello()));`);
+  const said = await chromium.run(`
+    const ninth = new lunoid.Lunoid(new lunoid.SocketHome());
+    const said = await ninth.hello().then(() => "", (error) => error.message);
+    window.more.forEach((machine) => machine.close());
+    for (let turn = 0; turn < 100; turn += 1) {
+      const again = await ninth.hello().then(() => true, () => false);
+      if (again) return [said, true];
+      await new Promise((resolve) => setTimeout(resolve, 50));
+    }
+    return [said, false];`);
+  expect(said[0].includes("8 pages are open") && said[1], `the ninth page is told that eight are open, and comes in when one is closed: ${said}`);
+  await chromium.console();
+}
+
+/** What the page offers is what a program does. */
+async function offers(chromium, { origin }) {
+  await open(chromium, { address: `${origin}/` }, "#frame=0");
+  const shown = await chromium.run(`return getComputedStyle(document.getElementById("own-files")).display;`);
+  expect(shown === "none", `files are not offered, since the program takes none: ${shown}`);
+}
+
+/** The program is killed while the page plays: the page stops and says so, and the number of the frame is that of the picture. */
 async function ended(chromium, served) {
+  await open(chromium, { address: `${served.origin}/` }, "#frame=3");
+  await chromium.run(`document.getElementById("play").click();`);
+  await until(chromium, `document.getElementById("frame-says").textContent > "frame 5"`);
   served.end();
+  expect(await until(chromium, `document.getElementById("play").getAttribute("aria-pressed") === "false"`), "playing stops when the program is killed");
+  await drawn(chromium);
+  const before = await text(chromium, "frame-says");
   await chromium.run(`document.getElementById("on").click();`);
   await drawn(chromium);
-  const said = await text(chromium, "state");
-  expect(said.includes("program"), `the page says that its program has ended: ${said}`);
+  const [said, after] = [await text(chromium, "state"), await text(chromium, "frame-says")];
+  expect(said.includes("the program has ended"), `the page says that its program has ended: ${said}`);
+  expect(before === after, `the frame stays that of the picture: ${before}, ${after}`);
 }
 
 await rm(join(folder, "record"), { recursive: true, force: true });
@@ -121,6 +156,8 @@ try {
   await strangers(served);
   const console = await chromium.console();
   expect(console.length === 0, `the console is empty: ${JSON.stringify(console)}`);
+  await offers(chromium, served);
+  await full(chromium, served);
   await ended(chromium, served);
 } finally {
   await chromium.close();

@@ -7,3 +7,6 @@ export const FIRST = { frame: 0, set: {}, faults: [] };
 
 /** Whether the books of the documentation lie beside these pages. */
 export const HAS_BOOKS = false;
+
+/** Whether files of the reader can be opened. */
+export const TAKES_FILES = false;

@@ -15,7 +15,9 @@ export function diagramPanel(at, model, { scope, failed }) {
     const [{ blocks }, { signals }, told] = await Promise.all([model.beside((machine) => machine.blocks()), model.beside((machine) => machine.signals()), model.parameters()]);
     parameters = told.parameters;
     diagram.show(blocks, signals);
-    at("block").replaceChildren("A click on a block shows its parts and numbers, and a click on a wire puts it on the scope.");
+    const isEmpty = blocks.length === 0;
+    at("sheet").hidden = isEmpty;
+    at("block").replaceChildren(isEmpty ? `${model.facts.drawn_by} has no blocks: choose a hardware model to see them.` : "A click on a block shows its parts and numbers, and a click on a wire puts it on the scope.");
     model.watch(diagram.wires);
   };
   const look = () => (panel.open && model.facts ? fill().catch(failed) : model.watch([]));

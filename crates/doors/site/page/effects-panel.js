@@ -6,6 +6,8 @@ import { difference, predicted, seen } from "./compare.js";
 export function effectsPanel(at, model, tube, { failed }) {
   let standing = null;
   let without = null;
+  /** The pixel that the late word changed most, as column, line and levels. */
+  let most = null;
   const isShown = () => at("without").getAttribute("aria-pressed") === "true";
 
   model.addEventListener("picture", ({ detail }) => {
@@ -15,10 +17,12 @@ export function effectsPanel(at, model, tube, { failed }) {
     at("without").setAttribute("aria-pressed", "false");
     at("seen").textContent = "";
     at("effect").textContent = "";
+    at("largest").hidden = true;
     at("predicted").replaceChildren();
   });
 
   const compare = async () => {
+    if (standing === null) return;
     const { faults } = await model.faults();
     const rows = predicted(faults, model.view.faults);
     const shown = standing;
@@ -34,16 +38,24 @@ export function effectsPanel(at, model, tube, { failed }) {
   /** Marks the pixels that late words changed: a late event, or its place as "260:60". */
   const effect = async (late) => {
     at("effect").textContent = "Drawing the frame with the words in time.";
+    at("largest").hidden = true;
     const shown = standing;
     const { document: told } = await model.beside((machine, which) => machine.effect(late, which));
     const [{ changed, seen: levels, pixels, largest }] = told.frames;
     if (shown !== standing) return;
     tube.changed(pixels);
-    const most = largest ? ` The largest is ${largest[2]} levels at column ${largest[0]}, line ${largest[1]}.` : "";
-    at("effect").textContent = `The word changed ${changed} pixels, ${levels} of them by a grey level or more.${most} Orange pixels are brighter by it, blue ones darker. Other frames: ${told.later}.`;
+    most = largest;
+    at("largest").hidden = !most;
+    const where = largest ? ` The largest is ${largest[2]} levels at column ${largest[0]}, line ${largest[1]}.` : "";
+    if (changed === 0) {
+      at("effect").textContent = "The word changed no pixel of this frame: the beam did not show what it was late for.";
+      return;
+    }
+    at("effect").textContent = `The word changed ${changed} pixels, ${levels} of them by a grey level or more.${where} Orange pixels are brighter by it, blue ones darker. Other frames: ${told.later}.`;
   };
   const tell = (late) => effect(late).catch((error) => { at("effect").textContent = ""; failed(error); });
 
+  at("largest").addEventListener("click", () => model.show({ column: most[0], line: most[1] }));
   at("compare").addEventListener("click", () => compare().catch(failed));
   at("without").addEventListener("click", ({ target }) => {
     target.setAttribute("aria-pressed", String(!isShown()));

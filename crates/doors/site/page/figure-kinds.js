@@ -1,6 +1,7 @@
 // Kinds of living figures: how each shows what its models answer.
 
 import { show } from "./picture.js";
+import { inSentence } from "./scope-values.js";
 import { Scope } from "./scope.js";
 
 /** How much brighter a difference is shown than it is (chosen). */
@@ -13,7 +14,7 @@ function picture(canvas, [model]) {
 
 /** Wires of a sweep on a scope; those of another machine stand behind, where there is one. */
 function wave(canvas, models, { across = "sample" }, say) {
-  const scope = new Scope(canvas, say);
+  const scope = new Scope(canvas, (told) => say(inSentence(told)));
   scope.along(across);
   const traces = models.map(() => null);
   const drawn = () => {

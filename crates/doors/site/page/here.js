@@ -7,3 +7,6 @@ export const FIRST = { scenario: "scenarios/first-light.toml", frame: 60, wires:
 
 /** Whether the books of the documentation lie beside these pages. */
 export const HAS_BOOKS = true;
+
+/** Whether files of the reader can be opened. */
+export const TAKES_FILES = true;

@@ -1,26 +1,34 @@
 // The instrument: tube, scope, fault board and time over one view model. The page knows nothing of where the machine runs.
 
-import { FIRST, HAS_BOOKS, Here } from "./here.js";
+import { FIRST, HAS_BOOKS, Here, TAKES_FILES } from "./here.js";
 import { Lunoid } from "./lunoid.js";
 import { showEvents } from "./events-table.js";
 import { diagramPanel } from "./diagram-panel.js";
 import { DrivePad } from "./drive-pad.js";
+import { MOST } from "./driving.js";
 import { effectsPanel } from "./effects-panel.js";
 import { showFaults, showNumbers } from "./fault-board.js";
+import { bound, fill, keepingFocus, noteTyping } from "./fields.js";
 import { Gamepads } from "./gamepad.js";
+import { inShort, inWords } from "./in-words.js";
 import { read, setting, written } from "./link.js";
 import { Scope } from "./scope.js";
 import { contents, scenarios } from "./shipped.js";
+import { showValues } from "./scope-values.js";
 import { SlowMotion } from "./slow-motion.js";
 import { name } from "./time-bar.js";
 import { timePanel } from "./time-panel.js";
 import { triggerPanel } from "./trigger-panel.js";
 import { Tube } from "./tube.js";
-import { MOST, ViewModel } from "./view-model.js";
+import { ViewModel } from "./view-model.js";
 
 /** Most bytes of files that are read at a time. */
 const MOST_BYTES = 256 * 2 ** 20;
-const MACHINES = ["", "ideal", "pra-nominal", "pra-parts", "pra-wires", "exact", "sampled", "smooth-faces", "lod-mesh"];
+/** The machines that ship, and none for that of the scenario. */
+const MACHINES = [
+  "", "ideal", "modern-analog", "pra-nominal", "pra-parts", "pra-wires", "pra-frugal", "pra-overloaded",
+  "exact", "sampled", "smooth-faces", "lod-mesh", "lunsim", "panels",
+];
 
 const at = (id) => document.getElementById(id);
 const say = (text) => { at("state").textContent = text; };
@@ -31,14 +39,14 @@ const START = { scenario: rows[0].scenario, wires: "", ...FIRST };
 const machine = new Lunoid(new Here({ hear }));
 const model = new ViewModel(machine, given);
 const tube = new Tube(at("tube"), (column, line) => model.show({ column, line }));
-const scope = new Scope(at("scope"), (text) => { at("values").textContent = text; }, (sample, which) => { if (which === 0) model.point(sample); });
+const scope = new Scope(at("scope"), (told) => showValues(at("values"), at("value-rows"), told), (sample, which) => { if (which === 0) model.point(sample); });
 const slow = new SlowMotion(model, tube);
-let parameters = [];
+let [shipped, parameters] = [[], []];
 let goes = null;
 
 function hear({ phase, bytes, reason }) {
   if (phase === "loading") say(`Loading the machine: ${(bytes / 1e6).toFixed(1)} MB.`);
-  if (phase === "ended") say(`The machine ended and was started again: ${reason}`);
+  if (phase === "ended") say(`The machine ended: ${reason}. It is started again.`);
 }
 
 /** The files of a scenario: the page's own, and those that were opened. */
@@ -57,15 +65,22 @@ function fillMenus() {
   at("machine").replaceChildren(...MACHINES.map((name) => option(name, name || "the scenario's own")));
 }
 
-/** Takes up what the address says; what it does not know is listed. */
+/** Takes up what the address says; what is not known is listed. */
 function follow() {
   const { view, unknown } = read(location.hash);
   const isEmpty = location.hash.length < 2;
   const wanted = isEmpty ? START : { ...START, frame: 0, set: {}, column: null, line: null, ...view };
-  if (!isEmpty && !view.scenario) wanted.scenario = START.scenario;
-  at("wires").value = wanted.wires;
-  at("state").dataset.unknown = unknown.join(" ");
-  model.show({ machine: null, ...wanted });
+  at("refused").replaceChildren(...unknown.map((part) => leftOut(part, "no part of a link")));
+  if (!rows.some(({ scenario }) => scenario === wanted.scenario)) {
+    at("refused").append(leftOut(`scenario=${wanted.scenario}`, "no scenario of this page"));
+    wanted.scenario = START.scenario;
+  }
+  model.follow({ machine: null, ...wanted });
+}
+
+/** A part of a link that is left out, and why. */
+function leftOut(part, why) {
+  return Object.assign(document.createElement("li"), { textContent: `${part}: ${why}` });
 }
 
 /** Makes fields and address say what is looked at. */
@@ -75,7 +90,8 @@ function agree() {
   at("machine").value = view.machine ?? "";
   at("frame").max = model.frames - 1;
   at("frame").value = view.frame;
-  at("sweep").value = view.sweep;
+  fill(at("sweep"), view.sweep);
+  fill(at("wires"), view.wires);
   at("frame-says").textContent = model.isDriven ? `${name(model.lane)}, frame ${view.frame} of ${model.frames}` : `frame ${view.frame} of ${facts.frames}`;
   tube.mark(view.column, view.line);
   // A link carries no drive.
@@ -84,12 +100,19 @@ function agree() {
 
 async function opened({ detail: facts }) {
   at("sweep").max = Math.max(0, facts.sweeps - 1);
+  scope.sampleUs = facts.sample_us;
   at("driven").textContent = facts.driven > 0 ? `${facts.driven} frames driven` : "";
   at("record").disabled = facts.driven === 0;
-  const [told, shipped] = await Promise.all([model.parameters(), model.faults()]);
-  parameters = told.parameters;
-  showFaults(at("faults"), shipped.faults, model.view.faults, (faults) => model.show({ faults }));
-  numbers();
+  document.querySelector("main").inert = false;
+  const [told, board] = await Promise.all([model.parameters(), model.faults()]);
+  [parameters, shipped] = [told.parameters, board.faults];
+  boards();
+}
+
+/** Makes the fault board say what is set. */
+function boards() {
+  keepingFocus(at("faults"), () => showFaults(at("faults"), shipped, model.view.faults, (faults) => model.show({ faults })));
+  keepingFocus(at("numbers"), numbers);
 }
 
 /** Two wires to begin with, where nothing says which: height and deflection, or the first analog ones. */
@@ -97,8 +120,8 @@ async function firstWires() {
   const { signals } = await model.beside((machine) => machine.signals());
   const names = signals.filter(({ kind }) => kind === "analog").map(({ name }) => name);
   const usual = ["mu.height", "sweep.x"].filter((name) => names.includes(name));
-  at("wires").value = (usual.length === 2 ? usual : names.slice(0, 2)).join(",");
-  if (model.view.wires === "" && at("wires").value) model.show({ wires: at("wires").value });
+  const wires = (usual.length === 2 ? usual : names.slice(0, 2)).join(",");
+  if (model.view.wires === "" && wires) model.show({ wires });
 }
 
 function numbers() {
@@ -111,9 +134,8 @@ function numbers() {
 
 /** Puts a wire on the scope, as the last one. */
 function wire(name) {
-  const wires = at("wires").value.split(",").map((word) => word.trim()).filter((word) => word && word !== name);
-  at("wires").value = [...wires, name].join(",");
-  model.show({ wires: at("wires").value });
+  const wires = model.view.wires.split(",").map((word) => word.trim()).filter((word) => word && word !== name);
+  model.show({ wires: [...wires, name].join(",") });
 }
 
 /** Steps the frame, and comes round at the ends. */
@@ -154,7 +176,7 @@ function repeat(button, once) {
 }
 
 function failed(error) {
-  say(error.message);
+  say(inWords(error));
   at("state").dataset.fault = error.name;
 }
 
@@ -171,6 +193,7 @@ async function record() {
 /** Opens files of the reader: a scenario among them is shown, and finds the others beside it. */
 async function take(files) {
   const bytes = [...files].reduce((sum, { size }) => sum + size, 0);
+  if (!TAKES_FILES) throw new Error("the program draws the scenario that it was started with, and takes no other files");
   if (bytes > MOST_BYTES) throw new Error(`${[...files].map(({ name }) => name).join(", ")}: ${bytes} bytes; expected at most ${MOST_BYTES}`);
   for (const file of files) own.set(`scenarios/${file.name}`, new Uint8Array(await file.arrayBuffer()));
   const scenario = [...files].find(({ name }) => name.endsWith(".toml"));
@@ -182,8 +205,8 @@ async function take(files) {
 }
 
 model.addEventListener("opened", opened);
-model.addEventListener("picture", ({ detail: { planes, hash } }) => {
-  tube.show(planes.picture, hash, slow.drawn(planes));
+model.addEventListener("picture", ({ detail }) => {
+  tube.show(detail.planes.picture, detail.hash, slow.drawn(detail));
   tube.mark(model.view.column, model.view.line);
   tube.zoom(at("zoom").value);
 });
@@ -201,22 +224,30 @@ model.addEventListener("explained", ({ detail }) => {
 });
 model.addEventListener("cursor", ({ detail }) => scope.point(detail));
 model.addEventListener("traces", ({ detail }) => scope.show(detail, model.trigger.place?.instant ?? null));
-model.addEventListener("events", ({ detail: { events, tick_us } }) => {
-  const late = showEvents(at("events"), events, tick_us, effect);
-  at("late").textContent = events.length === 0 ? "" : `${late} late of ${events.length}`;
+model.addEventListener("events", ({ detail }) => {
+  const { lead, late } = showEvents(at("events"), detail, model.facts, effect);
+  at("events-head").textContent = lead;
+  at("late").textContent = late;
 });
 model.addEventListener("driven", ({ detail }) => {
   at("driven").textContent = `${detail} frames driven`;
   at("record").disabled = false;
   agree();
 });
-model.addEventListener("fault", ({ detail }) => failed(detail));
+model.addEventListener("fault", ({ detail }) => {
+  failed(detail);
+  stop();
+  boards();
+});
+model.addEventListener("refused", ({ detail }) => {
+  at("refused").append(...detail.map(({ part, error }) => leftOut(part, inShort(error))));
+  boards();
+});
 model.addEventListener("busy", ({ detail }) => {
   document.body.dataset.busy = detail;
   if (detail) return say("The machine draws.");
   if (model.facts) agree();
-  const { unknown } = at("state").dataset;
-  if (!at("state").dataset.fault && model.facts) say(`${model.facts.title}, drawn by ${model.facts.drawn_by}.${unknown ? ` The link asks for what nobody knows: ${unknown}.` : ""}`);
+  if (!at("state").dataset.fault && model.facts) say(`${model.facts.title}, drawn by ${model.facts.drawn_by}.`);
   else if (at("state").dataset.fault) delete at("state").dataset.fault;
 });
 
@@ -228,13 +259,16 @@ new DrivePad(at("pad"), steer);
 new Gamepads(steer, (name) => at(name).click());
 
 at("books").hidden = !HAS_BOOKS;
+at("own-files").hidden = !TAKES_FILES;
 fillMenus();
-at("scenario").addEventListener("change", ({ target }) => model.show({ scenario: target.value, set: {}, faults: [], frame: 0, column: null, line: null }));
-at("machine").addEventListener("change", ({ target }) => model.show({ machine: target.value || null, faults: [] }));
+at("scenario").addEventListener("change", ({ target }) => { at("refused").replaceChildren(); model.show({ scenario: target.value, set: {}, faults: [], frame: 0, column: null, line: null }); });
+at("machine").addEventListener("change", ({ target }) => { at("refused").replaceChildren(); model.choose(target.value || null); });
 at("files").addEventListener("change", ({ target }) => take(target.files).catch(failed));
 at("frame").addEventListener("input", ({ target }) => { slow.leave(); model.look(model.lane, Number(target.value)); });
 at("back").addEventListener("click", () => turn(-1));
 at("on").addEventListener("click", () => turn(1));
+for (const field of document.querySelectorAll("input[type=number]")) field.addEventListener("change", () => bound(field));
+for (const id of ["wires", "sweep"]) noteTyping(at(id));
 at("zoom").addEventListener("change", ({ target }) => tube.zoom(target.value));
 at("wires").addEventListener("change", ({ target }) => model.show({ wires: target.value }));
 at("sweep").addEventListener("change", ({ target }) => model.show({ sweep: Number(target.value), column: null, line: null }));
@@ -247,10 +281,12 @@ at("heal").addEventListener("click", () => model.show({ set: {}, faults: [] }));
 at("record").addEventListener("click", () => record().catch(failed));
 at("tube").addEventListener("keydown", ({ key }) => {
   const by = { w: ["speed", 1], s: ["speed", -1], a: ["turn", -2], d: ["turn", 2] }[key.toLowerCase()];
-  if (by) at(by[0]).value = Number(at(by[0]).value) + by[1];
+  if (!by) return;
+  at(by[0]).value = Number(at(by[0]).value) + by[1];
+  bound(at(by[0]));
 });
 repeat(at("play"), () => { const done = model.settled(); turn(1); return done; });
-repeat(at("drive"), () => model.drive(at("speed").value, at("turn").value));
+repeat(at("drive"), async () => { if (!(await model.drive(at("speed").value, at("turn").value))) stop(); });
 if (FIRST.wires === undefined) model.addEventListener("opened", () => firstWires().catch(failed), { once: true });
 addEventListener("hashchange", follow);
 document.body.addEventListener("dragover", (event) => event.preventDefault());

@@ -94,6 +94,8 @@ export interface Facts {
   lines: number;
   sweeps: number;
   samples: number;
+  /** From one sample of a sweep to the next (µs); the first is the start of the sweep. */
+  sample_us: number;
   update_hz: number;
   remembers_frames: boolean;
   remarks: string[];

@@ -3,8 +3,9 @@
 export class Opening {
   #machine;
   #given;
-  #scenario = null;
   #set = {};
+  /** The scenario that is opened; null where none is. */
+  scenario = null;
   /** What is opened, as text that can be compared; null where nothing is. */
   key = null;
   /** The wishes that the next request finds: those that were sent last. */
@@ -19,7 +20,7 @@ export class Opening {
   async open(scenario, wishes) {
     const asked = keyOf(scenario, wishes);
     if (asked === this.key) return null;
-    const isOther = scenario !== this.#scenario;
+    const isOther = scenario !== this.scenario;
     const over = { machine: wishes.machine || null, overlays: wishes.faults };
     const files = isOther ? await this.#given(scenario) : {};
     const before = this.wishes;
@@ -44,13 +45,13 @@ export class Opening {
 
   /** The machine has other settings than those that were asked for last. */
   restored(wishes) {
-    this.#note(this.#scenario, wishes);
+    this.#note(this.scenario, wishes);
   }
 
   #note(scenario, wishes) {
     this.key = keyOf(scenario, wishes);
     this.wishes = wishes;
-    this.#scenario = scenario;
+    this.scenario = scenario;
     this.#set = { ...wishes.set };
   }
 

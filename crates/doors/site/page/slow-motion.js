@@ -8,7 +8,8 @@ const KEPT = 3;
 export class SlowMotion extends EventTarget {
   #model;
   #tube;
-  #run = 0;
+  /** Number of the newest wish. */
+  #newest = 0;
   #pictures = new Map();
   /** Sweeps of the frame that are written; the part of one is the part of the sweep that runs. */
   #written = 0;
@@ -26,8 +27,8 @@ export class SlowMotion extends EventTarget {
   }
 
   /** Takes a picture that the model has drawn; how far it is to be built up, or null for all of it. */
-  drawn(planes) {
-    const key = this.#key(this.#model.view.frame);
+  drawn({ planes, frame }) {
+    const key = this.#key(frame);
     this.#pictures.delete(key);
     this.#pictures.set(key, planes.picture);
     if (this.#pictures.size > KEPT) this.#pictures.delete(this.#pictures.keys().next().value);
@@ -37,13 +38,13 @@ export class SlowMotion extends EventTarget {
 
   /** Runs on with so many sweeps a second, or back where they are below 0, until something else is wished for. */
   async run(rate) {
-    const run = this.#wish(Math.sign(rate));
-    await this.#begin(rate);
-    for (let last = performance.now(); run === this.#run && this.#isOn; ) {
+    const wish = this.#wish(Math.sign(rate));
+    let isOn = await this.#begin(rate, wish);
+    for (let last = performance.now(); isOn; ) {
       await new Promise(requestAnimationFrame);
       const now = performance.now();
       // A page that was hidden does not leap.
-      if (run === this.#run) await this.#go((rate * Math.min(250, now - last)) / 1000, Math.abs(rate) <= SLOW);
+      isOn = await this.#go((rate * Math.min(250, now - last)) / 1000, Math.abs(rate) <= SLOW, wish);
       last = now;
     }
   }
@@ -55,17 +56,14 @@ export class SlowMotion extends EventTarget {
 
   /** Goes by whole sweeps, and stands. */
   async step(by) {
-    this.stop();
-    await this.#begin(by);
-    if (this.#isOn) await this.#go(Math.floor(this.#written) + by - this.#written, false);
+    const wish = this.#wish(0);
+    if (await this.#begin(by, wish)) await this.#go(Math.floor(this.#written) + by - this.#written, false, wish);
   }
 
   /** Shows whole pictures again. */
   leave() {
     this.stop();
-    this.#isOn = false;
-    this.#model.planes = undefined;
-    this.#tube.built(null);
+    this.#end();
   }
 
   get #sweeps() {
@@ -78,28 +76,36 @@ export class SlowMotion extends EventTarget {
 
   #wish(way) {
     this.dispatchEvent(new CustomEvent("moved", { detail: way }));
-    return (this.#run += 1);
+    return (this.#newest += 1);
   }
 
-  /** Begins with the frame that stands: dark forwards, whole backwards. */
-  async #begin(way) {
-    if (this.#isOn) return;
+  #end() {
+    this.#isOn = false;
+    this.#model.planes = undefined;
+    this.#tube.built(null);
+  }
+
+  /** Begins with the frame that stands: dark forwards, whole backwards. Answers whether the wish is still the newest and can be built up. */
+  async #begin(way, wish) {
     if (this.#sweeps === 0) throw new Error(`${this.#model.facts.drawn_by} has no sweeps; expected a hardware model`);
+    if (this.#isOn && this.#completes) return true;
     this.#isOn = true;
-    await this.#enter(this.#model.view.frame, way > 0 ? 0 : this.#sweeps);
+    return this.#enter(this.#model.view.frame, way > 0 ? 0 : this.#sweeps, wish);
   }
 
-  async #go(by, followsInstant) {
+  /** Goes by so many sweeps, for a wish that is still the newest; answers whether it is. */
+  async #go(by, followsInstant, wish) {
+    if (wish !== this.#newest) return false;
     const was = Math.floor(this.#written);
     let next = this.#written + by;
     if (next > this.#sweeps || next < 0) {
       const { frames, view } = this.#model;
       next = by > 0 ? 0 : this.#sweeps;
-      await this.#enter((view.frame + Math.sign(by) + frames) % frames, next);
-      if (!this.#isOn) return;
+      if (!(await this.#enter((view.frame + Math.sign(by) + frames) % frames, next, wish))) return false;
     }
     this.#written = next;
     this.#follow(was, followsInstant);
+    return true;
   }
 
   /** The tube and the cursor at the sweep that is written now. */
@@ -112,19 +118,29 @@ export class SlowMotion extends EventTarget {
     if (followsInstant) this.#model.point((this.#written - sweep) * (facts.samples - 1));
   }
 
-  /** Goes to a frame of the lane, of which so many sweeps are written. */
-  async #enter(frame, written) {
+  /** Goes to a frame of the lane, of which so many sweeps are written. Answers whether the wish is still the newest and can be built up. */
+  async #enter(frame, written, wish) {
     const before = this.#pictures.get(this.#key(frame - 1));
     [this.#before, this.#written, this.#completes] = [before ?? null, written, null];
     this.#model.planes = ["picture", "sweep"];
     const settled = this.#model.settled();
     this.#model.look(this.#model.lane, frame);
     await settled;
+    // A newer wish enters its own frame, or has left.
+    if (wish !== this.#newest) return false;
+    // A picture that stood already was not drawn again.
+    this.#completes ??= this.#model.standing?.sweep?.values ?? null;
     // What cannot be built up has told its fault.
-    if (!this.#completes) return this.leave();
-    if (before || frame === 0) return;
-    this.#before = await this.#model.picture(frame - 1);
+    if (!this.#completes) {
+      this.#end();
+      return false;
+    }
     this.#tube.built(this.#build);
+    if (before || frame === 0) return true;
+    this.#before = await this.#model.picture(frame - 1);
+    if (wish !== this.#newest) return false;
+    this.#tube.built(this.#build);
+    return true;
   }
 
   /** How far the picture is built up. */

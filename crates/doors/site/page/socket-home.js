@@ -20,8 +20,16 @@ class SocketLink {
     this.#socket = socket;
     return new Promise((resolve, reject) => {
       socket.onopen = resolve;
-      socket.onclose = () => reject(new EndedError("the program does not answer; is it still running?"));
+      socket.onclose = async () => reject(new EndedError(await this.#why()));
     });
+  }
+
+  /** Why no socket was opened: a browser does not say what the program answered, so the page asks without one. */
+  async #why() {
+    const reply = await fetch(new URL(String(this.#address).replace(/^ws/, "http"))).catch(() => null);
+    if (reply === null) return "the program has ended or does not answer: start it again, and open the address that it prints";
+    const said = (await reply.text()).trim().replace(/^lunoid drive: /, "");
+    return `the program opens no connection for this page: ${said}`;
   }
 
   /** The program goes on with a request that is given up, and its answer is thrown away with the socket. */

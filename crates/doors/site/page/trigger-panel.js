@@ -6,6 +6,8 @@ import { PATH } from "./drives.js";
 export function triggerPanel(at, model, { stop, failed }) {
   let run = 0;
   const say = (text) => { at("trigger-says").textContent = text; };
+  /** The last condition that the machine took. */
+  let known = "";
   const wait = () => {
     run += 1;
     say("");
@@ -34,14 +36,18 @@ export function triggerPanel(at, model, { stop, failed }) {
   at("trigger-arm").addEventListener("click", wait);
   at("trigger-next").addEventListener("click", () => next().catch((error) => { say(""); failed(error); }));
   model.addEventListener("triggered", ({ detail: place }) => {
-    const { mode } = model.trigger;
+    const { mode, on } = model.trigger;
+    known = on;
     if (place) say(found(place));
     else say(mode === "automatic" ? "Not met in this frame: the sweep of the cursor is shown." : "Not met in this frame: waiting.");
     if (place && mode === "single") stop();
   });
-  // A condition that is none would be asked for at each frame.
+  // A condition that is none is taken back.
   model.addEventListener("fault", ({ detail }) => {
-    if (detail.problems?.some(({ key }) => key === "on")) model.wait("", model.trigger.mode);
+    if (!detail.problems?.some(({ key }) => key === "on")) return;
+    if (model.trigger.on === known) known = "";
+    at("trigger-on").value = known;
+    model.wait(known, model.trigger.mode);
   });
 }
 

@@ -17,14 +17,17 @@ export class Tube {
   /** `pick` is called with the column and the line of a pixel that was chosen. */
   constructor(canvas, pick) {
     this.#canvas = canvas;
-    canvas.addEventListener("click", (event) => pick(...this.#pixel(event)));
+    canvas.addEventListener("click", (event) => this.#image && pick(...this.#pixel(event)));
     canvas.addEventListener("keydown", (event) => {
       const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
       if (!way || !this.#image) return;
       event.preventDefault();
       const step = STEPS[Number(event.shiftKey)];
       const [column, line] = this.#marker ?? [this.#image.width >> 1, this.#image.height >> 1];
-      pick(...this.#inside(column + step * way[0], line + step * way[1]));
+      const to = this.#inside(column + step * way[0], line + step * way[1]);
+      // The next key may come before the machine has answered.
+      this.mark(...to);
+      pick(...to);
     });
   }
 

@@ -1,27 +1,34 @@
 // What is looked at, and the machine that shows it. One cursor for all panels; the newest wish is drawn, and none is queued.
 
 import { Drives, PATH } from "./drives.js";
+import { way } from "./driving.js";
+import { bounded, openKnown } from "./known.js";
 import { LoopKeeper } from "./loop-keeper.js";
 import { Opening } from "./opening.js";
+import { Panels } from "./panels.js";
 import { Trigger } from "./trigger.js";
-
-/** Most that the report lets the vehicle do (section 3): 16 km/h, and 30 degrees a second here (chosen). */
-export const MOST = { kmh: 16, turn: 30 };
+import { Turns } from "./turns.js";
 
 /**
- * Events: `opened` (facts), `picture` (seen), `traces` (null without wires), `events`, `wires` (traces of the diagram), `explained` (null without
- * a pixel), `cursor` (sample), `triggered` (place or null), `driven` (frames), `fault` (error), `busy` (boolean).
+ * Events: `opened` (facts), `picture` (seen, with its lane), `traces` (null without wires), `events` (with their sweep), `wires` (traces of the
+ * diagram), `explained` (null without a pixel), `cursor` (sample), `triggered` (place or null), `driven` (frames), `fault` (error), `refused`
+ * (parts that are left out, each with its error), `busy` (boolean). What the machine refuses is taken back: the view says what stands.
  */
 export class ViewModel extends EventTarget {
   #machine;
   #opening;
   #keeper;
-  #at = 0;
+  #panels;
+  #turns;
+  #looks = 0;
+  /** Whether the view is that of a link, of which only a part may be known. */
+  #isLink = false;
+  /** Whether the reader has chosen another machine, which may not have all that is set. */
+  #isOther = false;
+  /** The picture that stands, what it was made of, and its lane and frame. */
   #shown = {};
-  #runs = false;
-  /** What the picture, and the explanation, that stand were made of. */
   #drawn = null;
-  #told = null;
+  #stands = null;
 
   /** `machine` answers requests; `given` finds the files of a shipped scenario by its name. */
   constructor(machine, given) {
@@ -39,6 +46,13 @@ export class ViewModel extends EventTarget {
     this.diagram = [];
     this.facts = null;
     this.#keeper = new LoopKeeper(machine, this.drives, { now: () => this.#opening.wishes, restored: (wishes) => this.#opening.restored(wishes) });
+    this.#turns = new Turns((at) => this.#attempt(at), (isBusy) => this.#hear(isBusy));
+    this.#panels = new Panels(this, machine, (name, detail) => this.#tell(name, detail));
+  }
+
+  /** The planes of the picture that stands, if it is the one that is looked at. */
+  get standing() {
+    return this.#key === this.#drawn ? this.#shown.planes : null;
   }
 
   /** Whether a driven frame is looked at, in place of one of the path. */
@@ -71,8 +85,22 @@ export class ViewModel extends EventTarget {
     this.#wish();
   }
 
+  /** Looks at what a link asks for, as far as the machine knows it. */
+  follow(view) {
+    this.#isLink = true;
+    this.lane = PATH;
+    this.show(view);
+  }
+
+  /** Draws by another machine, with those settings that it has. */
+  choose(machine) {
+    this.#isOther = true;
+    this.show({ machine, faults: [] });
+  }
+
   /** Looks at a frame of a lane, with the settings that it was driven with. */
   look(lane, frame) {
+    this.#looks += 1;
     this.lane = lane;
     const wishes = lane === PATH ? {} : this.drives.list[lane].frames[frame].wishes;
     this.show({ frame, ...wishes });
@@ -127,43 +155,44 @@ export class ViewModel extends EventTarget {
   }
 
   /** The picture that stands without faults and settings of the reader: from the same pose, at the same time. */
-  async healthy() {
-    while (this.#runs) await this.settled();
-    const { pose } = this.#shown;
-    this.#runs = true;
-    this.#tell("busy", true);
-    try {
-      await this.#opening.heal(this.#wishes);
-      return await (this.isDriven ? this.#machine.look(pose, { frame: this.view.frame }) : this.#machine.frame(this.view.frame));
-    } finally {
-      this.#runs = false;
+  healthy() {
+    return this.#alone(async () => {
+      const { pose } = this.#shown;
       // The picture that stands is the one that was asked for; its machine comes back with the next wish.
-      this.#wish();
-    }
+      this.#turns.wish();
+      await this.#opening.heal(this.#wishes);
+      return this.isDriven ? this.#machine.look(pose, { frame: this.view.frame }) : this.#machine.frame(this.view.frame);
+    });
   }
 
-  /** Drives one frame further from where the reader looks; answers when it is drawn. */
-  async drive(kmh, turn) {
-    const bound = (value, most) => Math.max(-most, Math.min(most, Number(value) || 0));
-    const step = 1 / this.facts.update_hz;
-    const way = { metres: (bound(kmh, MOST.kmh) / 3.6) * step, turn_deg: bound(turn, MOST.turn) * step };
-    const { pose: from } = this.#shown;
-    await (this.isDriven ? this.#keeper.goOn(this.lane, this.view.frame) : this.#keeper.leave());
-    await this.#open();
-    const { pose } = await this.#machine.ahead({ ...way, pose: from });
-    const { wishes } = this.#opening;
-    const seen = await this.#machine.step(pose, { planes: this.planes });
-    [this.lane, this.view.frame] = this.#keeper.driven({ pose: seen.pose, hash: seen.hash, wishes });
-    this.facts.driven = this.frames;
-    this.#draw(seen);
-    this.#tell("driven", this.frames);
-    await this.#panels(this.#at);
+  /** Drives one frame further from where the reader looks. Answers when it is drawn: whether the reader still looks at the drive. */
+  drive(kmh, turn) {
+    return this.#alone(async () => {
+      const [at, looks] = [this.#turns.newest, this.#looks];
+      const { pose: from } = this.#shown;
+      await (this.isDriven ? this.#keeper.goOn(this.lane, this.view.frame) : this.#keeper.leave());
+      await this.#open();
+      const { pose } = await this.#machine.ahead({ ...way(kmh, turn, 1 / this.facts.update_hz), pose: from });
+      const { wishes } = this.#opening;
+      const seen = await this.#machine.step(pose, { planes: this.planes });
+      const [lane, frame] = this.#keeper.driven({ pose: seen.pose, hash: seen.hash, wishes });
+      // Who looks elsewhere meanwhile is not called back.
+      const isLooking = looks === this.#looks;
+      if (isLooking) [this.lane, this.view.frame] = [lane, frame];
+      this.facts.driven = this.drives.frames(lane, 0);
+      if (isLooking) this.#draw(seen, this.#key);
+      this.#tell("driven", this.facts.driven);
+      if (isLooking) await this.#fill(at);
+      return isLooking;
+    });
   }
 
   /** The files of the drive that is looked at. */
-  async record() {
-    if (this.isDriven) await this.#keeper.hold(this.lane, this.frames);
-    return this.#machine.record("driven");
+  record() {
+    return this.#alone(async () => {
+      if (this.isDriven) await this.#keeper.hold(this.lane, this.frames);
+      return this.#machine.record("driven");
+    });
   }
 
   parameters() {
@@ -184,29 +213,51 @@ export class ViewModel extends EventTarget {
   }
 
   #wish() {
-    this.#at += 1;
-    this.#run();
+    this.#turns.wish();
   }
 
-  async #run() {
-    if (this.#runs) return;
-    this.#runs = true;
-    this.#tell("busy", true);
-    for (let at = -1; at !== this.#at; ) {
-      at = this.#at;
-      await this.#refresh(at).catch((error) => this.#tell("fault", error));
+  #alone(once) {
+    return this.#turns.alone(once, () => this.settled());
+  }
+
+  /** Draws the wish `at`, and tells its fault. Answers whether something was taken back, so that it is to be shown anew. */
+  async #attempt(at) {
+    const before = JSON.stringify([this.lane, this.view]);
+    try {
+      await this.#refresh(at);
+    } catch (error) {
+      this.#tell("fault", error);
+      return JSON.stringify([this.lane, this.view]) !== before;
     }
-    this.#runs = false;
-    this.#tell("busy", false);
+    return false;
+  }
+
+  /** The machine is busy, or has drawn the newest wish. */
+  #hear(isBusy) {
+    if (!isBusy) [this.#isLink, this.#isOther] = [false, false];
+    this.#tell("busy", isBusy);
   }
 
   /** Opens, draws and looks, and stops where something newer is wished for. */
   async #refresh(at) {
     await this.#open();
-    if (at !== this.#at) return;
-    this.view.frame = Math.min(this.view.frame, this.frames - 1);
-    if (this.#key !== this.#drawn) this.#draw(await this.#picture());
-    await this.#panels(at);
+    if (at !== this.#turns.newest) return;
+    const { known, refused } = bounded(this.view, this.frames, this.facts);
+    Object.assign(this.view, known);
+    if (this.#isLink && refused.length > 0) this.#tell("refused", refused);
+    if (this.#key !== this.#drawn || this.#isAstray) await this.#picture();
+    if (at === this.#turns.newest) await this.#fill(at);
+  }
+
+  /** Fills the panels. Wires that are not there are left out of a link, and a fault of the reader's. */
+  #fill(at) {
+    const refused = (wires) => (this.#isLink ? this.#tell("refused", wires) : this.#tell("fault", wires[0].error));
+    return this.#panels.fill(this.#drawn, () => at === this.#turns.newest, refused);
+  }
+
+  /** Whether the loop has gone on from a frame that the machine can tell of in its loop alone. */
+  get #isAstray() {
+    return this.isDriven && this.facts.remembers_frames && !this.#keeper.isLast(this.lane, this.view.frame);
   }
 
   /** What the picture of now is made of. */
@@ -214,13 +265,25 @@ export class ViewModel extends EventTarget {
     return JSON.stringify([this.#opening.key, this.lane, this.view.frame, this.planes]);
   }
 
-  /** The picture of the frame that is looked at. A driven frame that no look can draw is driven once more. */
+  /** Draws the frame that is looked at. Where it is refused, the view goes back to the picture that stands. */
   async #picture() {
+    const looked = [this.lane, this.view.frame];
+    const key = this.#key;
+    const seen = await this.#looked().catch((error) => {
+      if (this.#stands && looked.join() === [this.lane, this.view.frame].join()) ({ lane: this.lane, frame: this.view.frame } = this.#stands);
+      throw error;
+    });
+    this.#draw(seen, key, ...looked);
+  }
+
+  /** The picture of the frame that is looked at. A driven frame that no look can draw is driven once more. */
+  async #looked() {
     const { frame } = this.view;
     if (!this.isDriven || !this.facts.remembers_frames) return this.#seen(frame, this.planes);
-    await this.#keeper.hold(this.lane, frame);
+    const { lane } = this;
+    await this.#keeper.hold(lane, frame);
     await this.#open();
-    const { pose } = this.drives.list[this.lane].frames[frame];
+    const { pose } = this.drives.list[lane].frames[frame];
     const seen = await this.#machine.step(pose, { planes: this.planes });
     this.#keeper.redrawn();
     return seen;
@@ -232,14 +295,38 @@ export class ViewModel extends EventTarget {
     return this.#machine.look(this.drives.list[this.lane].frames[frame].pose, { frame, planes });
   }
 
+  /** Opens what the view asks for. Where it is refused, the view goes back to what is opened; of a link, what is known stands. */
   async #open() {
-    const opened = await this.#opening.open(this.view.scenario, this.#wishes);
+    const { scenario } = this.view;
+    const wishes = this.#wishes;
+    const opened = await this.#opening.open(scenario, wishes).catch((error) => {
+      if (this.#isLink || this.#isOther) return this.#known(scenario, wishes);
+      this.#back(scenario, wishes);
+      throw error;
+    });
     if (opened === null) return;
     if (opened.isOther) this.#begin();
     this.facts = { ...opened.facts, driven: this.isDriven ? this.frames : 0 };
     this.drives.forgetPath();
-    this.view.sweep = Math.min(this.view.sweep, Math.max(0, this.facts.sweeps - 1));
     this.#tell("opened", this.facts);
+  }
+
+  /** Opens what the machine knows of `asked`. A machine that cannot draw the scenario at all goes back to the one before. */
+  async #known(scenario, asked) {
+    const before = { ...this.#opening.wishes };
+    const { opened, wishes, refused } = await openKnown(this.#opening, scenario, asked);
+    const none = this.#isLink ? null : refused.find(({ part }) => part.startsWith("machine="));
+    if (isSame(asked, this.#wishes)) Object.assign(this.view, none ? before : wishes);
+    if (none) throw none.error;
+    if (refused.length > 0) this.#tell("refused", refused);
+    return opened;
+  }
+
+  /** The view says again what is opened, if the reader has not wished for something else meanwhile. */
+  #back(scenario, wishes) {
+    const { scenario: opened, wishes: stand } = this.#opening;
+    const isNewest = isSame([scenario, wishes], [this.view.scenario, this.#wishes]);
+    if (opened !== null && isNewest) Object.assign(this.view, { scenario: opened, ...stand });
   }
 
   /** Another scenario: nothing was driven on it. */
@@ -249,61 +336,15 @@ export class ViewModel extends EventTarget {
     this.#keeper.clear();
   }
 
-  #draw(seen) {
-    this.#drawn = this.#key;
+  #draw(seen, key, lane = this.lane, frame = this.view.frame) {
+    this.#drawn = key;
     this.#shown = seen;
+    this.#stands = { lane, frame };
     this.trigger.arm();
-    this.#tell("picture", seen);
-  }
-
-  async #panels(at) {
-    await this.#explain();
-    if (at !== this.#at) return;
-    if (this.facts.samples === 0) return this.#noSweep();
-    if (this.trigger.isDue && !(await this.#triggered())) return;
-    if (at !== this.#at) return;
-    const { wires, sweep } = this.view;
-    const names = wires.split(",").map((word) => word.trim()).filter(Boolean);
-    this.#tell("traces", names.length > 0 ? await this.#machine.probe(names, sweep, this.which) : null);
-    if (at !== this.#at) return;
-    if (this.diagram.length > 0) this.#tell("wires", await this.#machine.probe(this.diagram, sweep, this.which));
-    if (at !== this.#at) return;
-    const none = () => ({ events: [] });
-    this.#tell("events", await this.#machine.events({ ...this.which, sweeps: sweep }).catch(none));
-  }
-
-  /** A generator without sweeps: nothing of another machine is left standing. */
-  #noSweep() {
-    this.#tell("traces", null);
-    this.#tell("events", { events: [] });
-  }
-
-  async #explain() {
-    const { column, line } = this.view;
-    const key = column === null || line === null ? null : JSON.stringify([this.#drawn, column, line]);
-    if (key === this.#told) return;
-    if (key === null) {
-      this.#told = null;
-      return this.#tell("explained", null);
-    }
-    const told = await this.#machine.explain(column, line, this.which);
-    this.#told = key;
-    this.view.sweep = sweepOf(told.document) ?? this.view.sweep;
-    this.#tell("explained", told);
-  }
-
-  /** Looks for the condition in the frame that stands; whether the panels are to show what they have now. */
-  async #triggered() {
-    const place = this.trigger.chosen(this.lane, this.view.frame) ?? (await this.#machine.trigger(this.trigger.on, this.which)).places[0] ?? null;
-    const shows = this.trigger.found(place);
-    if (place) Object.assign(this.view, { sweep: place.sweep, sample: place.instant });
-    this.#tell("triggered", place);
-    if (place) this.#tell("cursor", place.instant);
-    return shows;
+    this.#tell("picture", { ...seen, lane, frame });
   }
 }
 
-/** The sweep that drew a pixel, where its generator has sweeps. */
-function sweepOf(document) {
-  return document?.place?.drawn_with ?? null;
+function isSame(one, other) {
+  return JSON.stringify(one) === JSON.stringify(other);
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use files::{make_folder, read_all, rename, write_atomic};
 use limits::Limit;
-use site::{LIST, PAGE, list};
+use site::{LIST, list, page};
 
 use crate::books;
 use crate::error::SiteError;
@@ -48,7 +48,7 @@ fn expect_free(out: &Path) -> Result<(), SiteError> {
 /// Writes everything into `half`.
 fn write(half: &Path, workspace: &Path, module: &Path, shipped: &Shipped) -> Result<Written, SiteError> {
     make_folder(half)?;
-    for (name, bytes) in PAGE {
+    for (name, bytes) in page() {
         write_atomic(half.join(name), |out| out.write_all(bytes))?;
     }
     for file in &shipped.files {

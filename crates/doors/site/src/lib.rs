@@ -3,10 +3,11 @@
 //! ```text
 //! crate browser ─▶ cargo ─▶ lunoid.wasm ─┐
 //! crates/doors/site/page ────────────────┼─▶ site/          a folder for any static host
+//! crates/instruments/scope/page ─────────┤
 //! scenarios, and the files they name ────┤
 //! docs ─▶ MkDocs, with books/ ───────────┘
 //!
-//! crates/doors/site/page, drive ─▶ PAGE, OF_A_PROGRAM ─▶ `lunoid drive`
+//! crates/doors/site/page, drive ─▶ page, OF_A_PROGRAM ─▶ `lunoid drive`
 //! ```
 //!
 //! # Law
@@ -21,5 +22,5 @@
 mod page;
 mod row;
 
-pub use page::{OF_A_PROGRAM, PAGE};
+pub use page::{File, OF_A_PROGRAM, page};
 pub use row::{LIST, list, row};

@@ -6,7 +6,7 @@ use std::path::Path;
 use replay::scope_name;
 use serde::{Deserialize, Serialize};
 
-use crate::{ReportError, Sight, TimingSummary};
+use crate::{ReportError, Sight, SweepWaves, TimingSummary};
 
 /// Name of the file in the run folder.
 pub const BESIDE: &str = replay::PAGE_DATA;
@@ -28,6 +28,9 @@ pub struct Beside {
     pub timing: Option<TimingSummary>,
     /// Recorded sweeps, by frame and sweep.
     pub scopes: Vec<ScopePlot>,
+    /// Their values, in the same order; none of a sweep that was recorded before they were kept.
+    #[serde(default)]
+    pub waves: Vec<SweepWaves>,
 }
 
 /// A recorded sweep whose plot the page shows.
@@ -62,6 +65,7 @@ impl Beside {
             sight: None,
             timing: None,
             scopes: Vec::new(),
+            waves: Vec::new(),
         }
     }
 
@@ -88,14 +92,22 @@ impl Beside {
             run_record::file_hash(&folder.join(plot.file())).is_ok_and(|hash| hash == plot.blake3)
         };
         found.scopes.retain(is_whole);
+        let Self { scopes, waves, .. } = &mut found;
+        let is_plotted =
+            |of: &SweepWaves| scopes.iter().any(|plot| (plot.frame, plot.sweep) == (of.frame, of.sweep));
+        waves.retain(is_plotted);
         Ok(found)
     }
 
-    /// Adds a plot, in place of an earlier one of the same sweep.
-    pub fn add(&mut self, plot: ScopePlot) {
-        self.scopes.retain(|known| (known.frame, known.sweep) != (plot.frame, plot.sweep));
+    /// Adds a plot and its values, if they were kept, in place of an earlier one of the same sweep.
+    pub fn add(&mut self, plot: ScopePlot, waves: Option<SweepWaves>) {
+        let place = (plot.frame, plot.sweep);
+        self.scopes.retain(|known| (known.frame, known.sweep) != place);
+        self.waves.retain(|known| (known.frame, known.sweep) != place);
         self.scopes.push(plot);
+        self.waves.extend(waves);
         self.scopes.sort();
+        self.waves.sort_by_key(|of| (of.frame, of.sweep));
     }
 
     /// Writes the file into `folder`.

@@ -2,16 +2,18 @@
 
 use serde_json::{Value, json};
 
-use crate::Beside;
 use crate::film::Film;
 use crate::run::Run;
 use crate::strip::Small;
 use crate::viewer::{SPEEDS, USUAL_SPEED};
+use crate::{Beside, SweepWaves};
 
 /// Returns the document that the script of the page reads.
 pub(crate) fn data(run: &Run, beside: &Beside, strip: &[Small], film: &Film) -> Value {
     let first = run.first_picture();
     let scopes: Vec<Value> = beside.scopes.iter().map(|plot| json!([plot.frame, plot.sweep])).collect();
+    let timed =
+        beside.timing.as_ref().map(|timing| timing.frames.iter().zip(&timing.late).collect::<Vec<_>>());
     json!({
         "first": first,
         "end": first + run.pictures(),
@@ -26,9 +28,28 @@ pub(crate) fn data(run: &Run, beside: &Beside, strip: &[Small], film: &Film) -> 
         "film": film.pictures,
         "sight": beside.sight,
         "scopes": scopes,
+        "waves": embedded(&beside.waves),
+        "late": timed.unwrap_or_default(),
         "stage": shell_words(&beside.stage),
         "pictures": run.picture_words(),
     })
+}
+
+/// Most values of waveforms that are part of the page: some 30 MB.
+const MOST_VALUES: usize = 3_000_000;
+
+/// The first of `waves` for which there is room.
+pub(crate) fn embedded(waves: &[SweepWaves]) -> &[SweepWaves] {
+    let mut room = MOST_VALUES;
+    let fits = |of: &SweepWaves| match room.checked_sub(of.size()) {
+        Some(left) => {
+            room = left;
+            true
+        }
+        None => false,
+    };
+    let count = waves.iter().map(fits).take_while(|fits| *fits).count();
+    &waves[..count]
 }
 
 /// To four places: tenths of a millimetre, and less than an arc second. A person reads no more.

@@ -17,7 +17,7 @@
 //! stands in, and the page says so.
 //! **No network.** Style, script and data are in the file, and its content security policy forbids the rest.
 //! **page.json** ([`Beside`]) keeps what the record does not have: the words of the command line, where a pixel lies among
-//! the sweeps, a [summary](TimingSummary) of timing, the list of plots. Without it the page has fewer sections.
+//! the sweeps, a [summary](TimingSummary) of timing, the list of plots and their [values](SweepWaves). Without it the page has fewer sections.
 //! **Side by side.** [`write_side_by_side`] makes one page of the runs of several machines: frames in columns, errors against one
 //! of them, and what their drawing took, which it reads from `performance.json`: it alone has a clock.
 //! **Our choices.** The page is no output of `run.json`, whose hashes it shows: it can be written again from the folder.
@@ -42,6 +42,7 @@ mod strip;
 mod timing_section;
 mod timing_summary;
 mod viewer;
+mod waves;
 
 pub use beside::{BESIDE, Beside, ScopePlot};
 pub use error::ReportError;
@@ -49,3 +50,4 @@ pub use page::write_page;
 pub use side_by_side::{FrameError, SIDE_BY_SIDE, SideBySide, write_side_by_side};
 pub use sight::{Sight, SightLine};
 pub use timing_summary::{DeadlineLine, TimingSummary, UnitLine};
+pub use waves::{SweepWaves, Wave};

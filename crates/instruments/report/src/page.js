@@ -85,6 +85,7 @@
     holdAround(at);
     read();
     drawMarks();
+    drawLate();
     drawChosen();
   }
   function read() {
@@ -191,6 +192,19 @@
       return mark;
     }));
   }
+  /* Short strokes at both edges of the picture, where the sweeps with misses of its frame begin and end. */
+  const EDGE = 0.06;
+  function drawLate() {
+    const found = run.late.find(([of]) => of === frame());
+    const stroke = sweep => {
+      const [[x1, y1], [x2, y2]] = ends(sweep);
+      const at = y => [x1 + (x2 - x1) * (y - y1) / (y2 - y1), y].map(value => value.toFixed(4)).join(" ");
+      return `M${at(-1)}L${at(-1 + EDGE)}M${at(1 - EDGE)}L${at(1)}`;
+    };
+    part("late").setAttribute("d", found && line() ? found[1].map(stroke).join("") : "");
+    if (!part("late-says")) return;
+    part("late-says").textContent = found ? `${found[1].length} of ${sight.sweeps}` : "not timed";
+  }
   function placeOf(event) {
     const box = screen.getBoundingClientRect();
     const u = clamp((event.clientX - box.left) / box.width, 0, 1), v = clamp((event.clientY - box.top) / box.height, 0, 1);
@@ -198,19 +212,23 @@
     const middle = (index, count) => (2 * index + 1) / count - 1;
     return { column, row, sweep: sweepAt(middle(column, run.columns), middle(row, run.lines)) };
   }
+  /* The place that the readings name. A click has whole coordinates, and could name the pixel beside it. */
+  let under = null;
   screen.onpointermove = event => {
-    const { column, row, sweep } = placeOf(event);
+    under = placeOf(event);
+    const { column, row, sweep } = under;
     part("place").textContent = column + ", " + row;
     if (part("under")) part("under").textContent = sweep ?? "–";
     draw(part("hover"), sweep);
   };
   screen.onpointerleave = () => {
+    under = null;
     part("place").textContent = "–";
     if (part("under")) part("under").textContent = "–";
     draw(part("hover"), null);
   };
   screen.onclick = event => {
-    const { column, row, sweep } = placeOf(event);
+    const { column, row, sweep } = under ?? placeOf(event);
     if (playing) stop();
     if (sweep === null) look(null, [column, row]); else { choose(sweep); open([column, row]); }
   };

@@ -20,6 +20,7 @@ use crate::{Beside, ReportError};
 const STYLE: &str = include_str!("page.css");
 const THEME: &str = include_str!("theme.js");
 const SCRIPT: &str = include_str!("page.js");
+const SCOPES: &str = include_str!("page-scope.js");
 
 /// Nothing from anywhere but this file and the folder that it lies in.
 const POLICY: &str = "default-src 'none'; img-src 'self' file: data:; style-src 'unsafe-inline'; \
@@ -94,6 +95,10 @@ fn page(folder: &Path) -> Result<Markup, ReportError> {
                 script #data type="application/json" { (PreEscaped(data)) }
                 // The page works before its frames are read.
                 script { (PreEscaped(SCRIPT)) }
+                @if !beside.waves.is_empty() {
+                    script { (PreEscaped(scope::live_script())) }
+                    script { (PreEscaped(SCOPES)) }
+                }
                 (film.elements())
             }
         }

@@ -5,7 +5,7 @@ use std::path::Path;
 use maud::{Markup, html};
 use text::named_signals;
 
-use crate::data::shell_words;
+use crate::data::{embedded, shell_words};
 use crate::{Beside, ReportError, ScopePlot};
 
 /// Bytes of plots that are part of the page; the others are read from beside it. Several hundred fit.
@@ -22,7 +22,9 @@ pub(crate) fn scopes(folder: &Path, beside: &Beside, line: Option<&str>) -> Resu
                 None => p { "There are no sweeps, and no signals." },
                 Some(line) => {
                     @if beside.scopes.is_empty() { (how_to_record(beside, line)) }
-                    @for (plot, source) in beside.scopes.iter().zip(&sources) { (figure(plot, source, line, beside.sight.is_some())) }
+                    @for (plot, source) in beside.scopes.iter().zip(&sources) {
+                        (figure(plot, source, line, beside.sight.is_some(), has_values(beside, plot)))
+                    }
                 }
             }
         }
@@ -41,8 +43,13 @@ fn how_to_record(beside: &Beside, line: &str) -> Markup {
     }
 }
 
+/// Whether the page has the values of a plot.
+fn has_values(beside: &Beside, plot: &ScopePlot) -> bool {
+    embedded(&beside.waves).iter().any(|of| (of.frame, of.sweep) == (plot.frame, plot.sweep))
+}
+
 /// A sweep that is seen as a column can be shown in the picture; a row of a grid is seen nowhere as a line.
-fn figure(plot: &ScopePlot, source: &str, line: &str, is_seen: bool) -> Markup {
+fn figure(plot: &ScopePlot, source: &str, line: &str, is_seen: bool, has_values: bool) -> Markup {
     let ScopePlot { frame, sweep, .. } = plot;
     html! {
         figure.plate.scope id=(format!("scope-{frame}-{sweep}")) tabindex="-1" {
@@ -53,6 +60,9 @@ fn figure(plot: &ScopePlot, source: &str, line: &str, is_seen: bool) -> Markup {
                 @if is_seen {
                     button.needs-script type="button" data-frame=(frame) data-sweep=(sweep) { "Show in the picture" }
                 }
+            }
+            @if has_values {
+                details.live.needs-script data-frame=(frame) data-of=(sweep) { summary { "Values, zoom and X-Y" } }
             }
         }
     }

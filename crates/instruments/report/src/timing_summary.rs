@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
-use timing::{Cause, Deadline, Sets, Slack, TimingRecord, Totals, UnitTotals};
+use timing::{Cause, Deadline, FrameTiming, Sets, Slack, TimingRecord, Totals, UnitTotals};
 
 /// Timing over some frames.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -29,6 +29,9 @@ pub struct TimingSummary {
     pub causes: BTreeMap<Cause, u64>,
     /// Sweeps with misses, ascending, and how many they have.
     pub sweeps: Vec<(u32, u64)>,
+    /// Sweeps with misses, ascending, of each of the frames; none in a folder of before they were told.
+    #[serde(default)]
+    pub late: Vec<Vec<u32>>,
 }
 
 /// One kind of deadline.
@@ -70,6 +73,12 @@ impl TimingSummary {
             let UnitTotals { least, mean, most, longest_queue, .. } = line;
             UnitLine { unit, least, mean, most, longest_queue }
         };
+        let late = |frame: &FrameTiming| {
+            let mut sweeps: Vec<u32> = frame.misses.iter().map(|miss| miss.sweep).collect();
+            sweeps.sort_unstable();
+            sweeps.dedup();
+            sweeps
+        };
         Self {
             frames: record.frames.iter().map(|frame| frame.frame).collect(),
             tick_s,
@@ -80,6 +89,7 @@ impl TimingSummary {
             deadlines: totals.deadlines.into_iter().map(deadline).collect(),
             units: totals.units.into_iter().map(unit).collect(),
             causes: totals.causes,
+            late: record.frames.iter().map(late).collect(),
             sweeps: totals.sweeps.into_iter().map(|(sweep, found)| (sweep, found.misses)).collect(),
         }
     }

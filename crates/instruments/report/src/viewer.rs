@@ -41,6 +41,7 @@ pub(crate) fn viewer(run: &Run, film: &Film) -> Markup {
                         img #frame src=(film.first) data-picture=(run.first_picture()) width=(raster.columns) height=(raster.lines)
                             alt=(format!("Picture {}", run.first_picture()));
                         svg #cursor viewBox="-1 -1 2 2" preserveAspectRatio="none" aria-hidden="true" {
+                            path #late.late d="" {}
                             g #marks {}
                             line #hover.hover x1="9" x2="9" y1="-1" y2="1" {}
                             line #chosen.chosen x1="9" x2="9" y1="-1" y2="1" {}
@@ -114,6 +115,10 @@ fn readings(run: &Run) -> Markup {
                 dl.pose {
                     div { dt { "Column, line" } dd #place { "–" } }
                     @if run.has_sweeps() { div { dt { "Sweep" } dd #under { "–" } } }
+                }
+                @if run.has_sweeps() {
+                    h3 { "Late sweeps" }
+                    dl.pose { div { dt { "Red at the edges" } dd #late-says { "–" } } }
                 }
             }
         }

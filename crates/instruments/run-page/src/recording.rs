@@ -4,7 +4,7 @@ use std::path::Path;
 
 use generator::{Planes, Scan, Session};
 use replay::{RunFolder, SCOPES, scope_name};
-use report::{Beside, ScopePlot};
+use report::{Beside, ScopePlot, SweepWaves, Wave};
 use run_record::file_hash;
 use scenario::PoseRow;
 use signal::{Probe, Signal, Waveform};
@@ -30,17 +30,19 @@ pub fn record(
         let row = poses.iter().find(|row| row.frame == request.frame);
         let Some(row) = row else { continue };
         let Some(scan) = making.scan() else { continue };
-        beside.add(plot(making, &*session, row, (request, sweep, scan), folder.path())?);
+        let (plot, waves) = plot(making, &*session, row, (request, sweep, scan), folder.path())?;
+        beside.add(plot, Some(waves));
     }
     Ok(())
 }
 
-/// Sweeps of `request` that are not there, or with other signals.
+/// Sweeps of `request` that are not there, or with other signals, or without values.
 fn missing<'a>(making: &Making, request: &'a Request, beside: &Beside) -> Vec<(&'a Request, u32)> {
     let asked = request.patterns(&*making.job.generator);
     let is_there = |sweep: u32| {
         let same = |plot: &ScopePlot| (plot.frame, plot.sweep, &plot.asked) == (request.frame, sweep, &asked);
-        beside.scopes.iter().any(same)
+        let has_values = beside.waves.iter().any(|of| (of.frame, of.sweep) == (request.frame, sweep));
+        has_values && beside.scopes.iter().any(same)
     };
     let lines = making.scan().map_or(0, |scan| scan.timebase.sweeps);
     let sweeps = request.sweeps(lines).unwrap_or(0..0);
@@ -53,7 +55,7 @@ fn plot(
     row: &PoseRow,
     (request, sweep, scan): (&Request, u32, Scan),
     folder: &Path,
-) -> Result<ScopePlot, PageError> {
+) -> Result<(ScopePlot, SweepWaves), PageError> {
     let view = &making.job.stage.view;
     let mut planes = Planes::new(view.columns as usize, view.lines as usize, &[]);
     let asked = request.patterns(&*making.job.generator);
@@ -74,13 +76,33 @@ fn plot(
     let path = folder.join(scope_name(row.frame, sweep));
     let svg = light_or_dark_svg(&recorded)?;
     files::write_atomic(&path, |out| out.write_all(svg.as_bytes()))?;
-    Ok(ScopePlot {
-        frame: row.frame,
+    let waves = waves(&probe.waveforms, &wanted, (row.frame, sweep), &scan);
+    let signals = wanted.into_iter().map(str::to_owned).collect();
+    Ok((ScopePlot { frame: row.frame, sweep, asked, signals, blake3: file_hash(&path)? }, waves))
+}
+
+/// The values of the signals `wanted`, for the scope of the page. A reader of a picture sees no more than 32 bits have.
+fn waves(waveforms: &[Waveform], wanted: &[&str], (frame, sweep): (u64, u32), scan: &Scan) -> SweepWaves {
+    let of = |name: &str| waveforms.iter().find(|waveform| waveform.signal.name == name);
+    let numbers = |values: &[f64]| values.iter().map(|&value| value as f32).collect::<Vec<f32>>();
+    let wave = |waveform: &Waveform| Wave {
+        name: waveform.signal.name.to_owned(),
+        unit: waveform.signal.unit.symbol().to_owned(),
+        kind: waveform.signal.kind.name().to_owned(),
+        times: numbers(&waveform.times),
+        values: numbers(&waveform.values)
+            .into_iter()
+            .map(|value| value.is_finite().then_some(value))
+            .collect(),
+    };
+    SweepWaves {
+        frame,
         sweep,
-        asked,
-        signals: wanted.into_iter().map(str::to_owned).collect(),
-        blake3: file_hash(&path)?,
-    })
+        sample_us: 1e6 / scan.timebase.sample_rate().hertz(),
+        place: scan.place.to_owned(),
+        places: of(scan.place).map(|waveform| numbers(&waveform.values)).unwrap_or_default(),
+        signals: wanted.iter().filter_map(|name| of(name)).map(wave).collect(),
+    }
 }
 
 /// Names of the signals that a plot shows: those `asked` for that are there and run along the sweep or row.

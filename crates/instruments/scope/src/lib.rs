@@ -5,10 +5,13 @@
 //! session, pose ─▶ Look ───────────────────┴─▶ trace ─▶ file of waveforms, some sweeps at a time
 //!                    ├─▶ Recorded, ScopeWishes ─▶ draw ─▶ page of one sweep: PNG, SVG
 //!                    └─▶ sweep_space ─▶ a signal of the display, a column a sweep: PNG
+//!
+//! page/*.js ─▶ LIVE ─▶ the same waveforms on the canvas of a page, with cursors, zoom and X-Y
 //! ```
 
 mod choice;
 mod error;
+mod live;
 mod page;
 mod sweep_space;
 mod trace;
@@ -22,6 +25,7 @@ use signal::{Waveform, Wire};
 
 pub use choice::{Choice, expect_known};
 pub use error::ScopeError;
+pub use live::{LIVE, live_script};
 pub use page::runs_along;
 pub use sweep_space::sweep_space;
 pub use trace::{Look, Looking, Order, Tracing, WINDOW, Written, size, trace, write};

@@ -23,6 +23,8 @@ fn hello_tells_what_is_known_and_opened() {
         (opened["drawn_by"].as_str(), opened["update_hz"].as_f64(), opened["driven"].as_u64()),
         (Some("ideal"), Some(10.0), Some(0))
     );
+    // 40 sweeps of 80 samples, ten times a second, and nothing in between.
+    assert_eq!(opened["sample_us"].as_f64(), Some(1e6 / (10.0 * 40.0 * 80.0)));
 }
 
 /// Requests of all kinds but those that open or draw a picture, and what is wrong with each.

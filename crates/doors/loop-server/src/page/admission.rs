@@ -15,6 +15,8 @@ const FIRST: &str = "/instrument.html";
 pub enum Verdict {
     /// A socket is opened.
     Socket,
+    /// The page is told whether a socket can be opened: a browser hides from it why one was refused.
+    IsThereRoom,
     /// A file is served.
     File,
     /// This reply is all.
@@ -64,6 +66,9 @@ impl Admission {
         }
         if head.uri().path() != SOCKET {
             return Verdict::File;
+        }
+        if !head.headers().contains_key(header::UPGRADE) {
+            return Verdict::IsThereRoom;
         }
         let origin = line(head, header::ORIGIN).and_then(|origin| origin.strip_prefix("http://"));
         if origin == host { Verdict::Socket } else { refused(403, "another page is not answered") }

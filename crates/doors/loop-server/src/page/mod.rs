@@ -97,13 +97,21 @@ impl PageServer {
         let reply = match self.admission.of(&request.head) {
             Verdict::Socket => match Place::take(&self.sessions, SESSIONS) {
                 Some(_place) => return socket::serve(stream, request, session()),
-                None => Reply::refusal(503, "as many pages are open as can be; close one and try again"),
+                None => full(),
             },
+            Verdict::IsThereRoom if self.sessions.load(Ordering::Relaxed) >= SESSIONS => full(),
+            Verdict::IsThereRoom => Reply::refusal(426, "there is room for a page; open a WebSocket here"),
             Verdict::File => self.files.reply(request.head.uri().path()),
             Verdict::Reply(reply) => reply,
         };
         reply.write(&mut stream).map_err(said)
     }
+}
+
+/// The reply to a page more than there may be.
+fn full() -> Reply {
+    let why = format!("{SESSIONS} pages are open, as many as can be; close one and load this page again");
+    Reply::refusal(503, &why)
 }
 
 /// One of so many places, until it is dropped.

@@ -198,9 +198,12 @@ fn a_socket_of_another_page_is_refused() {
     }
     assert_eq!(status_of(None, Some(&cookie)), "403");
     assert_eq!(status_of(Some(&own), None), "403");
-    let plain = [("Host", &*served.host()), ("Origin", &*own), ("Cookie", &*cookie)];
-    let plain = served.asked("/loop", &plain);
-    assert!(status(&plain) == "400" && plain.contains("no socket is opened"), "{plain}");
+    let lines = [("Host", &*served.host()), ("Origin", &*own), ("Cookie", &*cookie)];
+    let bare: Vec<(&str, &str)> = lines.into_iter().chain([("Upgrade", "websocket")]).collect();
+    let bare = served.asked("/loop", &bare);
+    assert!(status(&bare) == "400" && bare.contains("no socket is opened"), "{bare}");
+    assert_eq!(status(&served.asked("/loop", &lines)), "426", "there is room for a page");
+    assert_eq!(status(&served.asked("/loop", &lines[..2])), "403", "a stranger is told nothing");
 }
 
 #[test]
@@ -210,6 +213,8 @@ fn more_pages_than_there_are_places_are_told_so() {
     let open: Vec<_> = (0..8).map(|_| opened(&served, &cookie)).collect();
     let own = format!("http://{}", served.host());
     let lines = [("Host", &*served.host()), ("Origin", &*own), ("Cookie", &*cookie)];
+    let room = served.asked("/loop", &lines);
+    assert!(status(&room) == "503" && room.contains("8 pages are open"), "{room}");
     let lines: Vec<(&str, &str)> = lines.into_iter().chain(UPGRADE).collect();
     assert_eq!(status(&served.asked("/loop", &lines)), "503");
     drop(open);

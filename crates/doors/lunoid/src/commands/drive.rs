@@ -56,8 +56,8 @@ impl DriveCommand {
 /// The files of the page, for a machine in this program.
 fn page() -> PageFiles {
     let mut files = PageFiles::default();
-    let own = site::PAGE.iter().filter(|(name, _)| !OF_A_SITE.contains(name));
-    own.chain(&site::OF_A_PROGRAM).for_each(|(name, bytes)| files.put(name, *bytes));
+    let own = site::page().filter(|(name, _)| !OF_A_SITE.contains(name));
+    own.chain(site::OF_A_PROGRAM).for_each(|(name, bytes)| files.put(name, bytes));
     files
 }
 

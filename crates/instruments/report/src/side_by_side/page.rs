@@ -5,7 +5,7 @@ use std::path::Path;
 
 use compare::difference_any;
 use hardware_model::MachineRecord;
-use maud::{DOCTYPE, Markup, html};
+use maud::{DOCTYPE, Markup, PreEscaped, html};
 use picture::{AnyPicture, Limits, read_any_png};
 use replay::picture_name;
 
@@ -25,6 +25,7 @@ const COLUMNS: usize = 640;
 const FACTOR: u32 = 4;
 
 const OWN_STYLE: &str = include_str!("page.css");
+const SCRIPT: &str = include_str!("page.js");
 
 /// The page of `runs` in `folder`.
 pub(crate) fn page(
@@ -53,9 +54,29 @@ pub(crate) fn page(
                     (left_out(runs))
                     (every_frame(figures))
                 }
+                (enlarged(first, reference))
+                script { (PreEscaped(SCRIPT)) }
             }
         }
     })
+}
+
+/// The window in which a frame is enlarged; the script opens it.
+fn enlarged(run: &Run, reference: Option<&str>) -> Markup {
+    html! {
+        dialog #large aria-labelledby="large-says" data-judge=(reference.unwrap_or_default())
+            data-columns=(run.view.columns) data-lines=(run.view.lines) {
+            p #large-says aria-live="polite" {}
+            img #large-picture alt="" style=(format!("--aspect:{0:.6};aspect-ratio:{0:.6}", run.aspect()));
+            div.controls {
+                button #large-before type="button" { "Machine before" }
+                button #large-next type="button" { "Next machine" }
+                button #large-blink type="button" aria-pressed="false" { "Blink" }
+                button #large-close type="button" { "Close" }
+                span { "Column, line: " output #large-place { "–" } }
+            }
+        }
+    }
 }
 
 /// The table that says which is how good at what cost.
@@ -149,7 +170,8 @@ fn frames(folder: &Path, runs: &[(String, Run)], reference: Option<&str>) -> Res
         section #frames aria-labelledby="frames-title" {
             h2 #frames-title { "Frames" }
             p.lead { (rows.len()) " of " (first.frames.len()) " frames, evenly spread. " @if first.view.columns as usize > COLUMNS {
-                "They are made smaller; a click leads to the whole one beside this page. " }
+                "They are made smaller. " }
+                "A click enlarges one; there the arrow keys go from machine to machine, and B blinks between two. "
                 @if let Some(reference) = reference { "Below each is its difference from " b { (reference) } ", " (FACTOR)
                     " times enlarged: grey is equal, brighter is brighter." } }
             @for (frame, time, cells) in &rows {
@@ -186,7 +208,7 @@ fn cell(
     Ok(html! {
         div {
             p.whose { (name) }
-            a href=(format!("{name}/{picture}")) { img src=(shown) loading="lazy" alt=(format!("Frame {frame} by {name}"))
+            a href=(format!("{name}/{picture}")) data-machine=(name) data-frame=(frame) { img src=(shown) loading="lazy" alt=(format!("Frame {frame} by {name}"))
                 style=(format!("aspect-ratio:{:.6}", run.aspect())); }
             @if let Some((judge, url)) = difference { img src=(url) loading="lazy" alt=(format!("Difference of {name} from {judge}"))
                 style=(format!("aspect-ratio:{:.6}", run.aspect())); }

@@ -228,6 +228,153 @@ fn alone_it_has_every_frame() {
     quiet(&browser);
 }
 
+/// What the element at `selector` says.
+fn said(browser: &Browser, selector: &str) -> String {
+    let text = browser.value(&format!("document.querySelector('{selector}').textContent"));
+    text.as_str().unwrap().to_owned()
+}
+
+#[test]
+fn a_recorded_sweep_has_values_under_the_pointer_zoom_and_x_y() {
+    let Some((_run, browser, _turn)) = shown([1280, 900]) else { return };
+    let own = "#scope-6-16 .live";
+    assert_eq!(browser.value(&format!("document.querySelector('{own} canvas')")), serde_json::Value::Null);
+    browser.value(&format!("document.querySelector('{own}').open = true"));
+    browser.press("");
+    let canvas = format!("{own} canvas");
+    browser.value(&format!(
+        "(canvas => {{ const {{ left, top, width, height }} = canvas.getBoundingClientRect(); \
+         for (const type of ['pointermove', 'pointerdown', 'pointerup']) \
+         canvas.dispatchEvent(new PointerEvent(type, {{ clientX: left + width / 2, clientY: top + height / 2 }})); \
+         }})(document.querySelector('{canvas}'))"
+    ));
+    let words = said(&browser, &format!("{own} p"));
+    let sample = |words: &str, whose: &str| -> f64 {
+        let rest = words.split(&format!("{whose} at sample ")).nth(1).expect(whose);
+        rest.split(',').next().unwrap().parse().unwrap()
+    };
+    // The pointer is where the click was: one sample is under both, and the table has its values by the closed form.
+    let at = sample(&words, "Cursor A");
+    assert_eq!(sample(&words, "Pointer"), at, "{words}");
+    assert!((20.0..60.0).contains(&at) && words.contains(&format!("{at}, {:.3} µs", 0.5 * at)), "{words}");
+    let rows = said(&browser, &format!("{own} tbody"));
+    let [height, twice] = [10.0 + 2.0 * at, 20.0 + 4.0 * at];
+    for row in [
+        format!("sweep.range{0}{0}", 3.0 * at),
+        format!("tg.height{height} m{height} m"),
+        format!("mu.height{twice} m{twice} m"),
+    ] {
+        assert!(rows.contains(&row), "{row}: {rows}");
+    }
+    let ticks = || said_of(&browser, &canvas, "ticks");
+    let whole = ticks();
+    for _ in 0..60 {
+        browser.value(&format!(
+            "document.querySelector('{canvas}').dispatchEvent(new KeyboardEvent('keydown', {{ key: '+' }}))"
+        ));
+    }
+    let near: Vec<u32> = ticks().split(' ').map(|tick| tick.parse().unwrap()).collect();
+    assert!(
+        near.len() < whole.split(' ').count() && near.windows(2).all(|pair| pair[1] == pair[0] + 1),
+        "{near:?}"
+    );
+    browser.value(&format!(
+        "(box => {{ box.value = 'xy'; box.onchange(); }})(document.querySelectorAll('{own} select')[1])"
+    ));
+    assert!(said(&browser, &format!("{own} p")).contains("Cursor A"), "X-Y of two wires is drawn");
+    browser.value(&format!(
+        "(wires => {{ wires.options[1].selected = false; wires.onchange(); }})(document.querySelector('{own} select'))"
+    ));
+    assert!(said(&browser, &format!("{own} p")).contains("name two"));
+    quiet(&browser);
+}
+
+/// An entry of the data of an element.
+fn said_of(browser: &Browser, selector: &str, key: &str) -> String {
+    let value = browser.value(&format!("document.querySelector('{selector}').dataset.{key}"));
+    value.as_str().unwrap().to_owned()
+}
+
+#[test]
+fn late_sweeps_are_marked_in_the_picture_of_their_frame() {
+    let Some((run, browser, _turn)) = shown([1280, 900]) else { return };
+    let sight = run.beside(&[]).sight.unwrap();
+    assert_eq!(browser.text("late-says"), format!("1 of {SWEEPS}"));
+    let path = browser.value("document.getElementById('late').getAttribute('d')");
+    let places: Vec<f64> =
+        path.as_str().unwrap().split(['M', 'L', ' ']).filter_map(|number| number.parse().ok()).collect();
+    assert_eq!(places.len(), 8, "{path}");
+    for place in places.chunks(2) {
+        let sweep = sight.sweep_at(5, [place[0], place[1]]).unwrap();
+        assert!((sweep - 7.0).abs() < 0.01 && place[1].abs() > 0.9, "{place:?} is of sweep {sweep}");
+    }
+    browser.press(RIGHT);
+    assert_eq!(browser.text("late-says"), "not timed");
+    assert_eq!(browser.value("document.getElementById('late').getAttribute('d')"), "");
+    quiet(&browser);
+}
+
+/// A click has whole coordinates, and the pointer has not: both name the pixel that the readings name.
+#[test]
+fn pointer_and_click_name_the_same_pixel() {
+    let Some((_run, browser, _turn)) = shown([1280, 900]) else { return };
+    let place = browser.value(
+        "(screen => { const { left, top, width, height } = screen.getBoundingClientRect(); \
+         const x = left + width * 33 / 64 + 0.4, y = top + height * 17 / 36 + 0.4; \
+         screen.dispatchEvent(new PointerEvent('pointermove', { clientX: x, clientY: y, bubbles: true })); \
+         screen.dispatchEvent(new MouseEvent('click', { clientX: Math.floor(x) - 1, clientY: Math.floor(y) - 1, bubbles: true })); \
+         return document.getElementById('place').textContent; })(document.getElementById('screen'))",
+    );
+    assert_eq!(place, "33, 17");
+    let commands = browser.text("commands");
+    assert!(commands.contains("--pixel 33,17"), "{commands}");
+}
+
+#[test]
+fn side_by_side_enlarges_and_blinks() {
+    let turn = turn();
+    let Some(browser) = Browser::open([1280, 900], false) else { return };
+    let folder = tempfile::tempdir().unwrap();
+    let names = ["ideal", "coarse", "exact"].map(str::to_owned);
+    for name in &names {
+        let run = RunFolder::new(0, 2);
+        std::fs::rename(run.path(), folder.path().join(name)).unwrap();
+    }
+    report::write_side_by_side(folder.path(), &names, Some("exact")).unwrap();
+    browser.go(&format!("file://{}", folder.path().join("index.html").display()));
+    browser.click(".side a[data-machine=coarse] img", [0.5, 0.5]);
+    let machine = || said_of(&browser, "#large-picture", "machine");
+    assert_eq!(
+        (browser.value("document.getElementById('large').open"), machine()),
+        (true.into(), "coarse".into())
+    );
+    assert_eq!(browser.text("large-says"), "Frame 0, coarse");
+    let source = browser.value("document.getElementById('large-picture').src");
+    assert!(
+        source.as_str().unwrap().ends_with("coarse/frames/frame-000000.png"),
+        "the whole picture: {source}"
+    );
+    browser.press(RIGHT);
+    browser.press(RIGHT);
+    assert_eq!(machine(), "ideal");
+    browser.click("#large-picture", [33.5 / 64.0, 17.5 / 36.0]);
+    assert_eq!(browser.text("large-place"), "33, 17 (kept: 33, 17)");
+    assert_eq!(browser.text("large-blink"), "Blink with exact");
+    browser.press("b");
+    let mut seen = std::collections::BTreeSet::new();
+    for _ in 0..60 {
+        seen.insert(machine());
+        std::thread::sleep(std::time::Duration::from_millis(50));
+    }
+    assert_eq!(seen.into_iter().collect::<Vec<_>>(), ["exact", "ideal"]);
+    browser.press("b");
+    assert_eq!(machine(), "ideal");
+    browser.press(ESCAPE);
+    assert_eq!(browser.value("document.getElementById('large').open"), false);
+    quiet(&browser);
+    drop(turn);
+}
+
 /// As if the frames were too large: a page that has every tenth of them.
 #[test]
 fn frames_that_it_does_not_have_are_read_from_beside_it() {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use picture::{Depth, GreyPicture, write_png};
 use replay::{SCOPES, picture_name};
-use report::{Beside, DeadlineLine, ScopePlot, Sight, SightLine, TimingSummary, UnitLine};
+use report::{Beside, DeadlineLine, ScopePlot, Sight, SightLine, SweepWaves, TimingSummary, UnitLine, Wave};
 use run_record::file_hash;
 use serde_json::{Value, json};
 use tempfile::TempDir;
@@ -111,7 +111,38 @@ impl RunFolder {
         );
         fs::write(&path, svg).unwrap();
         plot.blake3 = file_hash(&path).unwrap();
-        beside.add(plot);
+        beside.add(plot, Some(waves(frame, sweep)));
+    }
+}
+
+/// Number of samples of a recorded sweep.
+const SAMPLES: u32 = 80;
+
+/// A height of 2 m a sample from 10 m on, with no number at the last sample; a doubled height; and a gate that opens at sample 20.
+fn waves(frame: u64, sweep: u32) -> SweepWaves {
+    let samples = || (0..SAMPLES).map(|sample| sample as f32);
+    let value = |value: f32, sample: f32| (sample as u32 + 1 < SAMPLES).then_some(value);
+    let analog = |name: &str, times: f32| Wave {
+        name: name.into(),
+        unit: "m".into(),
+        kind: "analog".into(),
+        times: Vec::new(),
+        values: samples().map(|sample| value(times * (10.0 + 2.0 * sample), sample)).collect(),
+    };
+    let gate = Wave {
+        name: "sc.gate".into(),
+        unit: "1".into(),
+        kind: "gate".into(),
+        times: vec![0.0, 20.0],
+        values: vec![Some(0.0), Some(1.0)],
+    };
+    SweepWaves {
+        frame,
+        sweep,
+        sample_us: 0.5,
+        place: "sweep.range".into(),
+        places: samples().map(|sample| 3.0 * sample).collect(),
+        signals: vec![analog("tg.height", 1.0), analog("mu.height", 2.0), gate],
     }
 }
 
@@ -206,5 +237,6 @@ fn timing(frame: u64) -> TimingSummary {
         }],
         causes: BTreeMap::from([(Cause::Queue, 1)]),
         sweeps: vec![(7, 1)],
+        late: vec![vec![7]],
     }
 }

@@ -1,10 +1,25 @@
 // Curves on a canvas.
 
+/** The first of so many samples, whose places `x` grow, that lies at `place` or beyond; `count` where none does. */
+export function firstAt(place, x, count) {
+  let [low, high] = [0, count];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (x(middle) < place) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
 /**
- * Draws `values` from left to right. A column of the canvas keeps its lowest and its highest value, so no peak is lost. The curve breaks where
- * a value is no number, and outside of `bounds`, the first and the last column.
+ * Draws a signal: the lowest and the highest value that fall on a column, so no peak is lost. It breaks where a value is no number. Nothing is
+ * drawn outside of `bounds`, the first and the last column; what lies next outside leads to them.
  */
 export function curve(context, values, { x, y, bounds: [first, last], colour }) {
+  context.save();
+  context.beginPath();
+  context.rect(first, 0, last - first, context.canvas.height);
+  context.clip();
   context.strokeStyle = colour;
   context.lineWidth = 1.5;
   context.beginPath();
@@ -16,9 +31,9 @@ export function curve(context, values, { x, y, bounds: [first, last], colour }) 
     context.lineTo(column, y(low));
     context.lineTo(column, y(high));
   };
-  values.forEach((value, sample) => {
-    const at = Math.round(x(sample));
-    if (at < first || at > last) return;
+  const end = Math.min(values.length - 1, firstAt(last, x, values.length));
+  for (let sample = Math.max(0, firstAt(first, x, values.length) - 1); sample <= end; sample += 1) {
+    const [at, value] = [Math.round(x(sample)), values[sample]];
     if (!Number.isFinite(value)) {
       put();
       [column, pen] = [null, false];
@@ -28,10 +43,10 @@ export function curve(context, values, { x, y, bounds: [first, last], colour }) 
       put();
       [column, low, high] = [at, value, value];
     }
-  });
+  }
   put();
   context.stroke();
-  context.lineWidth = 1;
+  context.restore();
 }
 
 /** Draws one signal over another, sample by sample. */

@@ -10,7 +10,7 @@ export class ScopeHand {
   #down = new Map();
   #hasMoved = false;
 
-  /** `scope` has `isReady`, `last`, `cursor`, `sample`, `point`, `slide` and `scale`. */
+  /** `scope` has `isReady`, `last`, `cursor`, `sample`, `point`, `hover`, `slide` and `scale`. */
   constructor(canvas, scope) {
     this.#canvas = canvas;
     this.#scope = scope;
@@ -18,6 +18,7 @@ export class ScopeHand {
     canvas.addEventListener("pointerdown", (event) => this.#press(event));
     canvas.addEventListener("pointermove", (event) => this.#move(event));
     canvas.addEventListener("pointerup", (event) => this.#release(event));
+    canvas.addEventListener("pointerleave", () => this.#scope.isReady() && this.#scope.hover(null));
     canvas.addEventListener("pointercancel", ({ pointerId }) => this.#down.delete(pointerId));
     canvas.addEventListener("keydown", (event) => this.#key(event));
   }
@@ -43,8 +44,9 @@ export class ScopeHand {
   }
 
   #move(event) {
+    if (!this.#scope.isReady()) return;
     const before = this.#down.get(event.pointerId);
-    if (before === undefined || !this.#scope.isReady()) return;
+    if (before === undefined) return this.#scope.hover(this.#scope.sample(this.#share(event.clientX)));
     const by = event.clientX - before;
     if (this.#down.size === 1 && !this.#hasMoved && Math.abs(by) < STILL) return;
     this.#hasMoved = true;
@@ -63,7 +65,7 @@ export class ScopeHand {
   #release(event) {
     const isLast = this.#down.delete(event.pointerId) && this.#down.size === 0;
     if (!isLast || this.#hasMoved || !this.#scope.isReady()) return;
-    this.#scope.point(this.#scope.sample(this.#share(event.clientX) * this.#canvas.width), Number(event.shiftKey));
+    this.#scope.point(this.#scope.sample(this.#share(event.clientX)), Number(event.shiftKey));
   }
 
   #key(event) {
