@@ -152,6 +152,27 @@ mod tests {
     }
 
     #[test]
+    fn a_divided_sweep_passes_each_range_at_the_same_instant() {
+        for table in LAWS.map(table) {
+            assert_eq!(table.divided(1), table);
+            for instants in [2, 4, 5] {
+                let divided = table.divided(instants);
+                let of_steps: Vec<f64> =
+                    divided.ranges().iter().step_by(instants as usize).copied().collect();
+                assert_eq!(of_steps, table.ranges(), "the steps are among the instants");
+                for time in [0.0, 0.3, 17.0, 444.44, 998.99] {
+                    let range = table.range_at(SweepTime(time));
+                    let found = divided.time_of(range).0 / f64::from(instants);
+                    assert!(
+                        (found - time).abs() < 1e-9,
+                        "{time} became {found} at {instants} instants a step"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
     fn time_and_range_are_inverse() {
         for law in LAWS {
             let table = table(law);

@@ -384,8 +384,24 @@ impl SweepProgram {
 
 #[cfg(test)]
 mod tests {
-    use super::{Fold, RampAxis, Stop};
+    use quantities::SweepTime;
+
+    use super::{Event, Fold, RampAxis, Step, Stop, SweepProgram};
     use crate::Colour;
+
+    #[test]
+    fn the_first_instant_at_or_after_a_fold_sees_it() {
+        let fold = Event::Fold(Fold { axis: RampAxis::X, stop: Stop::One });
+        let seen = |time, instants| {
+            let mut program = SweepProgram::idle();
+            program.steps.push(Step::new(SweepTime(time), 100.0, fold));
+            program.see_at(instants);
+            program.steps[0].sample
+        };
+        assert_eq!([1, 2, 4, 5].map(|instants| seen(2.5, instants)), [3, 5, 10, 13]);
+        assert_eq!([1, 2, 4].map(|instants| seen(3.0, instants)), [3, 6, 12]);
+        assert_eq!([1, 4].map(|instants| seen(-0.5, instants)), [0, 0]);
+    }
 
     #[test]
     fn a_fold_gives_words_to_the_two_colours_that_its_stop_leaves() {

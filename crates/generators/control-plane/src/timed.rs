@@ -1,7 +1,7 @@
 //! The control plane as a job that takes time, and what decides its timing in one hash.
 
 use generator::{FrameError, InputsHash, Timed};
-use hardware_model::{BankPlace, ShadowParts};
+use hardware_model::{BankPlace, Economy, ShadowParts};
 use quantities::Rate;
 use scenario::{Pose, Scenario};
 use timing::{FrameTiming, Task};
@@ -45,8 +45,9 @@ fn inputs_hash(scenario: &Scenario, stage: &MachineStage) -> String {
     let raster = &settings.raster;
     hash.add("raster", &(raster.sweeps, raster.samples, raster.field, settings.timebase));
     hash.add("fan", &(settings.laws.projection, settings.range, settings.yoke, settings.levels));
-    // Bodies that are too small to be seen are not transformed.
-    hash.add("sight", &(settings.economy, raster.lines));
+    // Bodies that are too small to be seen are not transformed. Nothing else of the economy changes an event.
+    let small = if settings.economy.leaves_out_small_bodies() { Economy::Bounded } else { Economy::Lossless };
+    hash.add("sight", &(small, raster.lines));
     hash.add("cpu", &settings.cpu);
     hash.add("loader", &settings.loader);
     hash.add("data banks", &settings.data_banks);

@@ -34,6 +34,9 @@ mod tests {
 
     /// The name that a line at the left edge declares, if it declares one.
     fn declared(line: &str) -> Option<&str> {
+        if line.starts_with(char::is_whitespace) {
+            return None;
+        }
         let words: Vec<&str> = line.split([' ', '(', '=', ';']).filter(|word| !word.is_empty()).collect();
         let rest = words.strip_prefix(&["export"]).unwrap_or(&words);
         match rest {

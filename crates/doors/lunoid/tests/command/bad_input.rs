@@ -58,7 +58,7 @@ fn check_lists_every_fault_of_every_file() {
     );
     scene.write("model.toml", "format = 1\nname = \"mine\"\nbase = \"ideal\"\n[raster]\nsweps = 500\n");
     let (out, err) = scene.expect(3, &["check", "tiny.toml", "two.toml", "model.toml"]);
-    assert_eq!(out, "tiny.toml: scenario, no fault\n");
+    assert_eq!(out, "tiny.toml: scenario, no fault; drawn whole: each edge at its own instant\n");
     assert_eq!(err.matches("error: ").count(), 3, "{err}");
     let (out, _) = scene.expect(3, &["check", "tiny.toml", "two.toml", "model.toml", "--json"]);
     let document: serde_json::Value = serde_json::from_str(&out).unwrap();

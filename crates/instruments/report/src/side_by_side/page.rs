@@ -67,7 +67,7 @@ fn enlarged(run: &Run, reference: Option<&str>) -> Markup {
         dialog #large aria-labelledby="large-says" data-judge=(reference.unwrap_or_default())
             data-columns=(run.view.columns) data-lines=(run.view.lines) {
             p #large-says aria-live="polite" {}
-            img #large-picture alt="" style=(format!("--aspect:{0:.6};aspect-ratio:{0:.6}", run.aspect()));
+            img #large-picture alt="" style=(format!("--Aspect:{0:.6};aspect-ratio:{0:.6}", run.aspect()));
             div.controls {
                 button #large-before type="button" { "Machine before" }
                 button #large-next type="button" { "Next machine" }
