@@ -4,7 +4,7 @@ use control_plane::{ControlPlane, MachineStage};
 use exact::Columns;
 use explain::{Explanation, Inquiry, InquiryError, Writer};
 use generator::PlaneKind;
-use hardware_model::{HardwareModel, ModelSource};
+use hardware_model::{Economy, HardwareModel, ModelSource};
 use lunoid_tests::{Dice, Shipped, shipped};
 use machine::Prepare;
 use signal::Probe;
@@ -150,4 +150,25 @@ fn a_pixel_is_told_as_the_whole_frame_has_it() {
             assert_eq!(told.left, wave.values[told.place.cell], "{name}, {x},{y}");
         }
     }
+}
+
+/// A picture that is drawn straight between instants is told beside the whole machine's, which is what `fine` shows there.
+#[test]
+fn the_whole_machine_is_told_beside_a_picture_between_instants() {
+    let scene = Shipped::read("craters", Some(200));
+    let by = |economy| {
+        let mut stage = scene.stage();
+        stage.settings.economy = economy;
+        told(&stage, &scene, 10, &pixels(&scene, 17, 24))
+    };
+    let mut off = 0;
+    for (normal, fine) in by(Economy::Normal).iter().zip(&by(Economy::Bounded)) {
+        assert_eq!(fine.between, None);
+        let between = normal.between.expect("craters are drawn at five instants");
+        assert_eq!(between.instants, 5);
+        let cell_is_pixel = (normal.place.between_cells - normal.place.between_cells.round()).abs() < 1e-9;
+        assert!(cell_is_pixel && (between.whole - fine.intensity).abs() < 1e-6, "{normal:?} {fine:?}");
+        off += usize::from((normal.intensity - fine.intensity).abs() > 1e-4);
+    }
+    assert!(off > 3, "{off} pixels tell both apart");
 }

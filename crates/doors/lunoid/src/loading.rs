@@ -147,7 +147,7 @@ impl QualityArgs {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub enum QualityWord {
     /// Each signal once a step of the sweep and straight in between, without craters that look less than half a line high. Edges between
-    /// steps are less exact; a frame takes a third to a half of the time of `fine`.
+    /// steps are less exact; a frame takes a sixth to a third of the time of `fine`.
     Draft,
     /// The default: as many instants a step as the scene's counts ask for, so that the picture is no worse than that of `fine`. A
     /// scene without craters and shadows, and a machine with parts that remember, are drawn as by `fine`.

@@ -67,7 +67,7 @@ impl Counts {
 /// Craters a step from which on a step needs more instants. Chosen, as the numbers below: docs/economy.md has the errors.
 const MANY: f64 = 0.05;
 
-/// Craters a step from which on the whole machine, which lights each step once, is no better.
+/// Craters a step from which on the whole machine, which lights each step once, is no better (inferred; one shipped scene has as many).
 const MORE_THAN_LIGHT: f64 = 2.0;
 
 /// Instants a step; `None` where the whole machine is as quick.

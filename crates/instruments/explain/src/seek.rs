@@ -53,7 +53,7 @@ pub struct ReadSweep {
 pub struct Between {
     /// Instants a step of the accumulators.
     pub instants: u32,
-    /// What the whole machine's picture shows at the pixel: linear, 0..=1.
+    /// What the sweeps of the whole machine leave at the pixel, before any tube: linear, 0..=1.
     pub whole: f64,
     /// Most that `intensity` and `whole` can differ by: an edge between two instants may lie on either side of the pixel.
     pub bound: f64,
@@ -216,8 +216,7 @@ impl<'a> Inquiry<'a> {
         Ok(explanation)
     }
 
-    /// What the whole machine shows, where the picture is drawn straight between instants. Such pictures have ideal sweeps, so that what is
-    /// read is the mean of both.
+    /// What the sweeps of the whole machine leave at the pixel, where the picture is drawn straight between instants.
     fn between(&self, read: &[ReadSweep]) -> Option<Between> {
         let instants = Elaboration::new(self.stage).instants()?;
         let whole = read.iter().map(|read| read.weight * read.left).sum();

@@ -37,7 +37,8 @@ fn sweeps_ask_for_no_memory() {
     }
     // More sweeps meet more boundaries of shadow: the one list of them doubles a few times more.
     expect_at_most("craters", Economy::Bounded, 0.2);
-    // At the default quality groups find their craters in sight too.
+    // At the default quality there are lists of craters in sight too: each doubling of the sweeps asks 11 to 19 times more, and
+    // more samples do not.
     expect_at_most("craters", Economy::Normal, 0.6);
     // Words that take time on two levels, and bodies, of which lists grow as more sweeps meet them.
     for scenario in ["nominal-drive", "full-drive"] {
