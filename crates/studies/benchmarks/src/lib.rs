@@ -9,6 +9,7 @@
 //! - [`around`]: what stands before and between frames: ground, shadow boundaries, a survey, whole missions.
 //! - [`chain`]: an analog chain by exact steps and by ngspice, held against each other by the binary `goals`.
 //! - [`mesh`]: the ground of a scene drawn by a ray tracer, held against the machine by the same binary.
+//! - [`peers`]: programs of other people that do the same work, held against the machine by the same binary.
 //! - [`startup`]: a large problem area prepared in a folder, and what it takes to begin with it.
 //! - [`LADDERS`]: scenes that grow in one thing, timed by the binary `scaling`.
 //! - [`KERNELS`]: named pieces of work, each of which can be run by itself.
@@ -23,6 +24,7 @@ mod frames;
 mod kernels;
 mod ladder;
 pub mod mesh;
+pub mod peers;
 mod rows;
 mod scene;
 pub mod startup;

@@ -47,6 +47,8 @@ enum Part {
     Circuit,
     /// The ground as finer and finer meshes by POV-Ray, against the machine at equal error.
     Mesh,
+    /// Ground with cast shadows by Embree, against the machine at equal error.
+    Embree,
     /// Peak memory (KiB) of this process after three frames of a shipped scenario under ideal parts.
     #[command(hide = true)]
     Peak {
@@ -75,6 +77,7 @@ fn main() -> ExitCode {
             Part::Startup,
             Part::Circuit,
             Part::Mesh,
+            Part::Embree,
         ],
         Some(part) => vec![part],
     };
@@ -97,6 +100,7 @@ fn run(part: &Part) -> Result<(), String> {
         Part::Startup => startup(),
         Part::Circuit => circuit(),
         Part::Mesh => mesh(),
+        Part::Embree => embree(),
         Part::Peak { scenario, standard } => peak(scenario, *standard),
         Part::Begin { scenario, preview } => {
             let economy = if *preview { Economy::Instants(1) } else { Economy::Bounded };
@@ -326,10 +330,7 @@ fn mesh() -> Result<(), String> {
     let (right, _) = drawn(exact, 1)?;
     let (picture, whole) = drawn(by(Economy::Bounded), 15)?;
     let (sketch, preview) = drawn(by(Economy::Instants(1)), 15)?;
-    let rms = |picture: &[f32]| {
-        let squares = picture.iter().zip(&right).map(|(a, b)| f64::from(a - b) * f64::from(a - b));
-        (squares.sum::<f64>() / right.len() as f64).sqrt()
-    };
+    let rms = |picture: &[f32]| benchmarks::peers::rms(picture, &right);
     let error = rms(&picture);
     for (name, error, seconds) in [("", error, whole), (", in preview", rms(&sketch), preview)] {
         let [of_whole, of_preview] = [whole, preview].map(|machine| seconds / machine);
@@ -356,6 +357,11 @@ fn mesh() -> Result<(), String> {
         }
     }
     println!();
+    Ok(())
+}
+
+fn embree() -> Result<(), String> {
+    println!("{}", benchmarks::peers::embree::table()?);
     Ok(())
 }
 
