@@ -371,7 +371,7 @@ int main(int count, char **arguments) {
             unsigned packet = 0;
             float sun[3];
             words >> what;
-            if (what == "trace" && words >> packet >> sun[0] >> sun[1] >> sun[2]) {
+            if (what == "trace" && words >> packet >> sun[0] >> sun[1] >> sun[2] && (packet == 16 || packet == 8 || packet == 1)) {
                 Frame frame{scene, space, {sun[0], sun[1], sun[2]}, picture};
                 begin = std::chrono::steady_clock::now();
                 helpers.trace(packet, frame);
@@ -383,7 +383,7 @@ int main(int count, char **arguments) {
                 if (!file.flush()) fail(path + ": cannot be written");
                 std::cout << "written" << std::endl;
             } else {
-                fail("expected 'trace PACKET NORTH EAST UP' or 'picture PATH', found '" + line + "'");
+                fail("expected 'trace PACKET NORTH EAST UP' with packets of 16, 8 or 1, or 'picture PATH', found '" + line + "'");
             }
         }
     }

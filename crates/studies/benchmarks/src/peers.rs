@@ -4,6 +4,8 @@
 //! Where a package is missing, the row says which one, and is skipped.
 
 pub mod embree;
+mod process;
+pub mod verilator;
 
 /// Root mean square of the difference of two pictures of one size.
 pub fn rms(picture: &[f32], right: &[f32]) -> f64 {

@@ -49,6 +49,8 @@ enum Part {
     Mesh,
     /// Ground with cast shadows by Embree, against the machine at equal error.
     Embree,
+    /// Folds, loads and queues of a frame by Verilator, against the control plane.
+    Verilator,
     /// Peak memory (KiB) of this process after three frames of a shipped scenario under ideal parts.
     #[command(hide = true)]
     Peak {
@@ -78,6 +80,7 @@ fn main() -> ExitCode {
             Part::Circuit,
             Part::Mesh,
             Part::Embree,
+            Part::Verilator,
         ],
         Some(part) => vec![part],
     };
@@ -101,6 +104,7 @@ fn run(part: &Part) -> Result<(), String> {
         Part::Circuit => circuit(),
         Part::Mesh => mesh(),
         Part::Embree => embree(),
+        Part::Verilator => verilator(),
         Part::Peak { scenario, standard } => peak(scenario, *standard),
         Part::Begin { scenario, preview } => {
             let economy = if *preview { Economy::Instants(1) } else { Economy::Bounded };
@@ -362,6 +366,11 @@ fn mesh() -> Result<(), String> {
 
 fn embree() -> Result<(), String> {
     println!("{}", benchmarks::peers::embree::table()?);
+    Ok(())
+}
+
+fn verilator() -> Result<(), String> {
+    println!("{}", benchmarks::peers::verilator::table()?);
     Ok(())
 }
 

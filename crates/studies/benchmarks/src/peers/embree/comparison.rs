@@ -12,8 +12,19 @@ const CLOSE: f64 = 0.0085;
 const STEPS: usize = 7;
 /// Frames of each side in the last comparison.
 const TURNS: usize = 21;
-/// Rings of the meshes, coarse to fine; meridians are half as many.
-const RINGS: [usize; 7] = [512, 768, 896, 1024, 1152, 1280, 1536];
+/// Meridians and rings of the meshes.
+const MESHES: [[usize; 2]; 10] = [
+    [256, 512],
+    [384, 768],
+    [512, 1024],
+    [448, 1152],
+    [512, 1056],
+    [512, 1088],
+    [512, 1152],
+    [384, 1280],
+    [448, 1280],
+    [640, 1280],
+];
 /// Rays of a packet.
 const PACKETS: [u32; 3] = [16, 8, 1];
 /// Sweeps a frame.
@@ -22,7 +33,7 @@ const SWEEPS: [u32; 2] = [400, 533];
 const STEPPED: [(u32, Option<u32>); 6] =
     [(250, Some(8)), (500, Some(4)), (1000, Some(2)), (1000, Some(4)), (2000, Some(1)), (1000, None)];
 /// Fineness of shadows.
-const SHADOWS: [[f64; 2]; 4] = [[0.25, 1e-3], [0.5, 2e-3], [1.0, 4e-3], [2.0, 8e-3]];
+const SHADOWS: [[f64; 2]; 4] = [[0.5, 2e-3], [1.0, 4e-3], [2.0, 8e-3], [4.0, 16e-3]];
 
 /// A step of a ladder: which setting, and the median of its times (s).
 #[derive(Debug, Clone, Copy)]
@@ -53,16 +64,17 @@ pub fn table() -> Result<String, String> {
     let right = scene.exact(0.0)?;
     let [columns, lines] = scene.size();
     let mut text = format!(
-        "Ground of 388 craters, {columns} x {lines} pixels, cast shadows, two threads; an error of at most {CLOSE} is close enough\n\n\
-         | Embree: meridians x rings | faces | packet | rms error | ms | space divided, s |\n|---|---|---|---|---|---|\n"
+        "Ground of {} craters, {columns} x {lines} pixels, cast shadows, two threads; an error of at most {CLOSE} is close enough\n\n\
+         | Embree: meridians x rings | faces | packet | rms error | ms | space divided, s |\n|---|---|---|---|---|---|\n",
+        scene.craters()
     );
     let traced = climb_embree(&program, &scene, &right, &mut text)?;
     text += "\n| machine, ideal, f32 | rms error | ms | with a new sun, ms |\n|---|---|---|---|\n";
     let drawn = climb_machine(&scene, &right, &mut text)?;
     let none = || format!("no setting has an error of at most {CLOSE}:\n{text}");
     let (Some(traced), [Some(still), Some(moved)]) = (traced, drawn) else { return Err(none()) };
-    let (rings, packet) = traced.setting;
-    let (mesh, sight) = scene.mesh(rings / 2, rings);
+    let ([meridians, rings], packet) = traced.setting;
+    let (mesh, sight) = scene.mesh(meridians, rings);
     let embree = program.start(&mesh, &sight)?;
     let mut pair = Pair { scene: &scene, embree, packet };
     text += "\n| two threads, medians in turns | machine, ms | rms error | Embree, ms | rms error | times as fast |\n|---|---|---|---|---|---|\n";
@@ -78,20 +90,19 @@ fn climb_embree(
     scene: &PeerScene,
     right: &[f32],
     text: &mut String,
-) -> Result<Option<Best<(usize, u32)>>, String> {
+) -> Result<Option<Best<([usize; 2], u32)>>, String> {
     let (mut best, sun) = (None, scene.sun(0.0));
-    for rings in RINGS {
-        let (mesh, sight) = scene.mesh(rings / 2, rings);
+    for [meridians, rings] in MESHES {
+        let (mesh, sight) = scene.mesh(meridians, rings);
         let mut embree = program.start(&mesh, &sight)?;
         for packet in PACKETS {
             embree.trace(packet, sun)?;
             let times = (0..STEPS).map(|_| embree.trace(packet, sun)).collect::<Result<Vec<f64>, _>>()?;
             let (error, seconds) = (rms(&embree.picture()?, right), median(times));
-            Best::offer(&mut best, (rings, packet), error, seconds);
+            Best::offer(&mut best, ([meridians, rings], packet), error, seconds);
             let _ = writeln!(
                 text,
-                "| {} x {rings} | {} | {packet} | {error:.5} | {:.2} | {:.2} |",
-                rings / 2,
+                "| {meridians} x {rings} | {} | {packet} | {error:.5} | {:.2} | {:.2} |",
                 mesh.faces.len(),
                 seconds * 1e3,
                 embree.built()

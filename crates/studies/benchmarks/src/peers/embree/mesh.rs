@@ -137,7 +137,8 @@ mod tests {
             assert!((40.0..=50.0).contains(&reach(axis, sign)), "{axis} {sign}");
         }
         // Seen from above the faces cover the square around the eye once.
-        let area: f32 = mesh.faces.iter().map(|face| area(face.map(|corner| mesh.vertices[corner as usize][0]))).sum();
+        let area: f32 =
+            mesh.faces.iter().map(|face| area(face.map(|corner| mesh.vertices[corner as usize][0]))).sum();
         assert!((5000.0..10_000.0).contains(&area), "{area}");
     }
 

@@ -1,16 +1,19 @@
 //! The ray tracer as a process: compiled, fed and asked.
 
 use std::fs;
-use std::io::{self, BufRead, BufReader, Write};
 use std::path::Path;
-use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
 use tempfile::TempDir;
 
 use super::{EyeMesh, Sight, scene_file};
+use crate::peers::process::{Process, run_tool, skipped};
 
 /// Source of the ray tracer.
 const SOURCE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/peers/embree.cpp");
+/// Name of the program in its folder.
+const PROGRAM: &str = "embree";
+/// Name of its scene there.
+const SCENE: &str = "scene";
 
 /// The ray tracer, compiled for this processor into a folder that is removed with it.
 #[derive(Debug)]
@@ -19,32 +22,28 @@ pub struct Program {
 }
 
 impl Program {
-    /// Compiles it. The inner error is a package that is missing here, and how to install it.
+    /// Compiles it. The inner error is a line that names the package that is missing here.
     ///
     /// # Errors
     /// If it cannot be compiled although all packages are here.
     pub fn compile() -> Result<Result<Self, String>, String> {
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-        let missing = |what: &str, package: &str| {
-            Ok(Err(format!("skipped: {what} is not here; install the package {package}")))
-        };
-        let compiler = |arguments: &[&str]| Command::new("g++").args(arguments).current_dir(&folder).output();
         let header = "#include <embree3/rtcore.h>\n";
         fs::write(folder.path().join("probe.cpp"), header).map_err(|error| error.to_string())?;
-        match compiler(&["-fsyntax-only", "probe.cpp"]) {
-            Err(error) if error.kind() == io::ErrorKind::NotFound => return missing("g++", "g++"),
-            Err(error) => return Err(format!("g++: {error}")),
-            Ok(ended) if !ended.status.success() => {
-                return missing("Embree 3", "libembree-dev (3.13 is tried)");
+        match run_tool("g++", &["-fsyntax-only", "probe.cpp"], folder.path())? {
+            None => return Ok(Err(skipped("g++", "g++"))),
+            Some(ended) if !ended.status.success() => {
+                return Ok(Err(skipped("Embree 3", "libembree-dev (version 3; 3.13 is tried)")));
             }
-            Ok(_) => {}
+            Some(_) => {}
         }
-        let options =
-            ["-std=c++17", "-O3", "-march=native", SOURCE, "-o", "embree", "-lembree3", "-pthread"];
-        let ended = compiler(&options).map_err(|error| format!("g++: {error}"))?;
-        match ended.status.success() {
-            true => Ok(Ok(Self { folder })),
-            false => Err(format!("{SOURCE}: {}", String::from_utf8_lossy(&ended.stderr))),
+        let options = ["-std=c++17", "-O3", "-march=native", SOURCE, "-o", PROGRAM, "-lembree3", "-pthread"];
+        match run_tool("g++", &options, folder.path())? {
+            Some(ended) if ended.status.success() => Ok(Ok(Self { folder })),
+            ended => {
+                let said = ended.map(|ended| String::from_utf8_lossy(&ended.stderr).into_owned());
+                Err(format!("{SOURCE}: {}", said.unwrap_or_default()))
+            }
         }
     }
 
@@ -53,32 +52,20 @@ impl Program {
     /// # Errors
     /// If it cannot be fed or ends early.
     pub fn start(&self, mesh: &EyeMesh, sight: &Sight) -> Result<Embree, String> {
-        let told = |error: io::Error| format!("embree: {error}");
-        let scene = self.folder.path().join("scene");
-        fs::write(&scene, scene_file(mesh, sight)).map_err(told)?;
-        let mut command = Command::new(self.folder.path().join("embree"));
-        let mut child =
-            command.arg(&scene).stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().map_err(told)?;
-        let (Some(input), Some(output)) = (child.stdin.take(), child.stdout.take()) else {
-            return Err("embree: no pipes".to_owned());
-        };
-        let mut embree =
-            Embree { child, input: Some(input), output: BufReader::new(output), built: 0.0, size: sight.size };
-        let said = embree.answer()?;
-        embree.built = said
-            .strip_prefix("built ")
-            .and_then(|seconds| seconds.parse().ok())
-            .ok_or_else(|| unexpected("built SECONDS", &said))?;
-        Ok(embree)
+        let scene = self.folder.path().join(SCENE);
+        fs::write(&scene, scene_file(mesh, sight))
+            .map_err(|error| format!("{}: {error}", scene.display()))?;
+        let (process, said) = Process::start(PROGRAM, self.folder.path(), SCENE)?;
+        let built = said.strip_prefix("built ").and_then(|seconds| seconds.parse().ok());
+        let built = built.ok_or_else(|| process.unexpected("built SECONDS", &said))?;
+        Ok(Embree { process, built, size: sight.size })
     }
 }
 
 /// The ray tracer over one mesh, waiting for questions.
 #[derive(Debug)]
 pub struct Embree {
-    child: Child,
-    input: Option<ChildStdin>,
-    output: BufReader<ChildStdout>,
+    process: Process,
     built: f64,
     size: [u32; 2],
 }
@@ -94,8 +81,8 @@ impl Embree {
     /// # Errors
     /// If it does not answer so.
     pub fn trace(&mut self, packet: u32, [north, east, up]: [f64; 3]) -> Result<f64, String> {
-        let said = self.ask(&format!("trace {packet} {north} {east} {up}"))?;
-        said.parse().map_err(|_| unexpected("seconds", &said))
+        let said = self.process.ask(&format!("trace {packet} {north} {east} {up}"))?;
+        said.parse().map_err(|_| self.process.unexpected("seconds", &said))
     }
 
     /// Reflectivity of the last frame, line by line from the top left.
@@ -105,48 +92,37 @@ impl Embree {
     pub fn picture(&mut self) -> Result<Vec<f32>, String> {
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
         let path = folder.path().join("picture");
-        let said = self.ask(&format!("picture {}", path.display()))?;
+        let said = self.process.ask(&format!("picture {}", path.display()))?;
         if said != "written" {
-            return Err(unexpected("written", &said));
+            return Err(self.process.unexpected("written", &said));
         }
         read_picture(&path, self.size)
     }
-
-    fn ask(&mut self, question: &str) -> Result<String, String> {
-        let input = self.input.as_mut().ok_or("embree has ended")?;
-        writeln!(input, "{question}").map_err(|error| format!("embree: {error}"))?;
-        self.answer()
-    }
-
-    fn answer(&mut self) -> Result<String, String> {
-        let mut line = String::new();
-        match self.output.read_line(&mut line) {
-            Err(error) => Err(format!("embree: {error}")),
-            Ok(0) => Err("embree ended without an answer".to_owned()),
-            Ok(_) => Ok(line.trim_end().to_owned()),
-        }
-    }
-}
-
-impl Drop for Embree {
-    /// Ends its input and waits until it has ended.
-    fn drop(&mut self) {
-        drop(self.input.take());
-        let _ = self.child.wait();
-    }
-}
-
-fn unexpected(expected: &str, found: &str) -> String {
-    format!("embree said '{found}': expected {expected}")
 }
 
 /// The floats of a file, little-endian, as many as a picture of this size has pixels.
 fn read_picture(path: &Path, [columns, lines]: [u32; 2]) -> Result<Vec<f32>, String> {
     let bytes = fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
-    let expected = 4 * columns as usize * lines as usize;
-    if bytes.len() != expected {
-        return Err(format!("{}: {} bytes, expected {expected}", path.display(), bytes.len()));
+    let (floats, rest) = bytes.as_chunks::<4>();
+    let expected = columns as usize * lines as usize;
+    if floats.len() != expected || !rest.is_empty() {
+        return Err(format!("{}: {} bytes, expected {}", path.display(), bytes.len(), 4 * expected));
     }
-    let floats = bytes.chunks_exact(4).map(|float| f32::from_le_bytes([float[0], float[1], float[2], float[3]]));
-    Ok(floats.collect())
+    Ok(floats.iter().map(|&float| f32::from_le_bytes(float)).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::read_picture;
+
+    #[test]
+    fn a_picture_has_a_float_for_each_pixel() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("picture");
+        let bytes: Vec<u8> = [0.25f32, 1.0].iter().flat_map(|part| part.to_le_bytes()).collect();
+        std::fs::write(&path, &bytes).unwrap();
+        assert_eq!(read_picture(&path, [2, 1]), Ok(vec![0.25, 1.0]));
+        let error = read_picture(&path, [3, 1]).unwrap_err();
+        assert!(error.ends_with("8 bytes, expected 12"), "{error}");
+    }
 }

@@ -62,8 +62,7 @@ impl PeerScene {
         let [x, y, _] = scene.pose.eye;
         let ground = scene.stage.landscape.height(x, y).ok_or("the eye is not over the ground")?;
         let (height, pitch) = EYE;
-        let attitude =
-            Attitude { pitch: radians(pitch), roll: 0.0, heading: scene.pose.attitude.heading };
+        let attitude = Attitude { pitch: radians(pitch), roll: 0.0, heading: scene.pose.attitude.heading };
         let pose = Pose { time: 0.0, eye: [x, y, ground + height], attitude, yoke: 0.0 };
         let pool = ThreadPoolBuilder::new().num_threads(2).build().map_err(|error| error.to_string())?;
         Ok(Self { scene, pose, pool })
