@@ -8,8 +8,10 @@ use super::{Program, Stimuli, Work};
 use crate::peers::median;
 use crate::{Choice, TimedScene};
 
-/// Frames of each side.
-const TURNS: usize = 51;
+/// Frames of each side for each start.
+const TURNS: usize = 21;
+/// Times that the verilated program is started: where the system lays it makes it up to 1.6 times as slow, so its best start counts.
+const STARTS: usize = 5;
 
 /// What both do and how long it takes, as tables in Markdown; one line where a package is missing.
 ///
@@ -40,12 +42,22 @@ pub fn table() -> Result<String, String> {
         Ok::<f64, String>(begin.elapsed().as_secs_f64())
     };
     write()?;
-    let (mut written, mut ticked) = (Vec::new(), Vec::new());
-    for _ in 0..TURNS {
-        written.push(write()?);
-        ticked.push(verilated.frame()?.0);
+    let (mut written, mut ticked) = (Vec::new(), f64::INFINITY);
+    for _ in 0..STARTS {
+        let (mut verilated, mut times) = (program.start(&stimuli)?, Vec::new());
+        let (_, theirs) = verilated.frame()?;
+        if ours != theirs {
+            return Err(format!(
+                "both control planes must do the same work:\nours {ours:?}\nVerilator {theirs:?}"
+            ));
+        }
+        for _ in 0..TURNS {
+            written.push(write()?);
+            times.push(verilated.frame()?.0);
+        }
+        ticked = ticked.min(median(times));
     }
-    let (written, ticked) = (median(written), median(ticked));
+    let written = median(written);
     let Work { folds, wanted, served, loads, late, longest, .. } = ours;
     let counts = format!("{folds} | {wanted} | {served} | {loads} | {late} | {longest}");
     Ok(format!(
