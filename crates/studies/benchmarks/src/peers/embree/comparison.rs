@@ -27,13 +27,16 @@ const MESHES: [[usize; 2]; 10] = [
 ];
 /// Rays of a packet.
 const PACKETS: [u32; 3] = [16, 8, 1];
-/// Sweeps a frame.
-const SWEEPS: [u32; 2] = [400, 533];
-/// Samples a sweep and instants a step, as many a sweep or more.
+/// Sweeps a frame that are tried.
+const SWEEPS: [u32; 3] = [320, 400, 533];
+/// Samples a sweep and instants a step.
 const STEPPED: [(u32, Option<u32>); 6] =
-    [(250, Some(8)), (500, Some(4)), (1000, Some(2)), (1000, Some(4)), (2000, Some(1)), (1000, None)];
-/// Fineness of shadows.
+    [(500, Some(4)), (1000, Some(2)), (1000, Some(3)), (1000, Some(4)), (2000, Some(1)), (1000, None)];
+/// How fine shadows are tried.
 const SHADOWS: [[f64; 2]; 4] = [[0.5, 2e-3], [1.0, 4e-3], [2.0, 8e-3], [4.0, 16e-3]];
+
+/// A setting of the ray tracer: meridians and rings, rays of a packet.
+type Traced = ([usize; 2], u32);
 
 /// A step of a ladder: which setting, and the median of its times (s).
 #[derive(Debug, Clone, Copy)]
@@ -90,7 +93,7 @@ fn climb_embree(
     scene: &PeerScene,
     right: &[f32],
     text: &mut String,
-) -> Result<Option<Best<([usize; 2], u32)>>, String> {
+) -> Result<Option<Best<Traced>>, String> {
     let (mut best, sun) = (None, scene.sun(0.0));
     for [meridians, rings] in MESHES {
         let (mesh, sight) = scene.mesh(meridians, rings);

@@ -32,7 +32,7 @@ pub struct Setting {
     pub raster: [u32; 2],
     /// Instants a step; each edge at its own if none.
     pub instants: Option<u32>,
-    /// Fineness of shadows.
+    /// How finely shadows are worked out.
     pub shadows: Fineness,
 }
 

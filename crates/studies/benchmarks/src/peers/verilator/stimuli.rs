@@ -6,8 +6,8 @@ use scenario::Pose;
 use std::fmt::Write as _;
 use sweep_program::{Ramp, Stop, SweepProgram};
 
-/// Bits below a metre of a ground range.
-const BITS: i32 = 40;
+/// Parts of a metre in which a ground range counts.
+const PARTS: f64 = (1u64 << 40) as f64;
 /// A ground range that is never reached.
 const NEVER: u64 = u64::MAX;
 /// Instants of a sweep that differ by less are one (samples).
@@ -81,9 +81,9 @@ fn folds(ramp: &Ramp, region: f64) -> ([u64; 2], i32) {
     (ranges, i32::from(stop == Stop::One))
 }
 
-/// A ground range (m) with [`BITS`] bits below a metre.
+/// A ground range (m) in [`PARTS`] of a metre.
 fn fixed(range: f64) -> u64 {
-    (range * 2f64.powi(BITS)).round() as u64
+    (range * PARTS).round() as u64
 }
 
 /// The first tick of a sweep of frame 0 that is not before its first sample.
