@@ -19,7 +19,7 @@
   function follow({ what, done, frames, picture }) {
     part("bar").max = Math.max(1, frames);
     part("bar").value = done;
-    const words = `${what}: ${done} of ${frames}.`;
+    const words = `${what[0].toUpperCase()}${what.slice(1)}: ${done} of ${frames}.`;
     say(picture ? `${words} Picture ${picture.index} stands above.` : words);
     if (picture && Number(part("frame").dataset.picture) !== picture.index) show(picture);
   }
@@ -29,8 +29,8 @@
     const image = new Image();
     image.src = file;
     image.decode().then(() => {
-      const { width, height } = part("frame");
-      Object.assign(image, { id: "frame", alt: "Picture " + index, width, height });
+      Object.assign(image, { id: "frame", alt: "Picture " + index });
+      image.style.aspectRatio = part("frame").style.aspectRatio;
       image.dataset.picture = index;
       part("frame").replaceWith(image);
     }, () => {});

@@ -17,12 +17,13 @@ pub const LIVE_FILES: [(&str, &[u8]); 2] = [
 pub(crate) const LIVE_POLICY: &str = "default-src 'none'; img-src 'self' data:; style-src 'unsafe-inline'; \
                                       script-src 'self' 'unsafe-inline'; connect-src 'self'; base-uri 'none'; form-action 'none'";
 
-const STYLE: &str = ".drawn { max-width: 62rem } .drawn img { display: block; width: 100%; background: #000; image-rendering: auto } \
+const STYLE: &str = ".drawn { max-width: 62rem } .drawn img { display: block; width: 100%; height: auto; background: #000; object-fit: fill } \
                      .drawn progress { width: 100%; accent-color: var(--red); margin-top: .75rem }";
 
 /// The page of a run that is drawn: its newest picture and how far it is. It goes on to the page of the run when that is there.
-/// `columns` and `lines` are those of the picture (pixels).
-pub fn waiting_page(title: &str, shows: &str, [columns, lines]: [u32; 2]) -> String {
+/// `aspect` is the width of the picture in its heights, as a person sees it.
+pub fn waiting_page(title: &str, shows: &str, aspect: f64) -> String {
+    let style = format!("aspect-ratio:{aspect:.6}");
     let page = html! {
         (DOCTYPE)
         html lang="en" {
@@ -37,7 +38,7 @@ pub fn waiting_page(title: &str, shows: &str, [columns, lines]: [u32; 2]) -> Str
                     section #picture aria-labelledby="picture-title" {
                         h2 #picture-title { "Picture" }
                         figure.drawn {
-                            img #frame width=(columns) height=(lines) alt="No picture yet" hidden;
+                            img #frame style=(style) alt="No picture yet" hidden;
                             progress #bar aria-label="Frames drawn" {}
                             p #said role="status" { "Waiting for the program." }
                         }
@@ -57,9 +58,9 @@ mod tests {
 
     #[test]
     fn words_of_a_scenario_end_no_element() {
-        let page = waiting_page("</title><script>a", "<b>\u{1b}", [64, 36]);
+        let page = waiting_page("</title><script>a", "<b>\u{1b}", 1.5);
         assert!(page.contains("&lt;/title&gt;&lt;script&gt;a") && !page.contains("<script>a"), "{page}");
         assert!(page.contains("&lt;b&gt;\\u{1b}"), "{page}");
-        assert!(page.contains("width=\"64\" height=\"36\""), "{page}");
+        assert!(page.contains("style=\"aspect-ratio:1.500000\""), "{page}");
     }
 }

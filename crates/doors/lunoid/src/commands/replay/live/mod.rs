@@ -113,8 +113,9 @@ fn fixed(opened: &Opened, job: &Job) -> PageFiles {
     let mut files = PageFiles::default();
     let own = site::page().filter(|(name, _)| SCRIPTS.contains(name));
     own.chain(LIVE_FILES).for_each(|(name, bytes)| files.put(name, bytes));
-    let view = &job.stage.view;
-    let page = waiting_page(&opened.scenario.title, &opened.scenario.shows, [view.columns, view.lines]);
+    let field = &job.stage.view.field;
+    let aspect = field.tan_half_width / field.tan_half_height;
+    let page = waiting_page(&opened.scenario.title, &opened.scenario.shows, aspect);
     files.put(LIVE_FIRST, page.into_bytes());
     files
 }

@@ -95,7 +95,6 @@ impl LiveRun {
         let stand = *self.stand.lock().unwrap_or_else(PoisonError::into_inner);
         let picture = self.newest(stand).map(|index| json!({ "index": index, "file": picture_name(index) }));
         let told = json!({
-            "schema": "lunoid.live/1",
             "what": stand.what,
             "frames": stand.frames,
             "done": stand.done,
