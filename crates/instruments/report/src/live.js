@@ -20,7 +20,7 @@
     part("bar").max = Math.max(1, frames);
     part("bar").value = done;
     const words = `${what[0].toUpperCase()}${what.slice(1)}: ${done} of ${frames}.`;
-    say(picture ? `${words} Picture ${picture.index} stands above.` : words);
+    say(picture ? `${words} Picture ${picture.index} stands below.` : words);
     if (picture && Number(part("frame").dataset.picture) !== picture.index) show(picture);
   }
 

@@ -18,7 +18,7 @@ pub(crate) const LIVE_POLICY: &str = "default-src 'none'; img-src 'self' data:; 
                                       script-src 'self' 'unsafe-inline'; connect-src 'self'; base-uri 'none'; form-action 'none'";
 
 const STYLE: &str = ".drawn { max-width: 62rem } .drawn img { display: block; width: 100%; height: auto; background: #000; object-fit: fill } \
-                     .drawn progress { width: 100%; accent-color: var(--red); margin-top: .75rem }";
+                     .drawn progress { width: 100%; accent-color: var(--red); margin-bottom: .75rem }";
 
 /// The page of a run that is drawn: its newest picture and how far it is. It goes on to the page of the run when that is there.
 /// `aspect` is the width of the picture in its heights, as a person sees it.
@@ -38,9 +38,9 @@ pub fn waiting_page(title: &str, shows: &str, aspect: f64) -> String {
                     section #picture aria-labelledby="picture-title" {
                         h2 #picture-title { "Picture" }
                         figure.drawn {
-                            img #frame style=(style) alt="No picture yet" hidden;
-                            progress #bar aria-label="Frames drawn" {}
                             p #said role="status" { "Waiting for the program." }
+                            progress #bar aria-label="Frames drawn" {}
+                            img #frame style=(style) alt="No picture yet" hidden;
                         }
                         noscript { p.notice { "Without script this page does not follow the run. Load index.html when the run is finished." } }
                     }

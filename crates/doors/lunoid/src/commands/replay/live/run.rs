@@ -39,7 +39,7 @@ pub struct LiveRun {
 /// How far the run is.
 #[derive(Debug, Clone, Copy, Default)]
 struct Stand {
-    /// What is made.
+    /// What the run is at, in a word.
     what: &'static str,
     /// Of so many frames.
     frames: u64,
