@@ -3,6 +3,7 @@
 //! Results go to standard output, everything else to standard error. Exit codes: 0 done, 1 the answer is no,
 //! 2 wrong usage, 3 bad input, 4 output failed, 130 interrupted.
 
+mod browser;
 mod cli;
 mod commands;
 mod failure;

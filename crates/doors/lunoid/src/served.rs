@@ -37,16 +37,9 @@ impl ServedArgs {
     pub fn home(&self) -> Result<(Served, Opened), Failure> {
         let stage = self.stage.clone().drawn_by(self.quality);
         let opened = stage.load()?;
-        let wishes = stage.wishes();
-        let overlays = wishes.overlays.iter().map(|overlay| overlay.display().to_string());
-        let named = wishes.machine.iter().cloned().chain([opened.scenario.machine.clone()]).chain(overlays);
-        let served = Served {
-            offered: self.offer.iter().cloned().chain(named).collect(),
-            scenario: stage.scenario,
-            wishes,
-            threads: self.threads.count()?,
-            record: self.record.clone(),
-        };
+        let mut served = Served::of(&stage, &opened, self.threads.count()?);
+        served.offered.extend(self.offer.iter().cloned());
+        served.record = self.record.clone();
         Ok((served, opened))
     }
 }
@@ -65,6 +58,14 @@ pub struct Served {
 }
 
 impl Served {
+    /// `stage`, which is read as `opened`. Clients name what ships, and what the command line and the scenario name. Nothing is kept.
+    pub fn of(stage: &StageArgs, opened: &Opened, threads: usize) -> Self {
+        let wishes = stage.wishes();
+        let overlays = wishes.overlays.iter().map(|overlay| overlay.display().to_string());
+        let named = wishes.machine.iter().cloned().chain([opened.scenario.machine.clone()]).chain(overlays);
+        Self { offered: named.collect(), scenario: stage.scenario.clone(), wishes, threads, record: None }
+    }
+
     /// The word that a request `open` has for the scenario.
     pub fn scenario(&self) -> String {
         self.scenario.display().to_string()

@@ -53,7 +53,10 @@ def test_several_drives_in_several_threads(scene: Path) -> None:
 
 
 STUDY = """
+import signal
 import lunoid
+# A shell starts what runs in the background to ignore Ctrl-C.
+signal.signal(signal.SIGINT, signal.default_int_handler)
 drive = lunoid.open("scenarios/first-light.toml", sweeps=60, samples=100)
 print("begins", flush=True)
 try:

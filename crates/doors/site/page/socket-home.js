@@ -28,7 +28,7 @@ class SocketLink {
   async #why() {
     const reply = await fetch(new URL(String(this.#address).replace(/^ws/, "http"))).catch(() => null);
     if (reply === null) return "the program has ended or does not answer: start it again, and open the address that it prints";
-    const said = (await reply.text()).trim().replace(/^lunoid drive: /, "");
+    const said = (await reply.text()).trim().replace(/^lunoid: /, "");
     return `the program opens no connection for this page: ${said}`;
   }
 

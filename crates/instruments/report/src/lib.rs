@@ -16,6 +16,8 @@
 //! `FILM_BYTES` has every n-th of them in its page, and the others beside it; where those are gone the nearest frame
 //! stands in, and the page says so.
 //! **No network.** Style, script and data are in the file, and its content security policy forbids the rest.
+//! **Served.** [`waiting_page`] shows a run while it is drawn, and [`live_page`] is the page with sweeps that are computed on a click. A program serves both
+//! (`lunoid replay --live`); neither is written into the folder.
 //! **page.json** ([`Beside`]) keeps what the record does not have: the words of the command line, where a pixel lies among
 //! the sweeps, a [summary](TimingSummary) of timing, the list of plots and their [values](SweepWaves). Without it the page has fewer sections.
 //! **Side by side.** [`write_side_by_side`] makes one page of the runs of several machines: frames in columns, errors against one
@@ -30,6 +32,7 @@ mod data;
 mod diagram;
 mod error;
 mod film;
+mod live;
 mod machine_section;
 mod masthead;
 mod page;
@@ -46,7 +49,8 @@ mod waves;
 
 pub use beside::{BESIDE, Beside, ScopePlot};
 pub use error::ReportError;
-pub use page::write_page;
+pub use live::{LIVE_FILES, LIVE_FIRST, waiting_page};
+pub use page::{live_page, write_page};
 pub use side_by_side::{FrameError, SIDE_BY_SIDE, SideBySide, write_side_by_side};
 pub use sight::{Sight, SightLine};
 pub use timing_summary::{DeadlineLine, TimingSummary, UnitLine};

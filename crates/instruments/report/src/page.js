@@ -291,6 +291,8 @@
     } else part("look-text").textContent = sweep === null ? "No sweep drew it: there are no signals behind it." : "It was not recorded.";
     part("commands").replaceChildren(...commands(sweep, pixel).filter(([what]) => !there || what.startsWith("This pixel")).map(command));
     part("look").hidden = false;
+    // A page that a program serves computes a sweep that was not recorded.
+    document.dispatchEvent(new CustomEvent("sweep", { detail: { frame: frame(), sweep, isRecorded: there } }));
   }
   for (const button of document.querySelectorAll("[data-sweep]"))
     button.onclick = () => {

@@ -8,9 +8,6 @@ use super::SOCKET;
 use super::reply::Reply;
 use crate::Token;
 
-/// The page that is opened first.
-const FIRST: &str = "/instrument.html";
-
 /// What is done with a request.
 pub enum Verdict {
     /// A socket is opened.
@@ -27,14 +24,16 @@ pub enum Verdict {
 #[derive(Debug)]
 pub struct Admission {
     port: u16,
+    /// The page that is opened first.
+    first: &'static str,
     token: Token,
     is_spent: AtomicBool,
     cookie: Token,
 }
 
 impl Admission {
-    pub fn new(port: u16, token: Token, cookie: Token) -> Self {
-        Self { port, token, is_spent: AtomicBool::new(false), cookie }
+    pub fn new(port: u16, first: &'static str, token: Token, cookie: Token) -> Self {
+        Self { port, first, token, is_spent: AtomicBool::new(false), cookie }
     }
 
     pub fn token(&self) -> &Token {
@@ -80,7 +79,7 @@ impl Admission {
         let is_token = word.is_some_and(|word| self.token.is(word));
         if self.has_cookie(head) || is_token && !self.is_spent.swap(true, Ordering::Relaxed) {
             let cookie = format!("{}={}", self.name(), self.cookie.word());
-            return Reply::onward(FIRST, format!("{cookie}; Path=/; HttpOnly; SameSite=Strict"));
+            return Reply::onward(self.first, format!("{cookie}; Path=/; HttpOnly; SameSite=Strict"));
         }
         if is_token {
             return Reply::refusal(403, "the address was used by another browser; start the command again");

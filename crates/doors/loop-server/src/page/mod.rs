@@ -22,7 +22,7 @@ use self::reply::Reply;
 use crate::patient::Patient;
 use crate::{PATIENCE, ServerError, Token};
 
-pub use self::files::PageFiles;
+pub use self::files::{PageFiles, Shelf};
 
 /// Where the page opens its socket.
 const SOCKET: &str = "/loop";
@@ -35,21 +35,21 @@ const SESSIONS: usize = 8;
 
 /// A server of one page on 127.0.0.1, for the one browser that brings the token.
 #[derive(Debug)]
-pub struct PageServer {
+pub struct PageServer<S> {
     listener: TcpListener,
     port: u16,
     admission: Admission,
-    files: PageFiles,
+    files: S,
     connections: AtomicUsize,
     sessions: AtomicUsize,
 }
 
-impl PageServer {
-    /// A server of `files` at a port; 0 means any that is free.
+impl<S: Shelf + Sync> PageServer<S> {
+    /// A server of `files` at a port; 0 means any that is free. `first` is the page that is opened first, with a slash in front.
     ///
     /// # Errors
     /// If nothing can listen there, or the system has no random bytes for a token.
-    pub fn bind(port: u16, files: PageFiles) -> Result<Self, ServerError> {
+    pub fn bind(port: u16, first: &'static str, files: S) -> Result<Self, ServerError> {
         let failed = |source| ServerError::Listen {
             place: format!("{}:{port}", Ipv4Addr::LOCALHOST),
             source,
@@ -57,7 +57,7 @@ impl PageServer {
         };
         let listener = TcpListener::bind((Ipv4Addr::LOCALHOST, port)).map_err(failed)?;
         let port = listener.local_addr().map_err(failed)?.port();
-        let admission = Admission::new(port, Token::random()?, Token::random()?);
+        let admission = Admission::new(port, first, Token::random()?, Token::random()?);
         let (connections, sessions) = (AtomicUsize::new(0), AtomicUsize::new(0));
         Ok(Self { listener, port, admission, files, connections, sessions })
     }
@@ -88,6 +88,8 @@ impl PageServer {
     fn answer<H: Home>(&self, mut stream: TcpStream, session: impl Fn() -> Session<H>) -> Result<(), String> {
         let said = |error: std::io::Error| error.to_string();
         stream.set_nodelay(true).map_err(said)?;
+        // A client that takes nothing is let go.
+        stream.set_write_timeout(Some(PATIENCE)).map_err(said)?;
         let request = match head::read(&mut Patient::new(&stream, PATIENCE)) {
             Ok(Some(request)) => request,
             // The browser has opened a connection ahead of need.
@@ -101,7 +103,7 @@ impl PageServer {
             },
             Verdict::IsThereRoom if self.sessions.load(Ordering::Relaxed) >= SESSIONS => full(),
             Verdict::IsThereRoom => Reply::refusal(426, "there is room for a page; open a WebSocket here"),
-            Verdict::File => self.files.reply(request.head.uri().path()),
+            Verdict::File => files::reply(&self.files, request.head.uri().path()),
             Verdict::Reply(reply) => reply,
         };
         reply.write(&mut stream).map_err(said)

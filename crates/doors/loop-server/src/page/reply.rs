@@ -1,8 +1,8 @@
 //! Replies of HTTP, one a connection.
 
-use std::borrow::Cow;
 use std::io::{self, Write};
 
+use tungstenite::Bytes;
 use tungstenite::http::StatusCode;
 
 /// A reply with its body.
@@ -12,18 +12,18 @@ pub struct Reply {
     kind: &'static str,
     /// More lines of the head: name and value.
     lines: Vec<(&'static str, String)>,
-    body: Cow<'static, [u8]>,
+    body: Bytes,
 }
 
 impl Reply {
     /// A file of a media type.
-    pub fn file(kind: &'static str, body: Cow<'static, [u8]>) -> Self {
+    pub fn file(kind: &'static str, body: Bytes) -> Self {
         Self { status: 200, kind, lines: Vec::new(), body }
     }
 
     /// A refusal, in words for people.
     pub fn refusal(status: u16, why: &str) -> Self {
-        let body = format!("lunoid drive: {why}\n").into_bytes();
+        let body = format!("lunoid: {why}\n").into_bytes();
         Self { status, kind: "text/plain; charset=utf-8", lines: Vec::new(), body: body.into() }
     }
 

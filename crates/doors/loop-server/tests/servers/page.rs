@@ -2,7 +2,9 @@
 
 use std::io::{Read, Write};
 use std::net::{Shutdown, TcpStream};
+use std::sync::mpsc;
 use std::thread;
+use std::time::Duration;
 
 use loop_protocol::Message;
 use loop_server::{PageFiles, PageServer};
@@ -20,7 +22,7 @@ fn served() -> Served {
     let mut files = PageFiles::default();
     files.put("instrument.html", &b"<p>the page</p>"[..]);
     files.put("here.js", &b"export {};"[..]);
-    let server = PageServer::bind(0, files).unwrap();
+    let server = PageServer::bind(0, "/instrument.html", files).unwrap();
     let address = server.address();
     let (place, token) = address.split_once("/?token=").unwrap();
     let served = Served { port: place.rsplit(':').next().unwrap().parse().unwrap(), token: token.to_owned() };
@@ -220,9 +222,32 @@ fn more_pages_than_there_are_places_are_told_so() {
     drop(open);
     let again = || {
         (0..200).any(|_| {
-            thread::sleep(std::time::Duration::from_millis(10));
+            thread::sleep(Duration::from_millis(10));
             status(&served.asked("/loop", &lines)) == "101"
         })
     };
     assert!(again(), "a page that is closed gives its place back");
+}
+
+#[test]
+fn a_browser_that_takes_nothing_is_let_go() {
+    let mut files = PageFiles::default();
+    files.put("large.png", vec![0; 64 << 20]);
+    let server = PageServer::bind(0, "/large.png", files).unwrap();
+    let address = server.address();
+    let (place, query) = address.strip_prefix("http://").unwrap().split_once('/').unwrap();
+    let (hear, heard) = mpsc::channel();
+    thread::spawn(move || server.serve(session, |said| hear.send(said.to_owned()).unwrap()));
+    let asked = |path: &str, cookie: &str| {
+        let mut stream = TcpStream::connect(place).unwrap();
+        write!(stream, "GET /{path} HTTP/1.1\r\nHost: {place}\r\nCookie: {cookie}\r\n\r\n").unwrap();
+        stream
+    };
+    let mut reply = String::new();
+    asked(query, "").read_to_string(&mut reply).unwrap();
+    let cookie = reply.lines().find_map(|line| line.strip_prefix("Set-Cookie: ")).unwrap();
+    let cookie = cookie.split(';').next().unwrap();
+    let _deaf = asked("large.png", cookie);
+    let said = heard.recv_timeout(Duration::from_secs(60)).expect("the server gives the connection up");
+    assert!(said.starts_with("warning: a connection of the page ended: "), "{said}");
 }

@@ -1,11 +1,10 @@
 //! `lunoid drive`: the instrument in a browser, and the machine in this program.
 
-use std::process::{Command, Stdio};
-
 use clap::Args;
 use loop_protocol::Session;
 use loop_server::{PageFiles, PageServer};
 
+use crate::browser::open_in_browser;
 use crate::output::{print, tell};
 use crate::served::ServedArgs;
 use crate::{Failure, Verdict};
@@ -42,11 +41,11 @@ impl DriveCommand {
         let list = site::list(&[site::row(&scenario, &scenario, &opened, &[])]);
         let mut files = page();
         files.put(site::LIST, list.to_string().into_bytes());
-        let server = PageServer::bind(self.port, files).map_err(Failure::output)?;
+        let server = PageServer::bind(self.port, "/instrument.html", files).map_err(Failure::output)?;
         let address = server.address();
         print(&format!("{address}\n"))?;
-        if !self.no_open && !is_opened(&address) {
-            tell("no browser could be started; open the address in one\n");
+        if !self.no_open {
+            open_in_browser(&address);
         }
         server.serve(|| Session::new(home.clone()), |said| tell(&format!("{}\n", text::visible(said))));
         Ok(Verdict::Yes)
@@ -59,16 +58,4 @@ fn page() -> PageFiles {
     let own = site::page().filter(|(name, _)| !OF_A_SITE.contains(name));
     own.chain(site::OF_A_PROGRAM).for_each(|(name, bytes)| files.put(name, bytes));
     files
-}
-
-/// Whether the system's own program opens `address`.
-fn is_opened(address: &str) -> bool {
-    let opener = match std::env::consts::OS {
-        "macos" => "open",
-        "windows" => "explorer",
-        _ => "xdg-open",
-    };
-    let mut command = Command::new(opener);
-    command.arg(address).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
-    command.spawn().is_ok()
 }

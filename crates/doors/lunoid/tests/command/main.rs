@@ -16,6 +16,7 @@ mod explain;
 mod farm;
 mod first_minutes;
 mod help;
+mod live;
 mod lockstep;
 mod lunsim;
 mod models;

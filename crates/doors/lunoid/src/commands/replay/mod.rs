@@ -1,5 +1,6 @@
 //! `lunoid replay`: a scenario into a folder of frames.
 
+mod live;
 mod logs;
 mod several;
 mod share;
@@ -32,6 +33,7 @@ use crate::program::program;
 use crate::progress::Saying;
 use crate::sharing::Sharing;
 use crate::{Failure, Verdict, values};
+use live::{LiveArgs, LiveRun, stay};
 use logs::{LogArgs, Logged};
 use share::of_one;
 use summary::{Summary, losses};
@@ -45,6 +47,7 @@ const AFTER: &str = "Examples:
   lunoid replay scenarios/first-light.toml --probe 60:500 --probe '12:300..303:tg.*height,dpp.y'
   lunoid replay scenarios/first-light.toml --machine ideal --machine pra-nominal --frames 0..4
   lunoid replay scenarios/first-light.toml --frames 0..12 --mcap runs/first-light.mcap
+  lunoid replay scenarios/first-light.toml --live
   lunoid replay scenarios/first-light.toml --shard 2/7
 
 The same command again goes on where it was interrupted. Open index.html in the folder to look at the run.
@@ -112,6 +115,8 @@ pub struct Replay {
     /// Write no page: frames, records and what else is asked for.
     #[arg(long, conflicts_with = "probe")]
     no_page: bool,
+    #[command(flatten)]
+    live: LiveArgs,
     /// Remove the run that the folder holds, and nothing else, and start anew.
     #[arg(long)]
     fresh: bool,
@@ -169,6 +174,7 @@ impl Replay {
     fn alone(&self, stage: &StageArgs, opened: &Opened, mut phases: Phases) -> Result<Verdict, Failure> {
         self.expect_one_on_stdout()?;
         self.logs.expect_possible(self.truth.as_ref())?;
+        self.expect_live_possible()?;
         let shard = self.sharing.asked()?;
         let out = self.out(&of_one(self.options.channel.as_deref(), shard));
         self.expect_apart(stage, &out)?;
@@ -189,8 +195,15 @@ impl Replay {
             None => job,
             Some((shard, frames)) => self.share(shard, job, frames, stage),
         };
-        let made = self.draw(stage, opened, &job, &folder, (&pool, &mut phases))?;
-        self.tell(opened, &folder, made, phases)
+        let live = self.begin_live(stage, opened, &job, &folder)?;
+        let made = self.draw(stage, opened, &job, &folder, (&pool, &mut phases), live.as_deref())?;
+        let verdict = self.tell(opened, &folder, made, phases)?;
+        // Others may extend the run while its page is shown.
+        drop(folder);
+        if let (Some(live), Verdict::Yes) = (&live, verdict) {
+            stay(live)?;
+        }
+        Ok(verdict)
     }
 
     /// The run folder, with room for the run's page where one is to be written.
@@ -229,10 +242,14 @@ impl Replay {
         job: &Job,
         folder: &RunFolder,
         (pool, phases): (&ThreadPool, &mut Phases),
+        live: Option<&LiveRun>,
     ) -> Result<Made, Failure> {
         let cancel = interrupt::listen();
         let display = self.saying.display();
-        let progress = |progress| display.hear(progress);
+        let progress = |progress| {
+            display.hear(progress);
+            live.iter().for_each(|live| live.hear(progress));
+        };
         let control = Control { pool, cancel, progress: &progress };
         let made = self.make(stage, (job, opened), folder, &control, phases);
         display.end();

@@ -90,7 +90,7 @@ impl Replay {
             if !self.saying.quiet && !self.saying.no_progress {
                 tell(&format!("{name}\n"));
             }
-            match self.draw(stage, opened, job, folder, (&pool, &mut phases))?.outcome {
+            match self.draw(stage, opened, job, folder, (&pool, &mut phases), None)?.outcome {
                 Outcome::Interrupted { done, of } => {
                     return Ok(interrupted(&format!("frames of {name}"), done, of));
                 }
@@ -154,6 +154,7 @@ impl Replay {
             (self.check > 0, "--check"),
             (self.no_page, "--no-page"),
             (self.sharing.shard.is_some(), "--shard"),
+            (self.live.is_asked(), "--live"),
         ];
         match given.iter().chain(&self.logs.given()).find(|(is_given, _)| *is_given) {
             Some((_, option)) => Err(Failure::usage(format!(
