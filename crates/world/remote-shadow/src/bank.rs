@@ -12,7 +12,7 @@ use crate::Tile;
 use crate::cache::Cache;
 use crate::cover::Cover;
 use crate::ground::{GroundSheets, LitGround};
-use crate::tile::Place;
+use crate::tile::{Casters, Place};
 
 /// Suns whose tiles are kept in memory.
 const SUNS: usize = 3;
@@ -107,15 +107,20 @@ impl ShadowBank {
         let cover = Cover::new(&self.ground.landscape, self.resolution, sun, eye, reach, towards);
         let places = cover.places();
         let slots = self.slots(sun, &places);
-        let missing: Vec<usize> = (0..slots.len()).filter(|&n| slots[n].get().is_none()).collect();
+        let mut missing: Vec<usize> = (0..slots.len()).filter(|&n| slots[n].get().is_none()).collect();
+        let column = |n: usize| (places[n].level, places[n].at[0]);
+        missing.sort_unstable_by_key(|&n| (column(n), places[n].at[1]));
+        let columns: Vec<&[usize]> = missing.chunk_by(|&a, &b| column(a) == column(b)).collect();
         // A tile waits for nothing while it is computed, so threads that want the same one may wait for it.
-        let computed = missing.into_par_iter().map(|n| {
-            slots[n].get_or_init(|| Arc::new(Tile::compute(lit, places[n])));
-            n
+        columns.into_par_iter().for_each(|column| {
+            let mut casters = Casters::default();
+            for &n in column {
+                slots[n].get_or_init(|| Arc::new(Tile::compute(lit, places[n], &mut casters)));
+            }
         });
-        let computed: Vec<usize> = computed.collect();
+        missing.sort_unstable();
         let tiles: Vec<Arc<Tile>> = slots.iter().filter_map(|slot| slot.get().cloned()).collect();
-        self.keep(sun, computed.into_iter().map(|n| (places[n], &tiles[n])));
+        self.keep(sun, missing.into_iter().map(|n| (places[n], &tiles[n])));
         tiles
     }
 

@@ -17,19 +17,28 @@ const ROUNDING: f64 = 1e-11;
 pub(crate) struct Upstream<'a> {
     lit: LitGround<'a>,
     p: f64,
-    /// Last point of the lattice that counts.
+    /// First and last point of the lattice that are searched.
+    first: i64,
     last: i64,
+    /// The highest before the first.
+    known: Best,
 }
 
-/// What is known of the highest point so far.
-#[derive(Debug, Clone, Copy)]
-struct Best {
+/// The highest point of the lattice so far, on one profile: its `G cos e` (m) and its number.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Best {
     g: f64,
     k: i64,
 }
 
 impl Best {
-    const NONE: Self = Self { g: f64::NEG_INFINITY, k: i64::MAX };
+    /// Of no point.
+    pub(crate) const NONE: Self = Self { g: f64::NEG_INFINITY, k: i64::MAX };
+
+    /// The point's number, where there is ground.
+    pub(crate) fn point(self) -> Option<i64> {
+        (self.k != i64::MAX).then_some(self.k)
+    }
 
     /// Of equal points the one nearest to the sun, in whatever order they come.
     fn take(&mut self, g: f64, k: i64) {
@@ -68,25 +77,35 @@ impl Met {
 impl<'a> Upstream<'a> {
     /// The profile `p` (m) up to lattice point `last`.
     pub(crate) fn new(lit: LitGround<'a>, p: f64, last: i64) -> Self {
-        Self { lit, p, last }
+        Self { lit, p, first: i64::MIN, last, known: Best::NONE }
     }
 
-    /// The largest `G cos e` (m) up to the place, and the lattice point that it lies at or beside; `None` if there is
-    /// no ground. `hint`, a lattice point, only saves time.
-    pub(crate) fn highest(&self, hint: Option<i64>) -> Option<(f64, i64)> {
-        let mut best = Best::NONE;
-        if let Some(k) = hint.filter(|&k| k <= self.last) {
+    /// The same where `known` is the highest up to lattice point `to`: only what lies behind it is searched.
+    pub(crate) fn behind(self, to: i64, known: Best) -> Self {
+        Self { first: to + 1, known, ..self }
+    }
+
+    /// The highest point of the lattice up to the place. `hint`, a point of it, only saves time.
+    pub(crate) fn best(&self, hint: Option<i64>) -> Best {
+        let mut best = self.known;
+        if let Some(k) = hint.filter(|&k| self.first <= k && k <= self.last) {
             self.try_point(k, &mut best);
         }
         for sheet in &self.lit.ground.sheets {
             self.search(sheet, sheet.root(), &mut best);
         }
-        self.refined(best)
+        best
     }
 
-    /// The same from every point of the lattice: what [`highest`](Self::highest) must agree with.
+    /// The largest `G cos e` (m) up to the place, of which `best` is the highest point of the lattice; `None` if there is no ground.
+    pub(crate) fn top(&self, best: Best) -> Option<f64> {
+        let k = best.point()?;
+        Some(best.g.max(self.top_beside(k).unwrap_or(best.g)))
+    }
+
+    /// The same from every point of the lattice: what [`best`](Self::best) must agree with.
     #[cfg(test)]
-    pub(crate) fn highest_of_all(&self) -> Option<(f64, i64)> {
+    pub(crate) fn best_of_all(&self) -> Best {
         let mut best = Best::NONE;
         for sheet in &self.lit.ground.sheets {
             if let Some([first, last]) = self.clip(sheet.corners(sheet.root())) {
@@ -95,14 +114,7 @@ impl<'a> Upstream<'a> {
                 }
             }
         }
-        self.refined(best)
-    }
-
-    fn refined(&self, best: Best) -> Option<(f64, i64)> {
-        if best.k == i64::MAX {
-            return None;
-        }
-        Some((best.g.max(self.top_beside(best.k).unwrap_or(best.g)), best.k))
+        best
     }
 
     fn q(&self, k: i64) -> f64 {
@@ -139,7 +151,7 @@ impl<'a> Upstream<'a> {
         }
         let lattice = self.lit.lattice;
         let [first, last] = [(span[0] / lattice).floor() as i64, (span[1] / lattice).ceil() as i64];
-        let last = last.min(self.last);
+        let (first, last) = (first.max(self.first), last.min(self.last));
         (span[0] <= span[1] + lattice && first <= last).then_some([first, last])
     }
 
@@ -263,10 +275,15 @@ mod tests {
                 let place =
                     [0, 1].map(|axis| places[1] * quantities::unit_interval(4, &[n, axis]) + places[0]);
                 let [p, q] = lit.axes.to_sun_axes(place);
-                let upstream = Upstream::new(lit, p, (q / lattice).floor() as i64);
-                let all = upstream.highest_of_all();
-                assert_eq!(upstream.highest(None), all);
-                assert_eq!(upstream.highest(Some((q / lattice) as i64 - 7)), all);
+                let last = (q / lattice).floor() as i64;
+                let upstream = Upstream::new(lit, p, last);
+                let all = upstream.best_of_all();
+                assert_eq!(upstream.best(None), all);
+                assert_eq!(upstream.best(Some(last - 7)), all);
+                for before in [1, 64, 700] {
+                    let known = Upstream::new(lit, p, last - before).best(None);
+                    assert_eq!(upstream.behind(last - before, known).best(Some(last - 7)), all, "{before}");
+                }
             }
         }
     }

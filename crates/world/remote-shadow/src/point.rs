@@ -21,7 +21,8 @@ impl ShadowBank {
         }
         let before = (q / lit.lattice).ceil() as i64 - 1;
         let start = before as f64 * lit.lattice;
-        let top = Upstream::new(lit, p, before).highest(None).map_or(f64::NEG_INFINITY, |(top, _)| top);
+        let upstream = Upstream::new(lit, p, before);
+        let top = upstream.top(upstream.best(None)).unwrap_or(f64::NEG_INFINITY);
         let spacing = (q - start) / SPOTS as f64;
         let dark = Walk::intervals(lit, p, start, spacing, SPOTS, top);
         dark.last().is_some_and(|&[_, end]| end >= start + SPOTS as f64 * spacing)

@@ -165,7 +165,8 @@ mod tests {
             let whole = Walk::intervals(lit, p, sunward, SPACING, 2400, f64::NEG_INFINITY);
             for tile in -2..2 {
                 let first = middle + 64 * tile;
-                let top = Upstream::new(lit, p, first).highest(None).map_or(f64::NEG_INFINITY, |top| top.0);
+                let upstream = Upstream::new(lit, p, first);
+                let top = upstream.top(upstream.best(None)).unwrap_or(f64::NEG_INFINITY);
                 let start = first as f64 * SPACING;
                 let end = start + 64.0 * SPACING;
                 let part = clipped(&Walk::intervals(lit, p, start, SPACING, 64, top), start, end);

@@ -1,7 +1,7 @@
 //! One tile of the shadow map.
 
 use crate::Outlines;
-use crate::caster::Upstream;
+use crate::caster::{Best, Upstream};
 use crate::chains::Chains;
 use crate::ground::LitGround;
 use crate::lattice::{Corner, Lattice};
@@ -48,29 +48,50 @@ impl Tile {
     /// Places of all profiles of a tile at which the ground is looked at first.
     pub const PLACES: u64 = (STRIPS as u64 + 1) * (STRIPS as u64 + 1);
 
-    /// The shadow over `place`.
-    pub(crate) fn compute(lit: LitGround<'_>, place: Place) -> Self {
+    /// The shadow over `place`, after which `casters` are those of its edge towards the sun.
+    pub(crate) fn compute(lit: LitGround<'_>, place: Place, casters: &mut Casters) -> Self {
         let spacing = lit.lattice * (1i64 << place.level) as f64;
         let ([p, q], side) = place.lattice();
         let step = side / STRIPS;
         let across: Vec<f64> = (0..=STRIPS).map(|n| (p + n * step) as f64 * lit.lattice).collect();
         let start = q as f64 * lit.lattice;
-        let mut hint = None;
-        let dark: Vec<Vec<Interval>> = across
-            .iter()
-            .map(|&p| {
-                let caster = Upstream::new(lit, p, q).highest(hint);
-                hint = caster.map(|(_, k)| k);
-                let top = caster.map_or(f64::NEG_INFINITY, |(top, _)| top);
-                Walk::intervals(lit, p, start, spacing, STRIPS as usize, top)
-            })
-            .collect();
+        let tops = casters.advance(lit, &across, q);
+        let profiles = across.iter().zip(tops);
+        let dark: Vec<Vec<Interval>> =
+            profiles.map(|(&p, top)| Walk::intervals(lit, p, start, spacing, STRIPS as usize, top)).collect();
         let pieces = outline(&across, &dark, [start, start + STRIPS as f64 * spacing]);
         let lattice = Lattice::new(lit.lattice, place);
         let pieces: Vec<[Corner; 2]> =
             pieces.iter().map(|piece| piece.map(|end| lattice.nearest(end))).collect();
         let chains = Chains::joined(&pieces, |corner| corner);
         Self { spacing, outlines: Outlines::of_tile(lattice.on_ground(lit.axes), &chains) }
+    }
+}
+
+/// The highest casters of a column of tiles, which lie one behind the other away from the sun: a tile searches only what lies behind the
+/// edge of the one before.
+#[derive(Debug, Default)]
+pub(crate) struct Casters {
+    /// Lattice point of the edge, and the highest up to it on each profile; nothing before the first tile.
+    known: Option<(i64, Vec<Best>)>,
+}
+
+impl Casters {
+    /// The largest `G cos e` (m) before the edge at lattice point `q` on each profile of `across` (m); minus infinity without ground.
+    fn advance(&mut self, lit: LitGround<'_>, across: &[f64], q: i64) -> Vec<f64> {
+        let known = self.known.take();
+        let (mut hint, mut highest) = (None, Vec::with_capacity(across.len()));
+        let profiles = across.iter().enumerate().map(|(n, &p)| {
+            let all = Upstream::new(lit, p, q);
+            let upstream = known.as_ref().map_or(all, |(to, bests)| all.behind(*to, bests[n]));
+            let best = upstream.best(hint);
+            hint = best.point();
+            highest.push(best);
+            upstream.top(best).unwrap_or(f64::NEG_INFINITY)
+        });
+        let tops = profiles.collect();
+        self.known = Some((q, highest));
+        tops
     }
 }
 
