@@ -32,7 +32,7 @@ pub(crate) struct Best {
 }
 
 impl Best {
-    /// Of no point.
+    /// What is known where no point was looked at.
     pub(crate) const NONE: Self = Self { g: f64::NEG_INFINITY, k: i64::MAX };
 
     /// The point's number, where there is ground.
