@@ -146,8 +146,9 @@ impl<'a> Upstream<'a> {
                 }
                 continue;
             }
-            let ends = [low[axis], high[axis]].map(|edge| (edge - start[axis]) / away[axis]);
-            span = [span[0].max(ends[0].min(ends[1])), span[1].min(ends[0].max(ends[1]))];
+            let from = (low[axis] - start[axis]) / away[axis];
+            let to = (high[axis] - start[axis]) / away[axis];
+            span = [span[0].max(from.min(to)), span[1].min(from.max(to))];
         }
         let lattice = self.lit.lattice;
         let [first, last] = [(span[0] / lattice).floor() as i64, (span[1] / lattice).ceil() as i64];
@@ -180,8 +181,8 @@ impl<'a> Upstream<'a> {
 
     /// No point with a height up to `ceiling` (m) in the span can have a larger `G cos e`.
     fn bound(&self, ceiling: f64, span: [i64; 2]) -> f64 {
-        let [first, last] = span.map(|k| self.q(k) * self.lit.axes.sin);
-        let q = first.max(last);
+        let sin = self.lit.axes.sin;
+        let q = (self.q(span[0]) * sin).max(self.q(span[1]) * sin);
         ceiling * self.lit.axes.cos + q + ROUNDING * (ceiling.abs() + q.abs())
     }
 
@@ -220,7 +221,7 @@ impl<'a> Upstream<'a> {
         let [n, e] = self.lit.axes.away();
         let [hxx, hxy, hyy] = square.bends;
         let bend = n * n * hxx + 2.0 * (n * e).abs() * hxy + e * e * hyy;
-        let [from, to] = span.map(|k| self.q(k));
+        let [from, to] = [self.q(span[0]), self.q(span[1])];
         let length = to - from;
         let rise: f64 = square.craters.iter().map(|met| met.between([from, to])).sum();
         let terrain = a.terrain.max(b.terrain);

@@ -118,7 +118,8 @@ impl<'a> LitGround<'a> {
     /// The ground at (p, q) (m), `None` where there is none.
     pub(crate) fn spot(&self, p: f64, q: f64) -> Option<Spot> {
         let [terrain, features] = self.ground.at(self.axes.to_ground([p, q]))?;
-        let [height, north, east] = [0, 1, 2].map(|k: usize| terrain[k] + features[k]);
+        let [height, north, east] =
+            [terrain[0] + features[0], terrain[1] + features[1], terrain[2] + features[2]];
         let away = self.axes.away();
         let slope = north * away[0] + east * away[1];
         let (sin, cos) = (self.axes.sin, self.axes.cos);

@@ -129,7 +129,7 @@ impl Sheet {
     pub(crate) fn stand(&self, level: &Level, [x, y]: [f64; 2]) -> Option<Stand> {
         let (region, local) = level.locate(x, y)?;
         let part = |axis: usize| ((local[axis] * self.parts as f64) as usize).min(self.parts - 1);
-        let at = std::array::from_fn(|axis| region[axis] * self.parts + part(axis));
+        let at = [region[0] * self.parts + part(0), region[1] * self.parts + part(1)];
         Some(Stand { region, local, square: Node { layer: 0, at } })
     }
 
@@ -146,12 +146,11 @@ impl Sheet {
 
     /// South-west and north-east corner of a node (m).
     pub(crate) fn corners(&self, node: Node) -> [[f64; 2]; 2] {
-        [0, 1].map(|end| {
-            std::array::from_fn(|axis| {
-                let place = ((node.at[axis] + end) << node.layer).min(self.counts[axis]);
-                self.origin[axis] + place as f64 * self.side
-            })
-        })
+        let edge = |axis: usize, end: usize| {
+            let place = ((node.at[axis] + end) << node.layer).min(self.counts[axis]);
+            self.origin[axis] + place as f64 * self.side
+        };
+        [[edge(0, 0), edge(1, 0)], [edge(0, 1), edge(1, 1)]]
     }
 
     /// The nodes, four at most, that a node above layer 0 is made of.
@@ -172,10 +171,8 @@ impl Sheet {
     /// Indices of the craters that reach into a node of layer 0, ascending.
     pub(crate) fn craters(&self, node: Node) -> impl Iterator<Item = u32> {
         let square = node.at[0] * self.counts[1] + node.at[1];
-        let has_craters = square + 1 < self.starts.len();
-        let [start, end] =
-            if has_craters { [0, 1].map(|n| self.starts.get(square + n) as usize) } else { [0; 2] };
-        self.craters.of(start..end)
+        let start = |n: usize| if n < self.starts.len() { self.starts.get(n) as usize } else { 0 };
+        self.craters.of(start(square)..start(square + 1))
     }
 
     fn region_bends(&self, level: &Level, region: [usize; 2], finer: &[Level]) -> Bends {
