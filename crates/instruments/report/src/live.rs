@@ -17,8 +17,7 @@ pub const LIVE_FILES: [(&str, &[u8]); 2] = [
 pub(crate) const LIVE_POLICY: &str = "default-src 'none'; img-src 'self' data:; style-src 'unsafe-inline'; \
                                       script-src 'self' 'unsafe-inline'; connect-src 'self'; base-uri 'none'; form-action 'none'";
 
-const STYLE: &str = ".drawn { max-width: 62rem } .drawn img { display: block; width: 100%; height: auto; background: #000; object-fit: fill } \
-                     .drawn progress { width: 100%; accent-color: var(--red); margin-bottom: .75rem }";
+const STYLE: &str = include_str!("live.css");
 
 /// The page of a run that is drawn: its newest picture and how far it is. It goes on to the page of the run when that is there.
 /// `aspect` is the width of the picture in its heights, as a person sees it.
