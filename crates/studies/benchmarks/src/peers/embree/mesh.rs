@@ -20,8 +20,8 @@ pub struct Grading {
 
 /// Faces between meridians and rings around an eye, which is the origin; axes north, east, up (m).
 ///
-/// Meridians stand as far apart on the picture as columns do. Beside the picture their angles grow by [`GROWTH`] all around, and rings
-/// go on by [`MARGIN`] beyond the farthest ground, because shadows fall from there into the picture.
+/// Meridians stand as far apart on the picture as columns do. Beside the picture their angles grow by `GROWTH` all around, and rings
+/// go on by `MARGIN` beyond the farthest ground, because shadows fall from there into the picture.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EyeMesh {
     /// Place and normal (not of unit length) of each vertex.
