@@ -152,7 +152,7 @@ fn a_pixel_is_told_as_the_whole_frame_has_it() {
     }
 }
 
-/// A picture that is drawn straight between instants is told beside the whole machine's, which is what `fine` shows there.
+/// Beside a pixel between instants, `explain` has the value of the whole machine. It is the value that `fine` draws.
 #[test]
 fn the_whole_machine_is_told_beside_a_picture_between_instants() {
     let scene = Shipped::read("craters", Some(200));

@@ -22,6 +22,7 @@
 //! - **Casters.** The largest G before a tile's sunward edge is that of all places of the lattice
 //!   ([`Resolution::finest`]) on the profile, then of the top or kink beside the best. The search enters only squares
 //!   and stretches that can hold more than is known, whatever their distance; what it leaves out changes no bit.
+//!   Tiles of one spacing that lie one behind the other share the search: each looks only behind the edge of the one before.
 //! - **Profiles.** A tile has 64 strips; G is taken at as many places along each profile. Starts (where G turns down, or
 //!   the kink) and ends (where G is back) are halved down to 2^-12 of the spacing.
 //! - **Boundaries.** Intervals of neighbouring profiles that overlap are one shadow; what overlaps nothing ends in a

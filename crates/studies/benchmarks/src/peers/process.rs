@@ -30,7 +30,7 @@ impl Process {
         Ok((process, said))
     }
 
-    /// What it answers.
+    /// The line that the peer answers to `question`, without its end.
     ///
     /// # Errors
     /// If it has ended, or ends instead.

@@ -44,7 +44,7 @@ const FIRST: &str = "/live.html";
 const SCRIPTS: [&str; 7] =
     ["home.js", "journal.js", "lunoid.js", "message.js", "module.js", "socket-home.js", "worker-home.js"];
 
-/// Time between two looks at whether the command is told to end.
+/// Time between two looks for Ctrl-C.
 const EVERY: Duration = Duration::from_millis(50);
 
 /// The run in a browser.
@@ -120,7 +120,7 @@ fn fixed(opened: &Opened, job: &Job) -> PageFiles {
     files
 }
 
-/// Shows the finished run until the command is told to end.
+/// Shows the finished run until Ctrl-C.
 pub fn stay(run: &LiveRun) -> Result<(), Failure> {
     run.finish()?;
     tell("live: the run is finished; its page stays until Ctrl-C\n");
