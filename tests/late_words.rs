@@ -71,7 +71,7 @@ impl Asked {
         panic!("no rate makes a single load of frame {frame} late");
     }
 
-    /// The same with lines that bring words of craters and of boundaries so many times as slowly: 48 sweeps leave them time.
+    /// The same with lines that bring words of craters and of boundaries so many times as slowly: so few sweeps leave them time.
     fn with_slow_lines(&self, times: f64) -> Self {
         let mut stage = self.stage.clone();
         let settings = &mut stage.settings;
@@ -201,7 +201,7 @@ fn what_is_told_is_the_difference_of_whole_pictures() {
         ("descent", "pra-frugal", 20, 10),
         ("nominal-drive", "pra-overloaded", 17, 4),
     ] {
-        let asked = Asked::new(scenario, model, 48);
+        let asked = Asked::new(scenario, model, 24);
         let what = format!("{scenario} on {model}");
         let (changed, all) = agree(&asked, asked.late(frame), count, &what);
         assert!(changed > 0, "{what}");
@@ -226,7 +226,7 @@ fn what_is_told_of_craters_and_boundaries_is_the_difference_of_whole_pictures() 
     for (scenario, model, frame, count) in
         [("full-drive", "pra-nominal", 3, 5), ("nominal-drive", "pra-overloaded", 17, 3)]
     {
-        let asked = Asked::new(scenario, model, 48).with_slow_lines(16.0);
+        let asked = Asked::new(scenario, model, 24).with_slow_lines(32.0);
         let all = asked.loads(frame);
         let (boundaries, craters): (Vec<_>, Vec<_>) =
             all.into_iter().partition(|late| matches!(late.of, LateOf::Boundary(_)));

@@ -6,7 +6,7 @@ use lunoid_tests::Shipped;
 use machine::Prepare;
 use signal::Probe;
 
-use crate::look::{largest, median};
+use crate::artefacts::look::{largest, median};
 
 const FRAME: u64 = 60;
 const SWEEPS: u32 = 160;

@@ -11,7 +11,7 @@ use signal::Probe;
 use sweep_program::Fan;
 use timing::FrameTiming;
 
-use crate::scene::Scene;
+use crate::artefacts::scene::Scene;
 
 /// One frame of a run.
 #[derive(Debug, Clone)]

@@ -4,10 +4,10 @@ use std::sync::LazyLock;
 
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
-use crate::causes::{CAUSES, faulty, model};
-use crate::detectors::DETECTORS;
-use crate::look::{Look, Run};
-use crate::scenes::Place;
+use crate::artefacts::causes::{CAUSES, faulty, model};
+use crate::artefacts::detectors::DETECTORS;
+use crate::artefacts::look::{Look, Run};
+use crate::artefacts::scenes::Place;
 
 /// What the detectors measure, in units of their thresholds: by cause, then by detector.
 type Strengths = [[f64; 26]; 26];

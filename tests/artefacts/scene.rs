@@ -113,7 +113,7 @@ impl Scene {
             Turn::Never => {
                 (0..self.course).map(|frame| (self.pose)(self, frame, frame as f64 / update)).collect()
             }
-            Turn::ByOneDegree => crate::scenes::rolled(self, &settings),
+            Turn::ByOneDegree => crate::artefacts::scenes::rolled(self, &settings),
         };
         let scenery = Scenery::still(self.sun)
             .with_bodies(self.bodies.clone())

@@ -13,7 +13,7 @@ use scenario::{
 };
 use solids::{Body, Kind, Solid};
 
-use crate::scene::{Scene, Turn, facing, field, heights, level_ground};
+use crate::artefacts::scene::{Scene, Turn, facing, field, heights, level_ground};
 
 /// A scene by its place in [`all`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

@@ -2,11 +2,11 @@
 
 use hardware_model::{HardwareModel, ModelSource};
 
-use crate::causes::{faulty, model};
-use crate::detectors::{array, beam, late, picture};
-use crate::look::{Look, Run, largest, mean, median};
-use crate::scene::facing;
-use crate::scenes::{BOWL, Place, WAVE, turning_at};
+use crate::artefacts::causes::{faulty, model};
+use crate::artefacts::detectors::{array, beam, late, picture};
+use crate::artefacts::look::{Look, Run, largest, mean, median};
+use crate::artefacts::scene::facing;
+use crate::artefacts::scenes::{BOWL, Place, WAVE, turning_at};
 
 /// A scene under the ideal machine with some settings.
 fn set<T>(place: Place, settings: &[(&str, &str)], at: impl FnOnce(&Look<'_>) -> T) -> T {

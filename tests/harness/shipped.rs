@@ -9,7 +9,7 @@ use compare::{
 use control_plane::MachineStage;
 use exact::Exact;
 use generator::{FrameCounts, Generator, Label, PlaneKind, Planes, Session, Shade};
-use hardware_model::{HardwareModel, ModelSource, Settings};
+use hardware_model::{HardwareModel, ModelSource, Settings, ShadowCache};
 use landscape::Landscape;
 use machine::Prepare;
 use picture::{Depth, Encoder, GreyPicture, Transfer};
@@ -123,7 +123,7 @@ impl Shipped {
         let source = ModelSource::find(named, &folder()).unwrap_or_else(|e| panic!("{e}"));
         let model = HardwareModel::load(&source, &[], &[]).unwrap_or_else(|e| panic!("{e}")).model;
         let settings = front_door::settings(&scenario, &model).expect("shipped settings");
-        let settings = Settings { shadow_cache: Some(SHADOWS.clone()), ..settings };
+        let settings = Settings { shadow_cache: Some(ShadowCache::shared(&*SHADOWS)), ..settings };
         let stage = front_door::build(&scenario, settings).unwrap_or_else(|e| panic!("{name}: {e}"));
         let MachineStage { landscape, scenery, settings } = stage;
         let (course, face_lists) = (scenery.course().to_vec(), scenery.face_lists().clone());

@@ -10,7 +10,7 @@ use polyhedron_generator::{LeftOut, Sight};
 use quantities::radians;
 use scenario::Scalar;
 
-use crate::set::{Set, bits, craters, rolling, standing_box, sun};
+use crate::landscape::set::{Set, bits, craters, rolling, standing_box, sun};
 
 fn with(set: &Set, economy: Economy, scalar: Scalar) -> Drawn {
     let mut set = set.clone();

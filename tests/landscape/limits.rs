@@ -4,8 +4,8 @@ use features::{Crater, Shape};
 use hardware_model::{FeatureParts, Organisation, ShadowParts};
 use lunoid_tests::Drawn;
 
-use crate::pictures::{Agreement, agreement};
-use crate::set::{Set, craters, flat, patch, rolling, sun, wave};
+use crate::landscape::pictures::{Agreement, agreement};
+use crate::landscape::set::{Set, craters, flat, patch, rolling, sun, wave};
 
 /// One sweep straight ahead.
 fn alone(mut set: Set) -> Set {

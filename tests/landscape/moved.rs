@@ -6,7 +6,7 @@ use landscape::{Bank, Landscape, Level, Source};
 use lunoid_tests::{Drawn, level_of};
 use scenario::{Scalar, Standing, TrackPatch};
 
-use crate::set::{REGION, Set, bits, craters, patch, rolling, standing_box, sun};
+use crate::landscape::set::{REGION, Set, bits, craters, patch, rolling, standing_box, sun};
 
 /// Lengths that double precision adds without rounding.
 fn dyadic(length: f64) -> f64 {

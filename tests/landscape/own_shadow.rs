@@ -7,8 +7,8 @@ use quantities::radians;
 use scenario::VehicleShape;
 use solids::{Body, culture};
 
-use crate::pictures::agreement;
-use crate::set::{Set, craters, rolling, sun, wave};
+use crate::landscape::pictures::agreement;
+use crate::landscape::set::{Set, craters, rolling, sun, wave};
 
 /// Distance from an edge of shadow within which the gate may differ (m): an outline is followed over the ground point by
 /// point, half a metre apart at most, and is straight between them.

@@ -11,7 +11,7 @@ use scenario::{
     BodyVisibility, FeatureLight, Laws, Projection, ShadowFineness, ShadowedBodies, TextureInShadow,
 };
 
-use crate::set::{REGION, Set, craters, flat, rolling, standing_box, sun, wave};
+use crate::landscape::set::{REGION, Set, craters, flat, rolling, standing_box, sun, wave};
 
 /// How a picture of the machine agrees with that of `exact`.
 #[derive(Debug, Clone, Copy)]

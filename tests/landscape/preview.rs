@@ -7,7 +7,7 @@ use lunoid_tests::Drawn;
 use rayon::ThreadPoolBuilder;
 use scenario::{FeatureLight, Scalar};
 
-use crate::set::{Set, bits, craters, rolling, standing_box, sun};
+use crate::landscape::set::{Set, bits, craters, rolling, standing_box, sun};
 
 /// Some of everything, but no silhouettes: those are lines that no sample knows.
 fn full(seed: u64) -> Set {

@@ -6,7 +6,7 @@ use lunoid_tests::{Drawn, level_of};
 use quantities::radians;
 use scenario::Scalar;
 
-use crate::set::{REGION, Set, craters, rolling, wave};
+use crate::landscape::set::{REGION, Set, craters, rolling, wave};
 
 /// Ideal signals in f64.
 const CLOSE: f64 = 1e-9;

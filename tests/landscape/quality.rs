@@ -6,7 +6,7 @@ use hardware_model::Economy;
 use landscape::Source;
 use lunoid_tests::Drawn;
 
-use crate::set::{Set, bits, craters, rolling, standing_box, sun};
+use crate::landscape::set::{Set, bits, craters, rolling, standing_box, sun};
 
 /// Ground with this many craters, with shadows, texture and boxes.
 fn scene(seed: u64, count: usize) -> Set {

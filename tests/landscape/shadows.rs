@@ -6,7 +6,7 @@ use landscape::{Landscape, Source, Sun};
 use quantities::radians;
 use scenario::{ShadowedBodies, TextureInShadow, TrackPatch};
 
-use crate::set::{REGION, REGIONS, Set, craters, flat, patch, rolling, standing_box, sun, wave};
+use crate::landscape::set::{REGION, REGIONS, Set, craters, flat, patch, rolling, standing_box, sun, wave};
 
 /// Distance from a shadow's edge within which the gate may differ (m): two profiles.
 const EDGE: f64 = 0.1;

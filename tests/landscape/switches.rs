@@ -6,7 +6,7 @@ use lunoid_tests::Drawn;
 use quantities::radians;
 use scenario::FeatureLight;
 
-use crate::set::{Set, flat, standing_box, sun, wave};
+use crate::landscape::set::{Set, flat, standing_box, sun, wave};
 
 /// Elevation of the sun, which stands ahead (deg).
 const ELEVATION: f64 = 10.0;
@@ -118,9 +118,9 @@ fn the_fault_is_where_the_picture_is_black() {
 #[test]
 fn the_reported_light_of_features_knows_no_terrain() {
     let (set, _) = bowl(Gate::Presence, 0.0);
-    let tilt = lunoid_tests::plane(crate::set::REGION, -51.2, [0.2, 0.0]);
-    let corners = [crate::set::REGIONS + 1; 2];
-    let tilted = lunoid_tests::level_of(crate::set::REGION, [0.0; 2], corners, tilt);
+    let tilt = lunoid_tests::plane(crate::landscape::set::REGION, -51.2, [0.2, 0.0]);
+    let corners = [crate::landscape::set::REGIONS + 1; 2];
+    let tilted = lunoid_tests::level_of(crate::landscape::set::REGION, [0.0; 2], corners, tilt);
     let mut on_slope = Set::over(tilted).under(sun(180.0, ELEVATION));
     let craters: Vec<_> = set.stage.landscape.features().craters().iter().collect();
     on_slope = on_slope.with_craters(craters);

@@ -155,7 +155,7 @@ impl Mission {
         let mut planes = Planes::new(raster.columns as usize, raster.lines as usize, &[PlaneKind::Intensity]);
         let pose = &self.poses[frame as usize];
         let counts = session.frame(frame, pose, &mut planes, &mut Probe::off()).unwrap();
-        (crate::set::bits(planes.get(PlaneKind::Intensity).unwrap()), counts)
+        (crate::landscape::set::bits(planes.get(PlaneKind::Intensity).unwrap()), counts)
     }
 
     fn all(&self, order: impl Iterator<Item = u64>) -> Vec<Frame> {

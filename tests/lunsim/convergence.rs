@@ -10,7 +10,7 @@ use lunsim::{Hardware, Lunsim, Parameters};
 use quantities::{Rate, radians};
 use scenario::{Curvature, Display, FieldOfView, Laws, PixelRule, Pose, Scenery, ShadowFineness, View};
 
-use crate::shared::{Distance, distance};
+use crate::lunsim::shared::{Distance, distance};
 
 /// A square field of 30 degrees on every position of the recorder, so that a pixel's middle is a position's.
 fn view() -> View {

@@ -7,7 +7,7 @@ use lunoid_tests::Shipped;
 use quantities::degrees;
 use signal::Probe;
 
-use crate::shared::distance;
+use crate::lunsim::shared::distance;
 
 /// The program as it ships, which is how the exhibits run it.
 fn program() -> Arc<dyn Generator> {

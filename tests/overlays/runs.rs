@@ -8,8 +8,8 @@ use lunoid_tests::Shipped;
 use machine::Prepare;
 use signal::{Probe, Waveform};
 
-use crate::drawing::family;
-use crate::overlays::Overlay;
+use crate::overlays::drawing::family;
+use crate::overlays::listed::Overlay;
 
 /// Sweeps of the frame, of which those in [`LOOKED_AT`] are recorded.
 const SWEEPS: u32 = 96;

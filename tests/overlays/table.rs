@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 
 use signal_plane::signals;
 
-use crate::Row;
-use crate::drawing::{behind, family};
-use crate::exceptions::EXCEPTIONS;
+use crate::overlays::Row;
+use crate::overlays::drawing::{behind, family};
+use crate::overlays::exceptions::EXCEPTIONS;
 
 /// The overlays by number, the table, and why some signals do not move: as the page has them.
 pub fn page(rows: &[Row]) -> String {

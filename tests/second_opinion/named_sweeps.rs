@@ -27,7 +27,7 @@ fn check(place: [f64; 2], nudges: &[[f64; 2]], headings: &[f64]) {
                 scene.stand(place[0] * SIZE + nudge[0], place[1] * SIZE + nudge[1], 4.0);
                 scene.heading = radians(heading);
                 scene.scalar = scalar;
-                crate::agree(
+                crate::second_opinion::agree(
                     &scene,
                     &format!("eye {place:?} regions {nudge:?} m, heading {heading}, {scalar:?}"),
                 );

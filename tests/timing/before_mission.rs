@@ -11,7 +11,7 @@ use quantities::radians;
 use scenario::{Pose, Yoke};
 use timing::{Task, TimingRecord};
 
-use crate::rig::{SIZE, flat, frame, loader, on_course, pose};
+use crate::timing::rig::{SIZE, flat, frame, loader, on_course, pose};
 
 const SWEEPS: u32 = 21;
 const MASTER: u64 = 1_000_000;

@@ -14,7 +14,7 @@ use sweep_program::{
 };
 use timing::{Deadline, FrameTiming};
 
-use crate::rig::{RANGE, SIZE, flat, frame, loader, pose, thrown};
+use crate::timing::rig::{RANGE, SIZE, flat, frame, loader, pose, thrown};
 
 /// One sweep straight ahead, of folds alone.
 fn one_sweep(size: f64) -> ComparedScene {

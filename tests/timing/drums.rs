@@ -12,7 +12,7 @@ use signal::Probe;
 use sweep_program::{Event, NO_CORNER};
 use timing::{Deadline, FrameTiming};
 
-use crate::rig::{RANGE, busy, flat, frame, on_course};
+use crate::timing::rig::{RANGE, busy, flat, frame, on_course};
 
 const SIZE: f64 = 200.0;
 const MASTER: u64 = 1_000_000;

@@ -6,7 +6,7 @@ use lunoid_tests::{ComparedScene, Dice};
 use scenario::Pose;
 use timing::{Cause, FrameTiming};
 
-use crate::rig::{RANGE, SIZE, flat, frame, loader, thrown};
+use crate::timing::rig::{RANGE, SIZE, flat, frame, loader, thrown};
 
 /// 525 sweeps at 30 frames a second and a clock of 200 MHz.
 const MASTER: f64 = 200e6;

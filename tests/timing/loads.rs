@@ -16,7 +16,7 @@ use signal::Probe;
 use sweep_program::Fan;
 use timing::{Cause, Deadline, FrameTiming, Missed};
 
-use crate::rig::busy;
+use crate::timing::rig::busy;
 
 const SWEEPS: u32 = 21;
 /// Words a second that leave some craters late, and some boundaries.

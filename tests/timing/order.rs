@@ -10,7 +10,7 @@ use rayon::ThreadPoolBuilder;
 use scenario::Pose;
 use timing::FrameTiming;
 
-use crate::rig::{flat, frame, loader, on_course};
+use crate::timing::rig::{flat, frame, loader, on_course};
 
 const LAST: u64 = 500;
 

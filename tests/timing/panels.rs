@@ -2,7 +2,7 @@
 
 use timing::{Comparison, Tolerance, compare};
 
-use crate::baselines::{of_generator, path};
+use crate::timing::baselines::{of_generator, path};
 
 fn held(sets: &[(&str, &str)]) -> Comparison {
     let baseline = timing::read(path("moffett", "panels")).unwrap_or_else(|e| panic!("{e}"));

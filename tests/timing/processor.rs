@@ -6,7 +6,7 @@ use hardware_model::{Cpu, CrossingServer, GroundScale, HardwareModel, ModelSourc
 use lunoid_tests::{ComparedScene, Dice};
 use timing::{Deadline, FrameTiming};
 
-use crate::rig::{SIZE, busy, flat, frame, loader, pose};
+use crate::timing::rig::{SIZE, busy, flat, frame, loader, pose};
 
 const SWEEPS: u32 = 21;
 

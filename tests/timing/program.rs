@@ -9,8 +9,8 @@ const EXHIBITS: [&str; 2] = ["lunsim-landing", "lunsim-sun"];
 
 /// A baseline and the same frames timed anew.
 fn held(name: &str, hardware: Hardware, parameters: Parameters) -> Comparison {
-    let baseline =
-        timing::read(crate::baselines::path(name, lunsim::ROW.name)).unwrap_or_else(|e| panic!("{e}"));
+    let baseline = timing::read(crate::timing::baselines::path(name, lunsim::ROW.name))
+        .unwrap_or_else(|e| panic!("{e}"));
     let shipped = Shipped::read(name, None);
     let stage: Stage = shipped.stage().stage();
     let program = Program::new(stage, &Lunsim { parameters, hardware }).expect("an exhibit");

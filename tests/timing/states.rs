@@ -7,8 +7,8 @@ use quantities::{SweepTime, Timebase};
 use signal::{Probe, Waveform};
 use sweep_program::Colour;
 
-use crate::order::mission;
-use crate::rig::{busy, frame};
+use crate::timing::order::mission;
+use crate::timing::rig::{busy, frame};
 
 const FRAME: u64 = 60;
 const SWEEPS: u32 = 5;

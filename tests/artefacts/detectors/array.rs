@@ -3,9 +3,9 @@
 use std::f64::consts::PI;
 use std::ops::Range;
 
-use crate::detectors::late::of_rows;
-use crate::look::{Look, between, largest, mean, median};
-use crate::scenes::{SLOPE, WAVE, row_height};
+use crate::artefacts::detectors::late::of_rows;
+use crate::artefacts::look::{Look, between, largest, mean, median};
+use crate::artefacts::scenes::{SLOPE, WAVE, row_height};
 
 /// Full scale of the machine (V).
 const VOLTS: f64 = 10.0;

@@ -1,8 +1,8 @@
 //! What the projection processor, the light and the write beam do (A13 to A19, A22).
 
-use crate::detectors::array::harmonic;
-use crate::look::{Look, largest, mean, median};
-use crate::scenes::{BOWL, BOWLS, STRIPS, WAVE};
+use crate::artefacts::detectors::array::harmonic;
+use crate::artefacts::look::{Look, largest, mean, median};
+use crate::artefacts::scenes::{BOWL, BOWLS, STRIPS, WAVE};
 
 /// Edge of a strip of shadow as it is drawn (samples): where the light leaves its level, and where it has arrived.
 #[derive(Debug, Clone, Copy)]

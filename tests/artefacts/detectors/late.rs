@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use timing::Deadline;
 
-use crate::look::{Crossing, Look, largest, mean, median};
-use crate::scenes::{level, row_height};
+use crate::artefacts::look::{Crossing, Look, largest, mean, median};
+use crate::artefacts::scenes::{level, row_height};
 
 /// No gap or lateness of the overlays is longer than this (µs).
 const SOON: f64 = 0.36;

@@ -5,8 +5,8 @@ pub mod beam;
 pub mod late;
 pub mod picture;
 
-use crate::look::Look;
-use crate::scenes::Place;
+use crate::artefacts::look::Look;
+use crate::artefacts::scenes::Place;
 
 /// A detector of one artefact.
 #[derive(Debug, Clone, Copy)]

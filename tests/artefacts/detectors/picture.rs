@@ -1,6 +1,6 @@
 //! What is seen in pictures alone (A20, A21, A23, A24).
 
-use crate::look::{Look, Run, largest, mean, median};
+use crate::artefacts::look::{Look, Run, largest, mean, median};
 
 /// A picture by line and column.
 struct Picture<'a> {

@@ -4,10 +4,10 @@ use std::f64::consts::{LN_2, PI};
 
 use parts::Spread;
 
-use crate::detectors::{array, late};
-use crate::figures::{Figure, figure, looked};
-use crate::look::{Look, largest, mean, median};
-use crate::scenes::{PLATEAU, WAVE};
+use crate::artefacts::detectors::{array, late};
+use crate::artefacts::figures::{Figure, figure, looked};
+use crate::artefacts::look::{Look, largest, mean, median};
+use crate::artefacts::scenes::{PLATEAU, WAVE};
 
 /// Time constant of a bandwidth (µs).
 fn tau(megahertz: f64) -> f64 {

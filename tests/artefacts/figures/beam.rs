@@ -4,10 +4,10 @@ use std::f64::consts::PI;
 
 use parts::Spread;
 
-use crate::detectors::{beam, picture};
-use crate::figures::{Figure, figure, looked};
-use crate::look::{Look, median};
-use crate::scenes::WAVE;
+use crate::artefacts::detectors::{beam, picture};
+use crate::artefacts::figures::{Figure, figure, looked};
+use crate::artefacts::look::{Look, median};
+use crate::artefacts::scenes::WAVE;
 
 pub fn a13() -> Figure {
     looked(13, |look| {

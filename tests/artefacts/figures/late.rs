@@ -3,11 +3,11 @@
 use quantities::{degrees, radians};
 use timing::{Deadline, Missed};
 
-use crate::detectors::late;
-use crate::figures::{Figure, figure, looked};
-use crate::look::{Look, mean};
-use crate::scene::SWEEP;
-use crate::scenes::{Place, TURN};
+use crate::artefacts::detectors::late;
+use crate::artefacts::figures::{Figure, figure, looked};
+use crate::artefacts::look::{Look, mean};
+use crate::artefacts::scene::SWEEP;
+use crate::artefacts::scenes::{Place, TURN};
 
 /// Sets of a sweep that came too late, by the timing record.
 fn late_sets<'a>(look: &'a Look<'_>, sweep: u32) -> impl Iterator<Item = &'a Missed> {

@@ -6,9 +6,9 @@ mod late;
 
 use std::sync::LazyLock;
 
-use crate::causes::{faulty, model};
-use crate::detectors::{DETECTORS, Detector};
-use crate::look::{Look, Run};
+use crate::artefacts::causes::{faulty, model};
+use crate::artefacts::detectors::{DETECTORS, Detector};
+use crate::artefacts::look::{Look, Run};
 
 /// One figure of an artefact, measured and predicted.
 #[derive(Debug, Clone)]

@@ -47,7 +47,7 @@ pub use model::{HardwareModel, ModelRaster, SweepMemoryKind};
 pub use parts::{Economy, FeatureParts, Forced, Gate, MixingParts, Organisation, ShadowParts};
 pub use record::MachineRecord;
 pub use scenario::{LevelSwitch, ShadowFineness, Yoke};
-pub use settings::{Raster, Settings, SettingsError};
+pub use settings::{Raster, Settings, SettingsError, ShadowCache};
 pub use sides::Side;
 pub use source::{Asked, BUILT_IN, ModelSource};
 pub use written::FORMAT;

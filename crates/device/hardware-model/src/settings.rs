@@ -58,10 +58,39 @@ pub struct Settings {
     pub levels: Option<LevelSwitch>,
     /// How finely remote shadow is worked out, where it is drawn.
     pub shadows: Option<ShadowFineness>,
-    /// Folder in which shadow boundaries are kept from run to run; it changes no picture.
-    pub shadow_cache: Option<PathBuf>,
+    /// Where shadow boundaries are kept from run to run; it changes no picture.
+    pub shadow_cache: Option<ShadowCache>,
     /// What may be left out.
     pub economy: Economy,
+}
+
+/// Folder of shadow boundaries.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShadowCache {
+    /// Path of the folder.
+    pub folder: PathBuf,
+    /// Bytes that it keeps at most; with 0 nothing in it changes.
+    pub most_bytes: u64,
+}
+
+/// Bytes of shadow boundaries that a run keeps.
+const OF_RUN: u64 = 256 << 20;
+
+impl ShadowCache {
+    /// A folder that keeps everything, as its owner asks.
+    pub fn shared(folder: impl Into<PathBuf>) -> Self {
+        Self { folder: folder.into(), most_bytes: u64::MAX }
+    }
+
+    /// The folder of a run, which keeps 256 MB.
+    pub fn of_run(folder: impl Into<PathBuf>) -> Self {
+        Self { folder: folder.into(), most_bytes: OF_RUN }
+    }
+
+    /// A folder that stays as it is.
+    pub fn only_read(folder: impl Into<PathBuf>) -> Self {
+        Self { folder: folder.into(), most_bytes: 0 }
+    }
 }
 
 /// Sweeps, samples and read-out.

@@ -4,11 +4,12 @@ use clap::Args;
 use deadlines::Rehearsal;
 use front_door::Opened;
 
+use crate::commands::of_run::load_of;
 use crate::loading::{StageArgs, Threads};
-use crate::rehearsing::rehearse;
+use crate::rehearsing::rehearse_opened;
 use crate::{Failure, values};
 
-/// Which frame of which scenario, drawn by what.
+/// Which frame of which scenario, drawn by what; a run folder stands for the scenario and the options that made the run.
 #[derive(Debug, Args)]
 pub struct FrameArgs {
     #[command(flatten)]
@@ -32,9 +33,18 @@ impl FrameArgs {
         }
     }
 
-    /// Everything but the frame; `check` sees the scenario before any ground is made.
-    pub fn rehearse(&self, check: impl FnOnce(&Opened) -> Result<(), Failure>) -> Result<Rehearsal, Failure> {
-        let (rehearsal, _) = rehearse(&self.stage, &self.threads, |opened| {
+    /// What is asked for, read; in place of a run folder what made the run.
+    pub fn load(&self) -> Result<(StageArgs, Opened), Failure> {
+        load_of(&self.stage)
+    }
+
+    /// Everything but the frame of what is `opened`; `check` sees the scenario before any ground is made.
+    pub fn rehearse(
+        &self,
+        opened: Opened,
+        check: impl FnOnce(&Opened) -> Result<(), Failure>,
+    ) -> Result<Rehearsal, Failure> {
+        let (rehearsal, _) = rehearse_opened(opened, &self.threads, |opened| {
             check(opened)?;
             self.expect_in(opened)?;
             Ok(vec![self.frame])

@@ -20,7 +20,15 @@ pub fn rehearse(
     threads: &Threads,
     frames: impl FnOnce(&Opened) -> Result<Vec<u64>, Failure>,
 ) -> Result<(Rehearsal, Vec<u64>), Failure> {
-    let opened = stage.load()?;
+    rehearse_opened(stage.load()?, threads, frames)
+}
+
+/// The same of what is read already.
+pub fn rehearse_opened(
+    opened: Opened,
+    threads: &Threads,
+    frames: impl FnOnce(&Opened) -> Result<Vec<u64>, Failure>,
+) -> Result<(Rehearsal, Vec<u64>), Failure> {
     expect_machine(&opened, LACK)?;
     let chosen = frames(&opened)?;
     let rehearsal = Rehearsal::new(opened, threads.pool()?)?;

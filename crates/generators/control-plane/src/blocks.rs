@@ -93,7 +93,7 @@ impl Shadows {
         let bank = ShadowBank::new(Arc::clone(landscape), Resolution { finest, angle });
         Self {
             bank: match &settings.shadow_cache {
-                Some(folder) => bank.with_cache(folder),
+                Some(cache) => bank.with_cache(&cache.folder, cache.most_bytes),
                 None => bank,
             },
             reach: reach.unwrap_or(settings.range.end).min(settings.range.end),

@@ -1,13 +1,13 @@
 //! From files and wishes to everything that is known before there is ground.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 use control_plane::instants_obstacle;
 use diagnostics::{Origin, Problem, Problems, TomlFile};
 use files::{is_file, is_there, make_folder};
 use generator::Row;
-use hardware_model::{Asked, Economy, EffectiveValue, LoadedModel, Settings, SettingsError};
+use hardware_model::{Asked, Economy, EffectiveValue, LoadedModel, Settings, SettingsError, ShadowCache};
 use limits::Limit;
 use machine::HybridMachine;
 use registry::Configured;
@@ -234,12 +234,12 @@ fn expect_pixels(path: &Path, settings: &Settings) -> Result<(), OpenError> {
 }
 
 /// The folder for shadow boundaries, made if it is not there.
-fn shadow_cache(wishes: &Wishes) -> Result<Option<PathBuf>, OpenError> {
+fn shadow_cache(wishes: &Wishes) -> Result<Option<ShadowCache>, OpenError> {
     let Some(folder) = &wishes.shadow_cache else { return Ok(None) };
     make_folder(folder).map_err(|error| {
         OpenError::Output(format!("--shadow-cache {error}; name a folder that can be written"))
     })?;
-    Ok(Some(folder.clone()))
+    Ok(Some(ShadowCache::shared(folder)))
 }
 
 fn unfit(path: &Path, error: &SettingsError) -> OpenError {

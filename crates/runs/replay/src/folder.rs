@@ -3,12 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use files::{Folder, Kind};
+use remote_shadow::is_tile_file;
 
 use crate::ReplayError;
 use crate::held::{HeldRun, RUN_RECORD, listed_files};
 use crate::journal::JOURNAL;
 use crate::names::{
-    FOLDERS, FRAMES, OWN, PAGE, PAGE_DATA, PERFORMANCE, TRUTH, frame_index, is_own, is_run_file, truth_index,
+    FOLDERS, FRAMES, OWN, PAGE, PAGE_DATA, PERFORMANCE, SHADOWS, TRUTH, frame_index, is_own, is_run_file,
+    truth_index,
 };
 use crate::truth_files;
 use crate::written::is_written;
@@ -41,6 +43,11 @@ impl RunFolder {
     /// Returns the path of the run folder.
     pub fn path(&self) -> &Path {
         self.0.path()
+    }
+
+    /// Where the run keeps shadow boundaries.
+    pub fn shadows(&self) -> PathBuf {
+        self.join(SHADOWS)
     }
 
     /// A file in it.
@@ -129,6 +136,12 @@ impl RunFolder {
         self.remove_unknown(TRUTH, truth_index, is_known)
     }
 
+    /// Removes the shadow boundaries that a run keeps here.
+    pub(crate) fn remove_shadows(&self) -> Result<(), ReplayError> {
+        let kept = self.0.names(SHADOWS)?.into_iter().filter(|name| is_tile_file(name));
+        kept.map(|name| format!("{SHADOWS}/{name}")).try_for_each(|name| self.remove_written(&name))
+    }
+
     fn remove_unknown(
         &self,
         folder: &str,
@@ -138,7 +151,12 @@ impl RunFolder {
         let names = self.0.names(folder)?;
         let strays = names.iter().filter(|name| index(name).is_some_and(|index| !is_known(index)));
         let mut strays = strays.map(|name| format!("{folder}/{name}"));
-        strays.try_for_each(|name| if is_written(self.path(), &name) { self.remove(&name) } else { Ok(()) })
+        strays.try_for_each(|name| self.remove_written(&name))
+    }
+
+    /// Removes a file, if a run wrote it.
+    fn remove_written(&self, name: &str) -> Result<(), ReplayError> {
+        if is_written(self.path(), name) { self.remove(name) } else { Ok(()) }
     }
 
     fn remove(&self, name: &str) -> Result<(), ReplayError> {

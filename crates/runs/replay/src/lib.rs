@@ -59,8 +59,8 @@ pub use job::{Control, Job, Pictures, Progress};
 pub use joined::{JoinedRun, expect_run_of, read_listed, unfinished_frames};
 pub use journal::{Entry, Found, JOURNAL, Journal, RunSpan, read as read_journal};
 pub use names::{
-    ANIMATION, CAMERA, CONTACT_SHEET, EXR, PAGE, PAGE_DATA, POSES, SCOPE_KIND, SCOPES, TRUTH, exr_name,
-    is_run_file, picture_name, scope_name,
+    ANIMATION, CAMERA, CONTACT_SHEET, EXR, PAGE, PAGE_DATA, POSES, SCOPE_KIND, SCOPES, SHADOWS, TRUTH,
+    exr_name, is_run_file, picture_name, scope_name,
 };
 pub use performance::{Performance, peak_memory};
 pub use phases::{Phase, Phases};

@@ -1,5 +1,7 @@
 //! Names of the files that a run writes, counted from its folder, with `/`.
 
+use remote_shadow::is_tile_file;
+
 use crate::held::RUN_RECORD;
 use crate::journal::JOURNAL;
 use crate::truth_files::TRUTH_FILES;
@@ -26,6 +28,8 @@ pub const PAGE_DATA: &str = "page.json";
 pub const SCOPES: &str = "scopes";
 /// OpenEXR files of the frames, which whoever asked for the run writes.
 pub const EXR: &str = "exr";
+/// Shadow boundaries, kept for the next frames of the run and for whoever asks of it. No record lists them.
+pub const SHADOWS: &str = "shadows";
 /// Media type of a plot.
 pub const SCOPE_KIND: &str = "image/svg+xml";
 
@@ -38,7 +42,7 @@ pub(crate) const OWN: [&str; 9] =
     [RUN_RECORD, JOURNAL, PERFORMANCE, POSES, CAMERA, CONTACT_SHEET, ANIMATION, PAGE, PAGE_DATA];
 
 /// Folders that a run makes in its own.
-pub(crate) const FOLDERS: [&str; 4] = [FRAMES, TRUTH, SCOPES, EXR];
+pub(crate) const FOLDERS: [&str; 5] = [FRAMES, TRUTH, SCOPES, EXR, SHADOWS];
 
 /// Whether a run writes a file of this name, or its user may put the film there.
 pub(crate) fn is_own(name: &str) -> bool {
@@ -52,6 +56,7 @@ pub fn is_run_file(name: &str) -> bool {
         Some((FRAMES, name)) => frame_index(name).is_some(),
         Some((SCOPES, name)) => scope_frame(name).is_some(),
         Some((EXR, name)) => exr_index(name).is_some(),
+        Some((SHADOWS, name)) => is_tile_file(name),
         Some((TRUTH, name)) => truth_index(name).is_some() || TRUTH_FILES.contains(&name),
         Some(_) => false,
     }
@@ -114,6 +119,8 @@ mod tests {
             assert!(is_run_file(own), "{own}");
         }
         assert!(is_run_file("exr/frame-000012.exr") && !is_run_file("exr/frame-000012.png"));
+        let tiles = format!("{}-{}.shadow", "0a".repeat(16), "f9".repeat(8));
+        assert!(is_run_file(&format!("shadows/{tiles}")) && !is_run_file("shadows/x.shadow"), "{tiles}");
         for foreign in ["video.y4m", "x.json", "frames/run.json", "frames/x.png", "truth/x.npz", "a/run.json"]
         {
             assert!(!is_run_file(foreign), "{foreign}");

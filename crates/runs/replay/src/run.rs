@@ -192,6 +192,7 @@ impl<'a> Run<'a> {
             return Ok(());
         }
         self.folder.remove_strays(|_| false)?;
+        self.folder.remove_shadows()?;
         journal.end()
     }
 

@@ -4,6 +4,7 @@ use std::io::Read;
 use std::path::Path;
 
 use picture::{SOFTWARE, png_texts};
+use remote_shadow::has_tiles;
 
 use crate::truth::TruthItem;
 
@@ -33,6 +34,7 @@ pub(crate) fn is_written(folder: &Path, name: &str) -> bool {
         "svg" => text.contains("<metadata>lunoid</metadata>"),
         "csv" => text.starts_with(POSES),
         "npz" => has_truth(&head),
+        "shadow" => has_tiles(&head),
         "exr" => head.starts_with(&EXR_MAGIC) && text.contains("\"schema\":\"lunoid."),
         _ => false,
     }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
-use files::FileError;
+use files::FolderError;
 use landscape::{Landscape, Sun};
 use rayon::prelude::*;
 
@@ -38,7 +38,7 @@ pub struct ShadowBank {
     ground: GroundSheets,
     resolution: Resolution,
     cache: Option<Cache>,
-    failure: Mutex<Option<FileError>>,
+    failure: Mutex<Option<FolderError>>,
     suns: Mutex<Vec<Shelf>>,
 }
 
@@ -66,9 +66,11 @@ impl ShadowBank {
     }
 
     /// The same, with tiles kept in `folder` from run to run. They are named by ground, sun and resolution; a file
-    /// that is damaged or of something else is passed over and its tiles are computed anew.
-    pub fn with_cache(self, folder: impl AsRef<Path>) -> Self {
-        let cache = Cache::new(folder.as_ref(), &self.ground.landscape, self.resolution.finest);
+    /// that is damaged or of something else is passed over and its tiles are computed anew. The folder is made when there is something to
+    /// keep, and keeps no more than `most_bytes`: with 0 nothing in it changes.
+    pub fn with_cache(self, folder: impl AsRef<Path>, most_bytes: u64) -> Self {
+        let finest = self.resolution.finest;
+        let cache = Cache::new(folder.as_ref(), &self.ground.landscape, finest, most_bytes);
         Self { cache: Some(cache), ..self }
     }
 
@@ -82,7 +84,7 @@ impl ShadowBank {
     }
 
     /// Why the last tiles could not be kept on disk, if so; asking clears it. The tiles themselves are not affected.
-    pub fn take_cache_failure(&self) -> Option<FileError> {
+    pub fn take_cache_failure(&self) -> Option<FolderError> {
         lock(&self.failure).take()
     }
 

@@ -1,14 +1,15 @@
 //! Tiles on disk, from run to run.
 //!
 //! Each question that had to compute tiles leaves one file of them: no file is ever changed, so runs side by side do
-//! not disturb each other. A file is: magic, key, number of tiles, tiles, BLAKE3 of all before; little-endian.
+//! not disturb each other. A folder that is full keeps what it has. A file is: magic, key, number of tiles, tiles, BLAKE3 of all
+//! before; little-endian.
 
-use std::fs;
+use std::fs::{self, DirEntry};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use files::FileError;
+use files::{FolderError, Kind};
 use landscape::{Landscape, Sun, bank_file};
 
 use crate::axes::SunAxes;
@@ -20,10 +21,14 @@ use crate::{Outlines, Tile};
 
 /// Names the format; another number if the meaning of a tile changes.
 const MAGIC: [u8; 8] = *b"lnshad03";
+/// Digits of the version at the end of the name.
+const VERSION_DIGITS: usize = 2;
 /// Largest file that is read (bytes).
 const MAX_BYTES: u64 = 1 << 30;
 const HASH: usize = blake3::OUT_LEN;
 const EXTENSION: &str = "shadow";
+/// Digits of the key and of the content in a name.
+const DIGITS: [usize; 2] = [32, 16];
 
 /// A folder of tiles of one landscape at one resolution.
 #[derive(Debug)]
@@ -32,10 +37,27 @@ pub(crate) struct Cache {
     ground: blake3::Hasher,
     /// Distance between the profiles of the finest tiles (m).
     finest: f64,
+    /// Bytes that the folder keeps at most.
+    most_bytes: u64,
+}
+
+/// Whether a file of this name is one of tiles.
+pub fn is_tile_file(name: &str) -> bool {
+    let is_hexadecimal = |part: &str, digits: usize| {
+        part.len() == digits && part.bytes().all(|byte| matches!(byte, b'0'..=b'9' | b'a'..=b'f'))
+    };
+    let stem = name.strip_suffix(EXTENSION).and_then(|stem| stem.strip_suffix('.'));
+    stem.and_then(|stem| stem.split_once('-'))
+        .is_some_and(|(key, own)| is_hexadecimal(key, DIGITS[0]) && is_hexadecimal(own, DIGITS[1]))
+}
+
+/// Whether a file that begins with these bytes is one of tiles, of this version of the format or of an earlier one.
+pub fn has_tiles(head: &[u8]) -> bool {
+    head.starts_with(&MAGIC[..MAGIC.len() - VERSION_DIGITS])
 }
 
 impl Cache {
-    pub(crate) fn new(folder: &Path, landscape: &Landscape, finest: f64) -> Self {
+    pub(crate) fn new(folder: &Path, landscape: &Landscape, finest: f64, most_bytes: u64) -> Self {
         let mut ground = blake3::Hasher::new();
         ground.update(&MAGIC);
         ground.update(&STRIPS.to_le_bytes());
@@ -46,32 +68,46 @@ impl Cache {
                 ground.update(&number.to_le_bytes());
             }
         }
-        Self { folder: folder.to_owned(), ground, finest }
+        Self { folder: folder.to_owned(), ground, finest, most_bytes }
     }
 
     /// All tiles of `sun` that are kept, whole and right.
     pub(crate) fn read(&self, sun: &Sun) -> Vec<(Place, Tile)> {
         let key = self.key(sun);
         let prefix = name_prefix(&key);
-        let is_ours = |path: &PathBuf| {
-            path.extension().is_some_and(|found| found == EXTENSION)
-                && path.file_name().is_some_and(|name| name.to_string_lossy().starts_with(&prefix))
-        };
-        let entries = fs::read_dir(&self.folder).into_iter().flatten().flatten();
-        let paths = entries.map(|entry| entry.path()).filter(is_ours);
+        let paths = self.files().filter(|(name, _)| name.starts_with(&prefix)).map(|(_, entry)| entry.path());
         let axes = SunAxes::new(sun);
         let lattice = |place| Lattice::new(self.finest, place).on_ground(axes);
         let tiles = paths.filter_map(|path| decode(&files::read_all(&path, MAX_BYTES).ok()?, &key, lattice));
         tiles.flatten().collect()
     }
 
-    /// Keeps `tiles` of `sun`.
-    pub(crate) fn write(&self, sun: &Sun, tiles: &[(Place, &Arc<Tile>)]) -> Result<(), FileError> {
+    /// Keeps `tiles` of `sun` where the folder has room for them; makes the folder if need be.
+    pub(crate) fn write(&self, sun: &Sun, tiles: &[(Place, &Arc<Tile>)]) -> Result<(), FolderError> {
         let key = self.key(sun);
         let bytes = encode(&key, tiles);
+        if self.size() + bytes.len() as u64 > self.most_bytes {
+            return Ok(());
+        }
+        files::make_folder(&self.folder)?;
         let own = blake3::hash(&bytes).to_hex();
-        let name = format!("{}{}.{EXTENSION}", name_prefix(&key), &own[..16]);
-        files::write_atomic(self.folder.join(name), |out: &mut dyn Write| out.write_all(&bytes))
+        let name = format!("{}{}.{EXTENSION}", name_prefix(&key), &own[..DIGITS[1]]);
+        Ok(files::write_atomic(self.folder.join(name), |out: &mut dyn Write| out.write_all(&bytes))?)
+    }
+
+    /// Files of tiles in the folder, links never among them.
+    fn files(&self) -> impl Iterator<Item = (String, DirEntry)> {
+        let is_folder = Kind::of(&self.folder).is_ok_and(|found| found == Kind::Folder);
+        let entries = is_folder.then(|| fs::read_dir(&self.folder)).into_iter().flatten().flatten().flatten();
+        let named = entries.map(|entry| (entry.file_name().to_string_lossy().into_owned(), entry));
+        named.filter(|(name, entry)| {
+            is_tile_file(name) && entry.file_type().is_ok_and(|found| Kind::of_type(found) == Kind::File)
+        })
+    }
+
+    /// Bytes of all tiles in the folder.
+    fn size(&self) -> u64 {
+        self.files().filter_map(|(_, entry)| entry.metadata().ok()).map(|found| found.len()).sum()
     }
 
     fn key(&self, sun: &Sun) -> [u8; HASH] {
@@ -94,7 +130,7 @@ fn numbers(crater: &features::Crater) -> [f64; 8] {
 
 fn name_prefix(key: &[u8; HASH]) -> String {
     let hex = blake3::Hash::from_bytes(*key).to_hex();
-    format!("{}-", &hex[..32])
+    format!("{}-", &hex[..DIGITS[0]])
 }
 
 fn encode(key: &[u8; HASH], tiles: &[(Place, &Arc<Tile>)]) -> Vec<u8> {

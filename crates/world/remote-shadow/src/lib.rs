@@ -84,6 +84,7 @@ mod tests;
 mod tile;
 
 pub use bank::{Resolution, ShadowBank};
+pub use cache::{has_tiles, is_tile_file};
 pub use footing::{Footings, UnderSun};
 pub use outlines::{Corners, Outlines};
 pub use segment::Segment;

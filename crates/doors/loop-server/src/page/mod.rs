@@ -14,6 +14,7 @@ mod socket;
 use std::net::{Ipv4Addr, TcpListener, TcpStream};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
+use std::time::Duration;
 
 use loop_protocol::{Home, Session};
 
@@ -42,6 +43,7 @@ pub struct PageServer<S> {
     files: S,
     connections: AtomicUsize,
     sessions: AtomicUsize,
+    patience: Duration,
 }
 
 impl<S: Shelf + Sync> PageServer<S> {
@@ -59,7 +61,12 @@ impl<S: Shelf + Sync> PageServer<S> {
         let port = listener.local_addr().map_err(failed)?.port();
         let admission = Admission::new(port, first, Token::random()?, Token::random()?);
         let (connections, sessions) = (AtomicUsize::new(0), AtomicUsize::new(0));
-        Ok(Self { listener, port, admission, files, connections, sessions })
+        Ok(Self { listener, port, admission, files, connections, sessions, patience: PATIENCE })
+    }
+
+    /// The same with another longest wait for a first request and for a browser that takes nothing, [`PATIENCE`] unless it is said.
+    pub fn with_patience(self, patience: Duration) -> Self {
+        Self { patience, ..self }
     }
 
     /// The address that opens the page, once.
@@ -89,8 +96,8 @@ impl<S: Shelf + Sync> PageServer<S> {
         let said = |error: std::io::Error| error.to_string();
         stream.set_nodelay(true).map_err(said)?;
         // A client that takes nothing is let go.
-        stream.set_write_timeout(Some(PATIENCE)).map_err(said)?;
-        let request = match head::read(&mut Patient::new(&stream, PATIENCE)) {
+        stream.set_write_timeout(Some(self.patience)).map_err(said)?;
+        let request = match head::read(&mut Patient::new(&stream, self.patience)) {
             Ok(Some(request)) => request,
             // The browser has opened a connection ahead of need.
             Ok(None) => return Ok(()),

@@ -233,7 +233,7 @@ fn more_pages_than_there_are_places_are_told_so() {
 fn a_browser_that_takes_nothing_is_let_go() {
     let mut files = PageFiles::default();
     files.put("large.png", vec![0; 64 << 20]);
-    let server = PageServer::bind(0, "/large.png", files).unwrap();
+    let server = PageServer::bind(0, "/large.png", files).unwrap().with_patience(Duration::from_millis(200));
     let address = server.address();
     let (place, query) = address.strip_prefix("http://").unwrap().split_once('/').unwrap();
     let (hear, heard) = mpsc::channel();

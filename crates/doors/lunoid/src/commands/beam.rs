@@ -37,8 +37,8 @@ impl BeamCommand {
     /// Works the frame out and writes or prints its list.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let outputs = Place::given([("--out", &self.out)]);
-        expect_outputs(&outputs, &self.chosen.stage.sources())?;
-        let opened = self.chosen.stage.load()?;
+        let (stage, opened) = self.chosen.load()?;
+        expect_outputs(&outputs, &stage.sources())?;
         self.chosen.expect_in(&opened)?;
         let (frame, name) = (self.chosen.frame, opened.drawn_by());
         let pool = self.chosen.threads.pool()?;

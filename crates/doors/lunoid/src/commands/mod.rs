@@ -21,7 +21,7 @@ pub mod man;
 pub mod merge;
 pub mod model;
 pub mod netlist;
-mod of_run;
+pub mod of_run;
 pub mod page;
 pub mod photo;
 pub mod probe;

@@ -1,7 +1,9 @@
 //! A run folder in place of a scenario: what made the run makes its frames again.
 
 use clap::Parser;
-use replay::HeldRun;
+use front_door::Opened;
+use hardware_model::ShadowCache;
+use replay::{HeldRun, SHADOWS};
 use report::{BESIDE, Beside};
 use run_record::FileRecord;
 
@@ -16,6 +18,20 @@ struct Line {
     stage: StageArgs,
     #[command(flatten)]
     quality: QualityArgs,
+}
+
+/// The stage that is asked for, read; with the shadow boundaries that a run folder keeps, in which nothing changes.
+///
+/// # Errors
+/// As [`stage_of`], and every fault of scenario and model.
+pub fn load_of(asked: &StageArgs) -> Result<(StageArgs, Opened), Failure> {
+    let stage = stage_of(asked)?;
+    let mut opened = stage.load()?;
+    if asked.scenario.is_dir() {
+        let kept = ShadowCache::only_read(asked.scenario.join(SHADOWS));
+        opened.settings.shadow_cache.get_or_insert(kept);
+    }
+    Ok((stage, opened))
 }
 
 /// The stage that is asked for: of a run folder that with which the run was made.

@@ -113,8 +113,8 @@ impl ProbeCommand {
             return self.run_lines(target, lines);
         }
         self.expect_fitting(target)?;
-        expect_outputs(&target.places("--out", &self.out), &self.chosen.stage.sources())?;
-        let opened = self.chosen.stage.load()?;
+        let (stage, opened) = self.chosen.load()?;
+        expect_outputs(&target.places("--out", &self.out), &stage.sources())?;
         let generator = &opened.generator;
         let table = generator.signals();
         self.expect_sweeps(generator.line_signals())?;
@@ -205,7 +205,7 @@ impl ProbeCommand {
         let provenance = [
             ("program", format!("lunoid {}", env!("CARGO_PKG_VERSION"))),
             ("commit", crate::program::COMMIT.to_owned()),
-            ("scenario", self.chosen.stage.scenario.display().to_string()),
+            ("scenario", opened.path().display().to_string()),
             ("machine", opened.drawn_by().to_owned()),
         ];
         Header {

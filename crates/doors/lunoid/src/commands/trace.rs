@@ -55,7 +55,8 @@ impl Trace {
         let mut sweeps = 0..0;
         let number = self.chosen.frame;
         let filter = self.filter.filter();
-        let rehearsal = self.chosen.rehearse(|opened| {
+        let (_, opened) = self.chosen.load()?;
+        let rehearsal = self.chosen.rehearse(opened, |opened| {
             sweeps = self.sweeps(opened.settings.raster.sweeps)?;
             Ok(filter.expect_there(&opened.settings)?)
         })?;

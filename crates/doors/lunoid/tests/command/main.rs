@@ -16,6 +16,7 @@ mod explain;
 mod farm;
 mod first_minutes;
 mod help;
+mod kept_shadows;
 mod live;
 mod lockstep;
 mod lunsim;

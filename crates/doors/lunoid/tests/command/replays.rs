@@ -2,7 +2,8 @@ use std::fs;
 
 use crate::scene::{Scene, lunoid};
 
-fn frames(scene: &Scene, folder: &str) -> Vec<Vec<u8>> {
+/// Bytes of the frames of a run, in their order.
+pub fn frames(scene: &Scene, folder: &str) -> Vec<Vec<u8>> {
     let folder = scene.join(folder).join("frames");
     let mut files: Vec<_> = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
     files.sort();
@@ -324,26 +325,4 @@ fn ctrl_c_and_resume() {
     assert!(out.contains(&format!("{} drawn now", 400 - kept)), "{kept}: {out}");
     assert_eq!(scene.list("runs/long/frames").len(), 400);
     assert!(!scene.join("runs/long/frames.journal").exists());
-}
-
-#[test]
-fn shadow_boundaries_are_kept_and_found_again() {
-    let scene = Scene::new();
-    let tiny = fs::read_to_string(scene.join("tiny.toml")).unwrap();
-    fs::write(
-        scene.join("shadowed.toml"),
-        tiny.replace("elevation_deg = 15", "elevation_deg = 1") + "\n[shadows]\n",
-    )
-    .unwrap();
-    scene.expect(0, &["replay", "shadowed.toml", "--out", "plain"]);
-    scene.expect(0, &["replay", "shadowed.toml", "--out", "first", "--shadow-cache", "kept/here"]);
-    let kept = scene.list("kept/here");
-    assert!(!kept.is_empty());
-    scene.expect(0, &["replay", "shadowed.toml", "--out", "second", "--shadow-cache", "kept/here"]);
-    assert_eq!(scene.list("kept/here"), kept, "nothing had to be computed again");
-    assert_eq!(frames(&scene, "plain"), frames(&scene, "first"));
-    assert_eq!(frames(&scene, "plain"), frames(&scene, "second"));
-    let (_, err) =
-        scene.expect(4, &["replay", "shadowed.toml", "--out", "third", "--shadow-cache", "tiny.toml"]);
-    assert!(err.contains("--shadow-cache tiny.toml") && err.contains("can be written"), "{err}");
 }

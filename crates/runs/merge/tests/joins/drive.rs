@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, LazyLock};
 use std::time::Instant;
 
 use front_door::{Opened, Wishes, open};
@@ -19,6 +19,15 @@ use shard::{Shard, block_by_count};
 
 /// How frames become files where nothing else is asked for.
 pub const GREY: Pictures = Pictures { depth: Depth::Eight, colour: false, refresh: false, film: false };
+
+/// Shadow boundaries of all drives, so that a whole run and its shards find them once. What an earlier run of the tests left is removed.
+static SHADOWS: LazyLock<PathBuf> = LazyLock::new(|| {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("joins-shadows");
+    if folder.exists() {
+        fs::remove_dir_all(&folder).expect("a folder of these tests");
+    }
+    folder
+});
 
 /// A scenario of the repository, its ground made once.
 pub struct Drive {
@@ -49,7 +58,8 @@ impl Drive {
     pub fn with(name: &str, wishes: &Wishes, frames: Range<u64>) -> Self {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../..");
         let file = root.join(format!("scenarios/{name}.toml"));
-        let opened = open(&file, wishes).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let wishes = Wishes { shadow_cache: Some(SHADOWS.clone()), ..wishes.clone() };
+        let opened = open(&file, &wishes).unwrap_or_else(|error| panic!("{name}: {error}"));
         assert!(frames.end <= opened.frames(), "{name} has {} frames", opened.frames());
         let pool = rayon::ThreadPoolBuilder::new().num_threads(2).build().expect("threads");
         let stage = pool.install(|| opened.stage()).unwrap_or_else(|error| panic!("{name}: {error}"));

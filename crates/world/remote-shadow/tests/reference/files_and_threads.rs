@@ -8,6 +8,8 @@ use std::fs;
 use std::sync::Arc;
 
 const EYE: [f64; 2] = [300.0, 340.0];
+/// As many bytes as there may be.
+const ALL: u64 = u64::MAX;
 
 fn resolution() -> Resolution {
     Resolution { finest: 0.5, angle: 1e-2 }
@@ -53,7 +55,7 @@ fn a_sector_shows_the_tiles_of_the_whole() {
 fn tiles_are_kept_on_disk_and_damaged_ones_are_made_anew() {
     let folder = tempfile::tempdir().unwrap();
     let landscape = Arc::new(cratered(4));
-    let bank = || ShadowBank::new(landscape.clone(), resolution()).with_cache(folder.path());
+    let bank = || ShadowBank::new(landscape.clone(), resolution()).with_cache(folder.path(), ALL);
     let files =
         || -> Vec<_> { fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().path()).collect() };
     let expected = ask(&bank(), 50.0);
@@ -71,15 +73,62 @@ fn tiles_are_kept_on_disk_and_damaged_ones_are_made_anew() {
     fs::write(&path, &bytes).unwrap();
     assert_eq!(ask(&bank(), 50.0), expected);
 
-    let other = ShadowBank::new(Arc::new(cratered(5)), resolution()).with_cache(folder.path());
+    let other = ShadowBank::new(Arc::new(cratered(5)), resolution()).with_cache(folder.path(), ALL);
     assert_ne!(ask(&other, 50.0), expected, "other ground, other tiles");
 }
 
 #[test]
 fn a_folder_that_cannot_be_written_is_told() {
     let folder = tempfile::tempdir().unwrap();
-    let bank = ShadowBank::new(Arc::new(cratered(4)), resolution()).with_cache(folder.path().join("missing"));
+    let file = folder.path().join("file");
+    fs::write(&file, "x").unwrap();
+    let bank = ShadowBank::new(Arc::new(cratered(4)), resolution()).with_cache(&file, ALL);
     assert!(!ask(&bank, 50.0).is_empty());
     assert!(bank.take_cache_failure().is_some());
     assert!(bank.take_cache_failure().is_none());
+}
+
+#[test]
+fn a_folder_is_made_when_there_is_something_to_keep() {
+    let folder = tempfile::tempdir().unwrap();
+    let kept = folder.path().join("shadows");
+    let bank = ShadowBank::new(Arc::new(cratered(4)), resolution()).with_cache(&kept, ALL);
+    assert!(!kept.exists());
+    ask(&bank, 50.0);
+    let size = |entry: fs::DirEntry| entry.metadata().unwrap().len();
+    let sizes: Vec<u64> = fs::read_dir(&kept).unwrap().map(|entry| size(entry.unwrap())).collect();
+    assert_eq!(sizes.len(), 1);
+    // A byte short of room for as much again: what is kept stays, and nothing comes to it.
+    let full = ShadowBank::new(Arc::new(cratered(4)), resolution()).with_cache(&kept, sizes[0] + 1);
+    ask(&full, 90.0);
+    assert_eq!(fs::read_dir(&kept).unwrap().count(), 1);
+    assert!(bank.take_cache_failure().is_none() && full.take_cache_failure().is_none());
+}
+
+#[test]
+fn a_reader_leaves_the_folder_as_it_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let bank = || ShadowBank::new(Arc::new(cratered(4)), resolution());
+    let kept = folder.path().join("shadows");
+    let expected = ask(&bank().with_cache(&kept, 0), 50.0);
+    assert!(!kept.exists());
+    ask(&bank().with_cache(&kept, ALL), 50.0);
+    let reader = bank().with_cache(&kept, 0);
+    assert_eq!(ask(&reader, 50.0), expected);
+    ask(&reader, 90.0);
+    assert_eq!(fs::read_dir(&kept).unwrap().count(), 1);
+}
+
+#[test]
+#[cfg(unix)]
+fn links_lead_nowhere() {
+    let folder = tempfile::tempdir().unwrap();
+    let [kept, linked] = ["kept", "linked"].map(|name| folder.path().join(name));
+    let bank = || ShadowBank::new(Arc::new(cratered(4)), resolution());
+    ask(&bank().with_cache(&kept, ALL), 50.0);
+    std::os::unix::fs::symlink(&kept, &linked).unwrap();
+    let through = bank().with_cache(&linked, ALL);
+    ask(&through, 90.0);
+    assert!(through.take_cache_failure().is_some_and(|failure| failure.to_string().contains("a link")));
+    assert_eq!(fs::read_dir(&kept).unwrap().count(), 1, "nothing is written through a link");
 }

@@ -13,7 +13,7 @@ use text::table;
 
 use self::late::{LateArgs, option};
 use crate::commands::again::command;
-use crate::commands::of_run::stage_of;
+use crate::commands::of_run::load_of;
 use crate::frame::FrameArgs;
 use crate::loading::{QualityArgs, StageArgs, expect_machine};
 use crate::output::{print, print_json};
@@ -63,8 +63,8 @@ pub struct Explain {
 impl Explain {
     /// Explains the chosen pixel and prints the explanation.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        let stage = stage_of(&self.chosen.stage.clone().drawn_by(self.quality))?;
-        let opened = stage.load()?;
+        let asked = self.chosen.stage.clone().drawn_by(self.quality);
+        let (stage, opened) = load_of(&asked)?;
         self.chosen.expect_in(&opened)?;
         if let Some(sample) = self.sample {
             return self.of_a_sampling_point(&opened, sample);
@@ -74,7 +74,7 @@ impl Explain {
                 expect_machine(&opened, "it has no words that come late")?;
                 self.late.explain(place, (&self.chosen, &stage), opened, self.json)
             }
-            (None, Some(pixel)) if opened.is_machine() => self.of_the_machine(opened, &stage, pixel),
+            (None, Some(pixel)) if opened.is_machine() => self.of_the_machine(opened, &asked, pixel),
             (None, Some(pixel)) => self.of_a_guest(&opened, pixel),
             (None, None) => {
                 Err(Failure::usage("--pixel X,Y, --sample X,Y,N or --late SWEEP:PLACE: expected one of them"))

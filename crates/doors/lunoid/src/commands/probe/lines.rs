@@ -38,8 +38,8 @@ impl ProbeCommand {
                 self.out.display()
             )));
         };
-        expect_outputs(&target.places("--out", &self.out), &self.chosen.stage.sources())?;
-        let opened = self.chosen.stage.load()?;
+        let (stage, opened) = self.chosen.load()?;
+        expect_outputs(&target.places("--out", &self.out), &stage.sources())?;
         let generator = &opened.generator;
         let Some(scan) = generator.line_scan() else {
             let name = generator.name();

@@ -5,8 +5,9 @@ use std::path::Path;
 
 use files::Kind;
 use generator::Stage;
+use hardware_model::ShadowCache;
 use rayon::ThreadPool;
-use replay::{HeldRun, Job, Outcome, Phases, RUN_RECORD, ReplayError};
+use replay::{HeldRun, Job, Outcome, Phases, RUN_RECORD, ReplayError, SHADOWS};
 use report::{SIDE_BY_SIDE, write_side_by_side};
 use serde_json::{Value, json};
 
@@ -77,6 +78,10 @@ impl Replay {
         expect_no_run(&out)?;
         let pool = self.threads.pool()?;
         interrupt::listen();
+        for entry in &mut entries {
+            let shadows = out.join(&entry.name).join(SHADOWS);
+            entry.opened.settings.shadow_cache.get_or_insert(ShadowCache::of_run(shadows));
+        }
         let stages = stages(&mut entries, &pool)?;
         let jobs = entries.iter().zip(stages).map(|(entry, stage)| self.drawable(entry, stage, &pool));
         let jobs = jobs.collect::<Result<Vec<_>, _>>()?;

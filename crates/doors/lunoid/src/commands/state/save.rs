@@ -40,9 +40,9 @@ pub struct Save {
 impl Save {
     /// Draws what the machine remembers at the place, and writes it.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        let stage = &self.chosen.stage;
+        let (stage, opened) = self.chosen.load()?;
         expect_outputs(&[Output::file("--out", &self.out)], &stage.sources())?;
-        let rehearsal = self.chosen.rehearse(|opened| {
+        let rehearsal = self.chosen.rehearse(opened, |opened| {
             let sweeps = opened.settings.raster.sweeps;
             match self.sweep < sweeps {
                 true => Ok(()),
@@ -53,7 +53,7 @@ impl Save {
             }
         })?;
         let Rehearsal { pool, .. } = &rehearsal;
-        let bench = bench(&rehearsal, stage);
+        let bench = bench(&rehearsal, &stage);
         let place = Place::start(self.chosen.frame, self.sweep);
         let state = pool.install(|| bench.save(place))?;
         state.write(&self.out)?;

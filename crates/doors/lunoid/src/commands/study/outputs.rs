@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use front_door::Opened;
+use hardware_model::ShadowCache;
 use serde_json::Value;
 use study::report::make_folder;
 
@@ -43,7 +44,7 @@ impl Outputs {
         if let (None, Some(out)) = (&opened.settings.shadow_cache, &self.out) {
             let folder = out.join("shadows");
             make_folder(&folder)?;
-            opened.settings.shadow_cache = Some(folder);
+            opened.settings.shadow_cache = Some(ShadowCache::shared(folder));
         }
         Ok(())
     }

@@ -9,7 +9,7 @@ use front_door::Opened;
 use crate::frame::FrameArgs;
 use crate::loading::of_models;
 use crate::output::{Place, expect_outputs, print, print_json};
-use crate::rehearsing::{record, rehearse};
+use crate::rehearsing::{record, rehearse_opened};
 use crate::{Failure, Verdict, values};
 
 const AFTER: &str = "Example:
@@ -44,9 +44,10 @@ pub struct Columns {
 impl Columns {
     /// Draws the frame, traces its differing columns and prints them.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        expect_outputs(&Place::pictures([("--out", &self.out)]), &self.chosen.stage.sources())?;
+        let (stage, opened) = self.chosen.load()?;
+        expect_outputs(&Place::pictures([("--out", &self.out)]), &stage.sources())?;
         let (rehearsal, frames) =
-            rehearse(&self.chosen.stage, &self.chosen.threads, |opened| self.choose(opened))?;
+            rehearse_opened(opened, &self.chosen.threads, |opened| self.choose(opened))?;
         let record = record(!self.no_progress, |hear| rehearsal.record(&frames, hear))?;
         let drawn = FrameByFour::draw(&rehearsal, self.chosen.frame)?;
         let columns = drawn.trace(&record, Limits { levels: self.levels, lines: self.lines })?;

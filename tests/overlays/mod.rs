@@ -6,7 +6,7 @@
 
 mod drawing;
 mod exceptions;
-mod overlays;
+mod listed;
 mod runs;
 mod table;
 
@@ -14,10 +14,10 @@ use std::collections::BTreeSet;
 
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
-use crate::drawing::behind;
-use crate::exceptions::why_still;
-use crate::overlays::{OVERLAYS, Overlay};
-use crate::runs::Scene;
+use crate::overlays::drawing::behind;
+use crate::overlays::exceptions::why_still;
+use crate::overlays::listed::{OVERLAYS, Overlay};
+use crate::overlays::runs::Scene;
 
 /// An overlay, and the families of signals that move under it.
 struct Row {
