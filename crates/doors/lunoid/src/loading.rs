@@ -114,7 +114,7 @@ pub struct StageOptions {
     #[arg(long)]
     pub everything: bool,
     /// Keep shadow boundaries in this folder from run to run: they are found again by ground, sun and fineness. The folder that the
-    /// variable LUNOID_SHADOW_CACHE names if left out, if that names one.
+    /// variable LUNOID_SHADOW_CACHE names if left out, if that names one; a run keeps them in its own folder otherwise.
     #[arg(long, value_name = "FOLDER")]
     pub shadow_cache: Option<PathBuf>,
 }

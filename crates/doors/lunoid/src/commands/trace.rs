@@ -20,8 +20,9 @@ const AFTER: &str = "Examples:
   lunoid trace scenarios/nominal-drive.toml --frame 45 --event late,cancelled --csv
   lunoid trace scenarios/nominal-drive.toml --frame 45 --unit loader.red --from 30056000 --limit 40
   lunoid trace scenarios/first-light.toml --frame 60 --at 500:412
+  lunoid trace runs/first-light --frame 60 --sweep 500
 
-Ticks are those of the master clock since the start of the mission.";
+A run folder stands for the scenario and the options with which it was drawn. Ticks are those of the master clock since the start of the mission.";
 
 /// List the digital events of a frame in the order of their ticks, or show all registers at one of them.
 #[derive(Debug, Args)]
