@@ -4,7 +4,7 @@ use clap::Args;
 use deadlines::Rehearsal;
 use front_door::Opened;
 
-use crate::commands::of_run::load_of;
+use crate::commands::of_run::{load_of, stage_of};
 use crate::loading::{StageArgs, Threads};
 use crate::rehearsing::rehearse_opened;
 use crate::{Failure, values};
@@ -33,9 +33,14 @@ impl FrameArgs {
         }
     }
 
-    /// What is asked for, read; in place of a run folder what made the run.
-    pub fn load(&self) -> Result<(StageArgs, Opened), Failure> {
-        load_of(&self.stage)
+    /// The stage that is asked for; in place of a run folder that with which the run was made.
+    pub fn stage(&self) -> Result<StageArgs, Failure> {
+        stage_of(&self.stage)
+    }
+
+    /// What [the stage](Self::stage) comes to.
+    pub fn load(&self, stage: &StageArgs) -> Result<Opened, Failure> {
+        load_of(&self.stage, stage)
     }
 
     /// Everything but the frame of what is `opened`; `check` sees the scenario before any ground is made.

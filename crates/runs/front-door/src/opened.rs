@@ -6,7 +6,8 @@ use std::sync::Arc;
 
 use control_plane::{Elaboration, MachineStage};
 use generator::{Generator, Row, Stage};
-use hardware_model::{EffectiveValue, HardwareModel, Settings};
+use hardware_model::{EffectiveValue, HardwareModel, Settings, ShadowCache};
+use machine::HybridMachine;
 use run_record::Inputs;
 use scenario::{PathProblems, PoseTable, Scenario};
 
@@ -132,6 +133,17 @@ impl Opened {
         let mut wishes = self.wishes.clone();
         wishes.set.extend(sets.iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())));
         Ok(guest(&self.path, row, &wishes)?.generator)
+    }
+
+    /// The same with shadow boundaries kept in `cache`, unless the wishes name a folder for them.
+    pub fn keeping_shadows(mut self, cache: ShadowCache) -> Self {
+        if self.settings.shadow_cache.is_none() {
+            self.settings.shadow_cache = Some(cache);
+            if self.is_machine() {
+                self.generator = Arc::new(HybridMachine::new(self.settings.clone()));
+            }
+        }
+        self
     }
 
     /// Name of who draws: the hardware model, or the generator.

@@ -37,8 +37,9 @@ impl BeamCommand {
     /// Works the frame out and writes or prints its list.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let outputs = Place::given([("--out", &self.out)]);
-        let (stage, opened) = self.chosen.load()?;
+        let stage = self.chosen.stage()?;
         expect_outputs(&outputs, &stage.sources())?;
+        let opened = self.chosen.load(&stage)?;
         self.chosen.expect_in(&opened)?;
         let (frame, name) = (self.chosen.frame, opened.drawn_by());
         let pool = self.chosen.threads.pool()?;

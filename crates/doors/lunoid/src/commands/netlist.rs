@@ -65,7 +65,7 @@ enum Block {
 impl NetlistCommand {
     /// Writes the circuit, and compares what ngspice makes of it.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        let (_, opened) = self.chosen.load()?;
+        let opened = self.chosen.load(&self.chosen.stage()?)?;
         expect_machine(&opened, "only the hybrid machine has such a circuit")?;
         self.chosen.expect_in(&opened)?;
         let sweeps = opened.settings.raster.sweeps;

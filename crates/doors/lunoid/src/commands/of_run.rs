@@ -20,18 +20,17 @@ struct Line {
     quality: QualityArgs,
 }
 
-/// The stage that is asked for, read; with the shadow boundaries that a run folder keeps, in which nothing changes.
+/// What `stage` comes to, which [`stage_of`] makes of what is `asked`; with the shadow boundaries that a run folder keeps, in which
+/// nothing changes.
 ///
 /// # Errors
-/// As [`stage_of`], and every fault of scenario and model.
-pub fn load_of(asked: &StageArgs) -> Result<(StageArgs, Opened), Failure> {
-    let stage = stage_of(asked)?;
-    let mut opened = stage.load()?;
-    if asked.scenario.is_dir() {
-        let kept = ShadowCache::only_read(asked.scenario.join(SHADOWS));
-        opened.settings.shadow_cache.get_or_insert(kept);
-    }
-    Ok((stage, opened))
+/// Every fault of scenario and model.
+pub fn load_of(asked: &StageArgs, stage: &StageArgs) -> Result<Opened, Failure> {
+    let opened = stage.load()?;
+    Ok(match asked.scenario.is_dir() {
+        true => opened.keeping_shadows(ShadowCache::only_read(asked.scenario.join(SHADOWS))),
+        false => opened,
+    })
 }
 
 /// The stage that is asked for: of a run folder that with which the run was made.

@@ -113,8 +113,9 @@ impl ProbeCommand {
             return self.run_lines(target, lines);
         }
         self.expect_fitting(target)?;
-        let (stage, opened) = self.chosen.load()?;
+        let stage = self.chosen.stage()?;
         expect_outputs(&target.places("--out", &self.out), &stage.sources())?;
+        let opened = self.chosen.load(&stage)?;
         let generator = &opened.generator;
         let table = generator.signals();
         self.expect_sweeps(generator.line_signals())?;

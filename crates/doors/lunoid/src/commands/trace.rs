@@ -56,7 +56,7 @@ impl Trace {
         let mut sweeps = 0..0;
         let number = self.chosen.frame;
         let filter = self.filter.filter();
-        let (_, opened) = self.chosen.load()?;
+        let opened = self.chosen.load(&self.chosen.stage()?)?;
         let rehearsal = self.chosen.rehearse(opened, |opened| {
             sweeps = self.sweeps(opened.settings.raster.sweeps)?;
             Ok(filter.expect_there(&opened.settings)?)

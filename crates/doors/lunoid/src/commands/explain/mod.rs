@@ -13,7 +13,7 @@ use text::table;
 
 use self::late::{LateArgs, option};
 use crate::commands::again::command;
-use crate::commands::of_run::load_of;
+use crate::commands::of_run::{load_of, stage_of};
 use crate::frame::FrameArgs;
 use crate::loading::{QualityArgs, StageArgs, expect_machine};
 use crate::output::{print, print_json};
@@ -64,7 +64,8 @@ impl Explain {
     /// Explains the chosen pixel and prints the explanation.
     pub fn run(&self) -> Result<Verdict, Failure> {
         let asked = self.chosen.stage.clone().drawn_by(self.quality);
-        let (stage, opened) = load_of(&asked)?;
+        let stage = stage_of(&asked)?;
+        let opened = load_of(&asked, &stage)?;
         self.chosen.expect_in(&opened)?;
         if let Some(sample) = self.sample {
             return self.of_a_sampling_point(&opened, sample);

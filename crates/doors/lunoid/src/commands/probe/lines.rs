@@ -38,8 +38,9 @@ impl ProbeCommand {
                 self.out.display()
             )));
         };
-        let (stage, opened) = self.chosen.load()?;
+        let stage = self.chosen.stage()?;
         expect_outputs(&target.places("--out", &self.out), &stage.sources())?;
+        let opened = self.chosen.load(&stage)?;
         let generator = &opened.generator;
         let Some(scan) = generator.line_scan() else {
             let name = generator.name();

@@ -187,7 +187,7 @@ impl Replay {
         check(&self.probe, &frames, lines, generator)?;
         let pool = self.threads.pool()?;
         let folder = self.claim(&out)?;
-        let opened = &keeping_shadows(opened.clone(), folder.shadows());
+        let opened = &opened.clone().keeping_shadows(ShadowCache::of_run(folder.shadows()));
         interrupt::listen();
         phases.mark("read");
         let built = pool.install(|| opened.stage())?;
@@ -410,12 +410,6 @@ impl Replay {
             _ => print(&summary.text()),
         }
     }
-}
-
-/// The same with its shadow boundaries kept in `folder`, unless another folder of them is asked for.
-fn keeping_shadows(mut opened: Opened, folder: PathBuf) -> Opened {
-    opened.settings.shadow_cache.get_or_insert(ShadowCache::of_run(folder));
-    opened
 }
 
 /// The wall times of a session that has nothing left to do but to print, as `folder` keeps them.

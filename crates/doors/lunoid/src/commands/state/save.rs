@@ -40,8 +40,9 @@ pub struct Save {
 impl Save {
     /// Draws what the machine remembers at the place, and writes it.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        let (stage, opened) = self.chosen.load()?;
+        let stage = self.chosen.stage()?;
         expect_outputs(&[Output::file("--out", &self.out)], &stage.sources())?;
+        let opened = self.chosen.load(&stage)?;
         let rehearsal = self.chosen.rehearse(opened, |opened| {
             let sweeps = opened.settings.raster.sweeps;
             match self.sweep < sweeps {

@@ -44,8 +44,9 @@ pub struct Columns {
 impl Columns {
     /// Draws the frame, traces its differing columns and prints them.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        let (stage, opened) = self.chosen.load()?;
+        let stage = self.chosen.stage()?;
         expect_outputs(&Place::pictures([("--out", &self.out)]), &stage.sources())?;
+        let opened = self.chosen.load(&stage)?;
         let (rehearsal, frames) =
             rehearse_opened(opened, &self.chosen.threads, |opened| self.choose(opened))?;
         let record = record(!self.no_progress, |hear| rehearsal.record(&frames, hear))?;
