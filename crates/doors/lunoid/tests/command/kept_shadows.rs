@@ -38,7 +38,7 @@ fn the_run_keeps_them_for_itself_and_for_who_asks_of_it() {
     let kept = scene.list("run/shadows");
     assert!(!kept.is_empty());
     for arguments in [
-        &["explain", "--frame", "1", "--pixel", "20,40", "--json"][..],
+        &["explain", "--frame", "1", "--pixel", "20,18", "--json"][..],
         &["trace", "--frame", "1", "--sweep", "20"],
         &["probe", "--frame", "1", "--sweep", "20", "--signals", "sc.*,dpp.y", "--out", "waves.csv"],
     ] {
