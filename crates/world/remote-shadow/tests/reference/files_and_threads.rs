@@ -5,6 +5,8 @@ use landscape::Sun;
 use quantities::radians;
 use remote_shadow::{Resolution, ShadowBank, Tile};
 use std::fs;
+#[cfg(unix)]
+use std::path::Path;
 use std::sync::Arc;
 
 const EYE: [f64; 2] = [300.0, 340.0];
@@ -126,9 +128,18 @@ fn links_lead_nowhere() {
     let [kept, linked] = ["kept", "linked"].map(|name| folder.path().join(name));
     let bank = || ShadowBank::new(Arc::new(cratered(4)), resolution());
     ask(&bank().with_cache(&kept, ALL), 50.0);
-    std::os::unix::fs::symlink(&kept, &linked).unwrap();
+    let link = std::os::unix::fs::symlink::<&Path, &Path>;
+    link(&kept, &linked).unwrap();
+    // A bank that had read through the link would lack nothing, and so would keep nothing.
     let through = bank().with_cache(&linked, ALL);
-    ask(&through, 90.0);
+    ask(&through, 50.0);
     assert!(through.take_cache_failure().is_some_and(|failure| failure.to_string().contains("a link")));
     assert_eq!(fs::read_dir(&kept).unwrap().count(), 1, "nothing is written through a link");
+    let file = fs::read_dir(&kept).unwrap().next().unwrap().unwrap();
+    let other = folder.path().join("other");
+    fs::create_dir(&other).unwrap();
+    link(&file.path(), &other.join(file.file_name())).unwrap();
+    let through = bank().with_cache(&other, ALL);
+    ask(&through, 50.0);
+    assert!(through.take_cache_failure().is_some_and(|failure| failure.to_string().contains("a link")));
 }
