@@ -16,7 +16,7 @@ use signal::Waveform;
 
 use crate::frame::FrameArgs;
 use crate::loading::{expect_machine, machine_stage};
-use crate::output::{print, print_json};
+use crate::output::{Place, expect_outputs, print, print_json};
 use crate::{Failure, Verdict, values};
 
 const AFTER: &str = "Examples:
@@ -65,7 +65,9 @@ enum Block {
 impl NetlistCommand {
     /// Writes the circuit, and compares what ngspice makes of it.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        let opened = self.chosen.load(&self.chosen.stage()?)?;
+        let stage = self.chosen.stage()?;
+        expect_outputs(&[Place::file("--out", &self.out)], &stage.sources())?;
+        let opened = self.chosen.load(&stage)?;
         expect_machine(&opened, "only the hybrid machine has such a circuit")?;
         self.chosen.expect_in(&opened)?;
         let sweeps = opened.settings.raster.sweeps;

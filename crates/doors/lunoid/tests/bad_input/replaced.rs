@@ -57,6 +57,10 @@ fn no_output_replaces_an_input() {
             "--junit b: would replace --baseline b",
         ),
         (&[&probe[..], &["tiny.toml"]].concat(), "--out tiny.toml: would replace the scenario"),
+        (
+            &["netlist", "tiny.toml", "--frame", "0", "--sweep", "5", "--out", "tiny.toml"],
+            "--out tiny.toml: would replace the scenario",
+        ),
         (&[&probe[..], &["over.toml", "--overlay", "over.toml"]].concat(), "--overlay over.toml"),
         (&[&probe[..], &["mine.toml", "--machine", "./mine.toml"]].concat(), "a file of the machine, "),
         (&[&probe[..], &["x.bank", "--bank", "x.bank"]].concat(), "--bank x.bank"),
