@@ -9,7 +9,7 @@ use crate::loading::{StageArgs, Threads};
 use crate::rehearsing::rehearse_opened;
 use crate::{Failure, values};
 
-/// Which frame of which scenario, drawn by what; a run folder stands for the scenario and the options that made the run.
+/// Which frame of which scenario, drawn by what. A run folder stands for the scenario and the options that made the run.
 #[derive(Debug, Args)]
 pub struct FrameArgs {
     #[command(flatten)]

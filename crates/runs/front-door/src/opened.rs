@@ -135,15 +135,14 @@ impl Opened {
         Ok(guest(&self.path, row, &wishes)?.generator)
     }
 
-    /// The same with shadow boundaries kept in `cache`, unless the wishes name a folder for them.
-    pub fn keeping_shadows(mut self, cache: ShadowCache) -> Self {
+    /// Keeps shadow boundaries in `cache`, unless the wishes name a folder for them.
+    pub fn keep_shadows(&mut self, cache: ShadowCache) {
         if self.settings.shadow_cache.is_none() {
             self.settings.shadow_cache = Some(cache);
             if self.is_machine() {
                 self.generator = Arc::new(HybridMachine::new(self.settings.clone()));
             }
         }
-        self
     }
 
     /// Name of who draws: the hardware model, or the generator.

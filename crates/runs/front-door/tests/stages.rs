@@ -4,10 +4,12 @@ use std::fs;
 use std::path::Path;
 
 use control_plane::MachineStage;
-use front_door::StageError;
-use hardware_model::{HardwareModel, LevelSwitch};
+use front_door::{StageError, Wishes, open};
+use generator::{PlaneKind, Planes};
+use hardware_model::{HardwareModel, LevelSwitch, ShadowCache};
 use landscape::Photometry;
 use scenario::{Scenario, ShadowFineness};
+use signal::Probe;
 
 const GOOD: &str = r#"format = 1
 title = "t"
@@ -182,4 +184,34 @@ fn a_map_that_is_not_there_is_told_with_its_file() {
         error.starts_with("[landscape] albedo_map: ") && error.contains("no.png: no such file"),
         "{error}"
     );
+}
+
+/// Relief that throws shadows, on a small raster.
+const SHADOWED: &str = "[landscape.generated.undulation]\nrms_height_m = 20\nhurst = 0.9\nlongest_m = 300\n\
+                        shortest_m = 160\nwaves = 20\n[raster]\nsweeps = 24\nsamples_per_sweep = 40\n[shadows]\n";
+
+/// Draws frame 0 of shadowed ground, with a folder of boundaries that is wished or none, and `kept` for want of one.
+fn draw_keeping(wished: Option<&Path>, kept: &Path) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("t.toml");
+    fs::write(&path, format!("{GOOD}\n{SHADOWED}")).unwrap();
+    let wishes = Wishes { shadow_cache: wished.map(Path::to_owned), ..Wishes::default() };
+    let mut opened = open(&path, &wishes).unwrap_or_else(|error| panic!("{error}"));
+    opened.keep_shadows(ShadowCache::of_run(kept));
+    let stage = opened.stage().unwrap();
+    let pose = opened.poses(&stage, 0..1).unwrap().rows()[0].pose;
+    let [columns, lines] = [stage.view.columns, stage.view.lines].map(|count| count as usize);
+    let mut planes = Planes::new(columns, lines, &[PlaneKind::Intensity]);
+    let session = opened.generator.prepare(stage).unwrap();
+    session.frame(0, &pose, &mut planes, &mut Probe::off()).unwrap();
+}
+
+#[test]
+fn the_machine_that_draws_keeps_its_shadows_where_they_are_wished() {
+    let folder = tempfile::tempdir().unwrap();
+    let [kept, wished] = ["kept", "wished"].map(|name| folder.path().join(name));
+    draw_keeping(Some(&wished), &kept);
+    assert!(!kept.exists() && fs::read_dir(&wished).unwrap().count() == 1);
+    draw_keeping(None, &kept);
+    assert_eq!(fs::read_dir(&kept).unwrap().count(), 1);
 }

@@ -1,13 +1,14 @@
 //! Tiles on disk, from run to run.
 //!
 //! Each question that had to compute tiles leaves one file of them: no file is ever changed, so runs side by side do
-//! not disturb each other. A folder that is full keeps what it has. A file is: magic, key, number of tiles, tiles, BLAKE3 of all
-//! before; little-endian.
+//! not disturb each other. A folder that is full keeps what it has. A file has, in little-endian order: magic, key, number of
+//! tiles, the tiles, and the BLAKE3 hash of all these.
 
 use std::fs::{self, DirEntry};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use files::{FolderError, Kind};
 use landscape::{Landscape, Sun, bank_file};
@@ -39,6 +40,8 @@ pub(crate) struct Cache {
     finest: f64,
     /// Bytes that the folder keeps at most.
     most_bytes: u64,
+    /// Bytes of tiles that were there at the start, and of those that came from here.
+    held: AtomicU64,
 }
 
 /// Whether a file of this name is one of tiles.
@@ -68,7 +71,8 @@ impl Cache {
                 ground.update(&number.to_le_bytes());
             }
         }
-        Self { folder: folder.to_owned(), ground, finest, most_bytes }
+        let cache = Self { folder: folder.to_owned(), ground, finest, most_bytes, held: AtomicU64::new(0) };
+        Self { held: AtomicU64::new(cache.size()), ..cache }
     }
 
     /// All tiles of `sun` that are kept, whole and right.
@@ -84,11 +88,17 @@ impl Cache {
 
     /// Keeps `tiles` of `sun` where the folder has room for them; makes the folder if need be.
     pub(crate) fn write(&self, sun: &Sun, tiles: &[(Place, &Arc<Tile>)]) -> Result<(), FolderError> {
-        let key = self.key(sun);
-        let bytes = encode(&key, tiles);
-        if self.size() + bytes.len() as u64 > self.most_bytes {
+        let held = self.held.load(Ordering::Relaxed);
+        if held >= self.most_bytes {
             return Ok(());
         }
+        let key = self.key(sun);
+        let bytes = encode(&key, tiles);
+        let more = bytes.len() as u64;
+        if more > self.most_bytes - held {
+            return Ok(());
+        }
+        self.held.fetch_add(more, Ordering::Relaxed);
         files::make_folder(&self.folder)?;
         let own = blake3::hash(&bytes).to_hex();
         let name = format!("{}{}.{EXTENSION}", name_prefix(&key), &own[..DIGITS[1]]);

@@ -20,17 +20,17 @@ struct Line {
     quality: QualityArgs,
 }
 
-/// What `stage` comes to, which [`stage_of`] makes of what is `asked`; with the shadow boundaries that a run folder keeps, in which
-/// nothing changes.
+/// What `stage` comes to, which [`stage_of`] makes of what is `asked`. Shadow boundaries that a run folder keeps are read; nothing in the
+/// folder changes.
 ///
 /// # Errors
 /// Every fault of scenario and model.
 pub fn load_of(asked: &StageArgs, stage: &StageArgs) -> Result<Opened, Failure> {
-    let opened = stage.load()?;
-    Ok(match asked.scenario.is_dir() {
-        true => opened.keeping_shadows(ShadowCache::only_read(asked.scenario.join(SHADOWS))),
-        false => opened,
-    })
+    let mut opened = stage.load()?;
+    if asked.scenario.is_dir() {
+        opened.keep_shadows(ShadowCache::only_read(asked.scenario.join(SHADOWS)));
+    }
+    Ok(opened)
 }
 
 /// The stage that is asked for: of a run folder that with which the run was made.

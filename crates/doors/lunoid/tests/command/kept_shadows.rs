@@ -1,4 +1,4 @@
-//! Shadow boundaries from run to run: in a folder that is asked for, or in that of the run.
+//! Shadow boundaries are kept from run to run. The folder is the one that is asked for, or else one in the run folder.
 
 use std::fs;
 

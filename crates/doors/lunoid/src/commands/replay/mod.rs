@@ -168,26 +168,27 @@ impl Replay {
         let opened = stage.load_any_view()?;
         match self.options.channel.is_none() && !opened.scenario.channels.is_empty() {
             true => self.channels(&stage, &opened, &phases),
-            false => self.alone(&stage, &opened, phases),
+            false => self.alone(&stage, opened, phases),
         }
     }
 
-    fn alone(&self, stage: &StageArgs, opened: &Opened, mut phases: Phases) -> Result<Verdict, Failure> {
+    fn alone(&self, stage: &StageArgs, mut opened: Opened, mut phases: Phases) -> Result<Verdict, Failure> {
         self.expect_one_on_stdout()?;
         self.logs.expect_possible(self.truth.as_ref())?;
         self.expect_live_possible()?;
         let shard = self.sharing.asked()?;
         let out = self.out(&of_one(self.options.channel.as_deref(), shard));
         self.expect_apart(stage, &out)?;
-        let frames = choose_frames(opened, self.frames)?;
+        let frames = choose_frames(&opened, self.frames)?;
         let part = shard.map(|shard| self.part(shard, &frames)).transpose()?;
         let generator = &*opened.generator;
-        self.expect_sweeps(opened)?;
+        self.expect_sweeps(&opened)?;
         let lines = generator.scan(&opened.settings.view()).map_or(0, |scan| scan.timebase.sweeps);
         check(&self.probe, &frames, lines, generator)?;
         let pool = self.threads.pool()?;
         let folder = self.claim(&out)?;
-        let opened = &opened.clone().keeping_shadows(ShadowCache::of_run(folder.shadows()));
+        opened.keep_shadows(ShadowCache::of_run(folder.shadows()));
+        let opened = &opened;
         interrupt::listen();
         phases.mark("read");
         let built = pool.install(|| opened.stage())?;

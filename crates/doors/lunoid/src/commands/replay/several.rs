@@ -80,7 +80,7 @@ impl Replay {
         interrupt::listen();
         for entry in &mut entries {
             let shadows = out.join(&entry.name).join(SHADOWS);
-            entry.opened = entry.opened.clone().keeping_shadows(ShadowCache::of_run(shadows));
+            entry.opened.keep_shadows(ShadowCache::of_run(shadows));
         }
         let stages = stages(&mut entries, &pool)?;
         let jobs = entries.iter().zip(stages).map(|(entry, stage)| self.drawable(entry, stage, &pool));

@@ -59,7 +59,7 @@ impl EconomyStudy {
         }
         let frames = frames(&self.frame, opened.frames())?;
         let pool = self.threads.pool()?;
-        self.outputs.keep_shadows(&mut opened)?;
+        self.outputs.keep_shadows(&mut opened);
         let stage = machine_stage(&opened, &pool)?;
         let subject = Subject::new(opened.scenario, opened.model, stage, &frames).map_err(Failure::input)?;
         let usual = if self.quick { QUICK_REPETITIONS } else { REPETITIONS };

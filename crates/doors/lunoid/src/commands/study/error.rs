@@ -76,7 +76,7 @@ impl ErrorStudy {
         if self.quick {
             quarter(&mut opened)?;
         }
-        self.outputs.keep_shadows(&mut opened)?;
+        self.outputs.keep_shadows(&mut opened);
         let frames = frames(&self.frame, opened.frames())?;
         let pool = self.threads.pool()?;
         let stage = machine_stage(&opened, &pool)?;

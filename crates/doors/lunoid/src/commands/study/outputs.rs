@@ -6,7 +6,6 @@ use clap::Args;
 use front_door::Opened;
 use hardware_model::ShadowCache;
 use serde_json::Value;
-use study::report::make_folder;
 
 use crate::Failure;
 use crate::output::{Place, expect_outputs, print, print_json, tell};
@@ -40,13 +39,8 @@ impl Outputs {
     }
 
     /// Every machine of a study wants the same shadow boundaries: they are found once if there is a place for them.
-    pub fn keep_shadows(&self, opened: &mut Opened) -> Result<(), Failure> {
-        if let (None, Some(out)) = (&opened.settings.shadow_cache, &self.out) {
-            let folder = out.join("shadows");
-            make_folder(&folder)?;
-            opened.settings.shadow_cache = Some(ShadowCache::shared(folder));
-        }
-        Ok(())
+    pub fn keep_shadows(&self, opened: &mut Opened) {
+        self.out.iter().for_each(|out| opened.keep_shadows(ShadowCache::shared(out.join("shadows"))));
     }
 
     /// Prints a result: `document` with `--json`, otherwise `text`.
