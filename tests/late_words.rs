@@ -193,6 +193,7 @@ fn agree(asked: &Asked, mut late: Vec<LateWords>, count: usize, what: &str) -> (
 
 /// Words that parts make late: four or ten of each machine, drawn by lot.
 #[test]
+#[ignore = "long: .ci/long runs it"]
 fn what_is_told_is_the_difference_of_whole_pictures() {
     let mut named = 0;
     // Each word on a tube that glows on takes eight pictures.
@@ -221,6 +222,7 @@ fn what_is_told_is_the_difference_of_whole_pictures() {
 
 /// Words of craters and of shadow boundaries, of a machine whose banks share a drum and of one with a memory for each kind.
 #[test]
+#[ignore = "long: .ci/long runs it"]
 fn what_is_told_of_craters_and_boundaries_is_the_difference_of_whole_pictures() {
     let mut changed = [0; 2];
     for (scenario, model, frame, count) in

@@ -51,6 +51,7 @@ fn every_signal_is_named_once_and_belongs_to_a_block_of_the_house() {
 
 /// Shadow gates are found for the sweeps that are looked at alone, with or without drums and a processor that take time.
 #[test]
+#[ignore = "long: .ci/long runs it"]
 fn some_sweeps_alone_are_those_of_the_whole_frame() {
     let mut changes = 0;
     for (name, machine, frame) in [

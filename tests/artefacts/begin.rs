@@ -55,6 +55,7 @@ fn a_preset_array_begins_where_the_ground_is() {
 
 /// Scenes that showed ticks where their sweeps begin, before retrace preset the accumulators.
 #[test]
+#[ignore = "long: .ci/long runs it"]
 fn no_other_scene_begins_with_a_tick() {
     for scenario in ["craters", "descent", "full-drive", "long-shadows", "nominal-drive"] {
         let [preset, jumps] = [true, false].map(|preset| transient(scenario, preset));

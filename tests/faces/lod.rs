@@ -27,6 +27,7 @@ fn the_descent_pops_where_it_switches_and_not_where_it_morphs() {
 }
 
 #[test]
+#[ignore = "long: .ci/long runs it"]
 fn levels_save_triangles_of_the_landing() {
     let shipped = Shipped::changed("lod-landing", None, |_| ());
     let triangles = |sets: &[(&str, &str)]| {

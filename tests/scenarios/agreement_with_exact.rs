@@ -46,6 +46,7 @@ fn the_first_half_of_the_full_landscapes_agrees_with_exact() {
 }
 
 #[test]
+#[ignore = "long: .ci/long runs it"]
 fn the_second_half_of_the_full_landscapes_agrees_with_exact() {
     small_landscapes_agree_with_exact(&FULL_LANDSCAPE[FULL_LANDSCAPE.len() / 2..]);
 }

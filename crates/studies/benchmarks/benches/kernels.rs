@@ -7,7 +7,7 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
 fn kernels(c: &mut Criterion) {
     for kernel in KERNELS {
-        let mut work = (kernel.ready)();
+        let mut work = kernel.ready(None);
         let (of, how) = kernel.name.split_once('/').expect("what it is of, then how");
         let mut group = c.benchmark_group(of);
         group.throughput(Throughput::Elements(work.elements)).sample_size(20);

@@ -41,11 +41,12 @@ pub struct Count {
 }
 
 /// Instructions that `program`, told `--run` and the name of a kernel, takes within [`counted`]. The same build gives
-/// the same number again; only what goes by addresses or by random keys may vary.
+/// the same number again; only what goes by addresses or by random keys may vary. Shadow boundaries come from the folder `shadows`,
+/// if one is given.
 ///
 /// # Errors
 /// If there is no valgrind, or the program does not end well under it.
-pub fn instructions_of(program: &Path, kernel: &str) -> Result<Count, CountError> {
+pub fn instructions_of(program: &Path, kernel: &str, shadows: Option<&Path>) -> Result<Count, CountError> {
     let failed = |reason: String| CountError::Failed { kernel: kernel.to_owned(), reason };
     let out =
         Remains(env::temp_dir().join(format!("callgrind-{}-{}", process::id(), kernel.replace('/', "-"))));
@@ -53,6 +54,9 @@ pub fn instructions_of(program: &Path, kernel: &str) -> Result<Count, CountError
     valgrind.args(["--tool=callgrind", "--quiet", "--toggle-collect=*benchmarks*counted*"]);
     valgrind.arg(format!("--callgrind-out-file={}", out.0.display()));
     valgrind.arg(program).args(["--run", kernel]);
+    if let Some(folder) = shadows {
+        valgrind.arg("--shadows").arg(folder);
+    }
     let ended = valgrind.output().map_err(|error| match error.kind() {
         io::ErrorKind::NotFound => CountError::NoValgrind,
         _ => failed(error.to_string()),

@@ -1,5 +1,6 @@
 //! Named pieces of work: timed by `cargo bench`, their instructions counted by the binary `instructions`.
 
+use std::path::Path;
 use std::sync::LazyLock;
 
 use hardware_model::Economy;
@@ -21,8 +22,32 @@ pub struct Kernel {
     pub name: &'static str,
     /// What the kernel does, in words.
     pub about: &'static str,
-    /// Makes the work of the kernel ready.
-    pub ready: fn() -> Work,
+    make: Make,
+}
+
+/// How the work of a kernel is made ready.
+#[derive(Debug, Clone, Copy)]
+enum Make {
+    /// By itself.
+    Alone(fn() -> Work),
+    /// With shadow boundaries, which may be kept in a folder.
+    Shadowed(fn(Option<&Path>) -> Work),
+}
+
+impl Kernel {
+    /// Makes the work ready. Shadow boundaries come from the folder `shadows`, which keeps what it did not have; without one they are
+    /// found anew.
+    pub fn ready(&self, shadows: Option<&Path>) -> Work {
+        match self.make {
+            Make::Alone(ready) => ready(),
+            Make::Shadowed(ready) => ready(shadows),
+        }
+    }
+
+    /// Whether shadow boundaries are found before the kernel runs.
+    pub fn is_shadowed(&self) -> bool {
+        matches!(self.make, Make::Shadowed(_))
+    }
 }
 
 /// A kernel made ready.
@@ -63,7 +88,7 @@ pub const KERNELS: &[Kernel] = &[
     row("feature-generator/schedule", "which craters eight sweeps of craters load", blocks::feature_schedule),
     row("feature-generator/f32", "eight sweeps of craters", blocks::feature_generator),
     row("texture-generator/f32", "eight sweeps of craters", blocks::texture_generator),
-    row(
+    shadowed(
         "shadow-controller/gates",
         "gates of remote shadow within 1 m, 525 sweeps of long shadows",
         before::gates,
@@ -79,14 +104,14 @@ pub const KERNELS: &[Kernel] = &[
         before::shadow_boundaries,
     ),
     row("survey/regions", "128 x 128 samples into 32 x 32 regions", || before::survey(128)),
-    row("full-drive/ideal", "64 sweeps of frame 0, every block, f32", || {
-        frames::part("full-drive", "ideal", Scalar::F32, Economy::Bounded)
+    shadowed("full-drive/ideal", "64 sweeps of frame 0, every block, f32", |shadows| {
+        frames::shadowed_part("full-drive", Economy::Bounded, shadows)
     }),
-    row("full-drive/preview", "the same, in preview", || {
-        frames::part("full-drive", "ideal", Scalar::F32, Economy::Instants(1))
+    shadowed("full-drive/preview", "the same, in preview", |shadows| {
+        frames::shadowed_part("full-drive", Economy::Instants(1), shadows)
     }),
-    row("full-drive/normal", "the same, at the default quality", || {
-        frames::part("full-drive", "ideal", Scalar::F32, Economy::Normal)
+    shadowed("full-drive/normal", "the same, at the default quality", |shadows| {
+        frames::shadowed_part("full-drive", Economy::Normal, shadows)
     }),
     row("nominal-drive/ideal", "64 sweeps of frame 0, two levels, craters, rocks, f32", || {
         frames::part("nominal-drive", "ideal", Scalar::F32, Economy::Bounded)
@@ -117,10 +142,10 @@ pub const KERNELS: &[Kernel] = &[
     row("first-light/probe-on", "the same, every signal of one sweep recorded", || {
         frames::whole("first-light", Prepare::prepare, Probe::new(vec!["*".into()], 500..501))
     }),
-    row(
+    shadowed(
         "showpiece/no-probe",
         "frame 0, f32, ideal parts, everything on the ground, by a machine without probes",
-        || frames::whole("showpiece", prepare_unprobed, Probe::off()),
+        |shadows| frames::shadowed_whole("showpiece", prepare_unprobed, shadows),
     ),
     row("nominal-drive/no-probe", "frame 0, parts of 1970, by a machine without probes", || {
         frames::whole("nominal-drive", prepare_unprobed, Probe::off())
@@ -131,7 +156,11 @@ pub const KERNELS: &[Kernel] = &[
 ];
 
 const fn row(name: &'static str, about: &'static str, ready: fn() -> Work) -> Kernel {
-    Kernel { name, about, ready }
+    Kernel { name, about, make: Make::Alone(ready) }
+}
+
+const fn shadowed(name: &'static str, about: &'static str, ready: fn(Option<&Path>) -> Work) -> Kernel {
+    Kernel { name, about, make: Make::Shadowed(ready) }
 }
 
 /// The kernel of this name.

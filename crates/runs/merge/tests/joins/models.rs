@@ -45,6 +45,7 @@ fn every_model_draws_shards_of_its_run() {
 }
 
 #[test]
+#[ignore = "long: .ci/long runs it"]
 fn scenarios_with_memory_sun_roll_bodies_colour_and_light_points() {
     for scenario in ["rough-ride", "moving-sun", "full-drive", "colours", "night-landing", "overloaded-night"]
     {

@@ -144,7 +144,7 @@ fn kernels() -> Result<(), String> {
         "| kernel, one thread | what | elements | us | least | ns an element |\n|---|---|---|---|---|---|"
     );
     for kernel in KERNELS.iter().filter(|kernel| !kernel.name.contains("probe")) {
-        let Work { elements, mut run } = (kernel.ready)();
+        let Work { elements, mut run } = kernel.ready(None);
         let [least, median] = times(TURNS, &mut *run);
         println!(
             "| {} | {} | {elements} | {:.1} | {:.1} | {:.2} |",

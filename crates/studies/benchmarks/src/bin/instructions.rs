@@ -2,10 +2,10 @@
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
-use std::env;
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
+use std::process::{Command, ExitCode};
+use std::{env, fs};
 
 use benchmarks::{Baseline, Circumstances, CountError, KERNELS, Kernel, counted, instructions_of, kernel};
 use clap::Parser;
@@ -39,12 +39,15 @@ struct Arguments {
     /// Run this kernel, twice, and count nothing: what is run under callgrind.
     #[arg(long, value_name = "NAME", hide = true)]
     run: Option<String>,
+    /// With --run: keep shadow boundaries in this folder.
+    #[arg(long, value_name = "FOLDER", requires = "run", hide = true)]
+    shadows: Option<PathBuf>,
 }
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let made = match &arguments.run {
-        Some(name) => run(name).map(|()| ExitCode::SUCCESS),
+        Some(name) => run(name, arguments.shadows.as_deref()).map(|()| ExitCode::SUCCESS),
         None => tell(&arguments),
     };
     made.unwrap_or_else(|message| {
@@ -54,9 +57,9 @@ fn main() -> ExitCode {
 }
 
 /// The first time fills buffers and caches; the second is counted. Tells what vectors the kernel chose.
-fn run(name: &str) -> Result<(), String> {
+fn run(name: &str, shadows: Option<&Path>) -> Result<(), String> {
     let kernel = kernel(name).ok_or_else(|| unknown(name))?;
-    let mut work = (kernel.ready)();
+    let mut work = kernel.ready(shadows);
     (work.run)();
     counted(&mut *work.run);
     let level = format!("{:?}", Level::new());
@@ -169,9 +172,16 @@ fn unknown(name: &str) -> String {
 
 /// As many at a time as the computer has cores: nothing of a count depends on what else it does.
 fn count(kernels: &[&'static Kernel]) -> Result<Baseline, CountError> {
-    let program = env::current_exe()
-        .map_err(|error| CountError::Failed { kernel: "all".into(), reason: error.to_string() })?;
-    let counts = kernels.par_iter().map(|kernel| Ok((kernel.name, instructions_of(&program, kernel.name)?)));
+    let failed = |error: io::Error| CountError::Failed { kernel: "all".into(), reason: error.to_string() };
+    let program = env::current_exe().map_err(failed)?;
+    let shadows = tempfile::tempdir().map_err(failed)?;
+    let counts = kernels.par_iter().map(|kernel| {
+        let folder = kernel.is_shadowed().then(|| shadows.path().join(kernel.name.replace('/', "-")));
+        if let Some(folder) = &folder {
+            find_shadows(&program, kernel.name, folder).map_err(failed)?;
+        }
+        Ok((kernel.name, instructions_of(&program, kernel.name, folder.as_deref())?))
+    });
     let counts = counts.collect::<Result<Vec<_>, CountError>>()?;
     let vectors = counts.first().map_or(String::new(), |(_, count)| count.told.clone());
     let circumstances = Circumstances { built_by: env!("BUILT_BY").to_owned(), vectors };
@@ -180,6 +190,12 @@ fn count(kernels: &[&'static Kernel]) -> Result<Baseline, CountError> {
     Ok(Baseline::new(circumstances, instructions))
 }
 
+/// Runs a kernel once by itself: callgrind would take fifty times as long to find its shadow boundaries.
+fn find_shadows(program: &Path, kernel: &str, folder: &Path) -> io::Result<()> {
+    fs::create_dir(folder)?;
+    Command::new(program).args(["--run", kernel, "--shadows"]).arg(folder).output().map(drop)
+}
+
 fn print(text: &str) -> Result<(), String> {
-    std::io::stdout().write_all(text.as_bytes()).map_err(|error| error.to_string())
+    io::stdout().write_all(text.as_bytes()).map_err(|error| error.to_string())
 }

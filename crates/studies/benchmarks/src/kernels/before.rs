@@ -1,9 +1,11 @@
 //! What is brought for a frame before its sweeps run, and what is found before a mission.
 
 use std::hint::black_box;
+use std::path::Path;
 
 use control_plane::ControlPlane;
 use glam::DVec3;
+use hardware_model::ShadowCache;
 use polyhedron_generator::{Drawn, FaceLight, Field, LeftOut, PolyhedronGenerator, Sight, ViewPlane};
 use quantities::sin_cos;
 use remote_shadow::Outlines;
@@ -25,11 +27,14 @@ fn directions(group: &Group) -> Vec<[f64; 2]> {
     (0..group.fan.sweeps).map(|sweep| group.fan.direction(sweep, [cos, sin])).collect()
 }
 
-pub(super) fn gates() -> Work {
+pub(super) fn gates(shadows: Option<&Path>) -> Work {
     let group = Group::of("long-shadows");
     let (stage, foot, directions) = (&group.scene.stage, group.foot(), directions(&group));
     let (reach, parts) = (stage.settings.range.end, stage.settings.shadow_controller);
-    let bank = group.scene.shadow_bank();
+    let mut bank = group.scene.shadow_bank();
+    if let Some(ShadowCache { folder, most_bytes }) = shadows.map(ShadowCache::shared) {
+        bank = bank.with_cache(folder, most_bytes);
+    }
     let tiles = alone(|| bank.around(&stage.scenery.sun(0.0), foot, NEAR, None));
     let controller = ShadowController { parts, map_centre: [0.0; 2], map_side: 1.0, tells_lines: false };
     let mut gates = Vec::new();

@@ -1,8 +1,10 @@
 //! Frames of shipped scenarios, to finished planes.
 
+use std::path::Path;
+
 use control_plane::MachineStage;
 use generator::Session;
-use hardware_model::Economy;
+use hardware_model::{Economy, ShadowCache};
 use scenario::Scalar;
 use signal::Probe;
 
@@ -17,17 +19,35 @@ type Prepare = fn(MachineStage) -> Box<dyn Session>;
 
 /// Frame 0 of a scenario on its own raster, under its own machine.
 pub(super) fn whole(scenario: &str, prepare: Prepare, probe: Probe) -> Work {
-    frame(scenario, &Choice::default(), prepare, probe)
+    frame(scenario, &Choice::default(), None, prepare, probe)
+}
+
+/// The same, probing nothing, with shadow boundaries kept in `shadows`.
+pub(super) fn shadowed_whole(scenario: &str, prepare: Prepare, shadows: Option<&Path>) -> Work {
+    frame(scenario, &Choice::default(), shadows, prepare, Probe::off())
 }
 
 /// Frame 0 of a scenario on [`PART`].
 pub(super) fn part(scenario: &str, model: &'static str, scalar: Scalar, economy: Economy) -> Work {
     let choice = Choice { model: Some(model), scalar: Some(scalar), raster: Some(PART), economy };
-    frame(scenario, &choice, machine::Prepare::prepare, Probe::off())
+    frame(scenario, &choice, None, machine::Prepare::prepare, Probe::off())
 }
 
-fn frame(scenario: &str, choice: &Choice, prepare: Prepare, mut probe: Probe) -> Work {
-    let scene = alone(|| TimedScene::shipped(scenario, choice));
+/// The same by ideal parts in f32, with shadow boundaries kept in `shadows`.
+pub(super) fn shadowed_part(scenario: &str, economy: Economy, shadows: Option<&Path>) -> Work {
+    let choice = Choice { model: Some("ideal"), scalar: Some(Scalar::F32), raster: Some(PART), economy };
+    frame(scenario, &choice, shadows, machine::Prepare::prepare, Probe::off())
+}
+
+fn frame(
+    scenario: &str,
+    choice: &Choice,
+    shadows: Option<&Path>,
+    prepare: Prepare,
+    mut probe: Probe,
+) -> Work {
+    let mut scene = alone(|| TimedScene::shipped(scenario, choice));
+    scene.stage.settings.shadow_cache = shadows.map(ShadowCache::shared);
     let (mut planes, pose, samples) = (scene.planes(), scene.pose, scene.samples());
     let session = prepare(scene.stage);
     Work::new(samples, move || {

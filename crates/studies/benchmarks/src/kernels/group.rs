@@ -26,8 +26,8 @@ impl Group {
     /// Of frame 0 of a scenario under ideal parts, on the standard raster.
     pub fn of(scenario: &str) -> Self {
         let choice = Choice { model: Some("ideal"), raster: Some(STANDARD), ..Choice::default() };
-        let control = ControlPlane::new(TimedScene::shipped(scenario, &choice).stage);
         let scene = TimedScene::shipped(scenario, &choice);
+        let control = ControlPlane::new(scene.stage.clone());
         let settings = &scene.stage.settings;
         let sweeps = control.sweeps(0, &scene.pose).expect("drawn by the tests");
         let first = settings.raster.sweeps / 2;

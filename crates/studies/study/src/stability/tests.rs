@@ -41,6 +41,7 @@ fn assert_sound(cells: &[Cell]) {
 }
 
 #[test]
+#[ignore = "long: .ci/long runs it"]
 fn every_single_extreme_holds() {
     let cells = run(&singles());
     assert!(cells.iter().filter(|cell| cell.own).count() > 300, "{}", cells.len());
@@ -94,6 +95,7 @@ fn mixtures_are_named_by_their_seed() {
 }
 
 #[test]
+#[ignore = "long: .ci/long runs it"]
 fn fits_are_determined() {
     for fit in survey_fits() {
         let FitOutcome { region, holes, growth, .. } = &fit;
