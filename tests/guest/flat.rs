@@ -39,6 +39,7 @@ pub static ROW: Row = Row {
     gear: None,
     ladders: &[],
     details: &[],
+    lamps: &[],
     configure,
 };
 

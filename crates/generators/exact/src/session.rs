@@ -34,6 +34,7 @@ pub static ROW: Row = Row {
     gear: None,
     ladders: &[],
     details: &[],
+    lamps: &[],
     configure: |_| Some(Arc::new(Exact)),
 };
 

@@ -41,7 +41,7 @@ pub use fact::Fact;
 pub use inputs_hash::InputsHash;
 pub use omission::{Omission, Weight, face_lists_beside, photographs_beside};
 pub use planes::{Label, Loss, Plane, PlaneKind, Planes, Shade};
-pub use row::{Against, DetailWay, ErrorLadder, Gear, Role, Row};
+pub use row::{Against, DetailWay, ErrorLadder, Gear, LampWay, Role, Row};
 pub use timed::{ReportedTime, SizedFigure, Timed};
 
 /// The world and the view: everything that generators share but the pose.

@@ -68,6 +68,17 @@ pub struct DetailWay {
     pub sets: &'static [(&'static str, &'static str)],
 }
 
+/// A way in which a generator draws lamps.
+#[derive(Debug, Clone, Copy)]
+pub struct LampWay {
+    /// Name of the way.
+    pub name: &'static str,
+    /// Whether a beam of its own draws them, instead of the raster.
+    pub is_calligraphic: bool,
+    /// Keys of run parameters, each with the value that makes this way.
+    pub sets: &'static [(&'static str, &'static str)],
+}
+
 /// A generator that is chosen by its own name. The hybrid machine has none: the name of a hardware model chooses it.
 #[derive(Debug, Clone, Copy)]
 pub struct Row {
@@ -89,6 +100,8 @@ pub struct Row {
     pub ladders: &'static [ErrorLadder],
     /// Its ways with levels of detail, the finest ground alone first; none where it has no levels.
     pub details: &'static [DetailWay],
+    /// Its ways to draw lamps; none where it has one alone, or draws none.
+    pub lamps: &'static [LampWay],
     /// Reads run parameters and gear, both as tables of one root, into a generator. A missing table is an empty one;
     /// faults are reported to the reader.
     pub configure: fn(&Reader) -> Option<Arc<dyn Generator>>,

@@ -22,6 +22,7 @@ pub static ROW: Row = Row {
     gear: None,
     ladders: &LADDERS,
     details: &DETAILS,
+    lamps: &[],
     configure,
 };
 

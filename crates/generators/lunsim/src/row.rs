@@ -34,6 +34,7 @@ pub static ROW: Row = Row {
         order: Some((1.0, "a position shows a point up to one step away")),
     }],
     details: &[],
+    lamps: &[],
     configure,
 };
 

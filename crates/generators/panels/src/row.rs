@@ -30,6 +30,7 @@ pub static ROW: Row = Row {
     }),
     ladders: &LADDERS,
     details: &[],
+    lamps: &[],
     configure,
 };
 

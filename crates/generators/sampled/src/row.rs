@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use diagnostics::Reader;
-use generator::{Gear, Generator, Role, Row};
+use generator::{Gear, Generator, LampWay, Role, Row};
 
 use crate::faults::FAULTS;
 use crate::hardware::SHIPPED;
@@ -30,8 +30,15 @@ pub static ROW: Row = Row {
     }),
     ladders: &LADDERS,
     details: &[],
+    lamps: &LAMPS,
     configure,
 };
+
+const LAMPS: [LampWay; 3] = [
+    LampWay { name: "raster", is_calligraphic: false, sets: &[("sampled.normalise", "true")] },
+    LampWay { name: "undivided", is_calligraphic: false, sets: &[("sampled.normalise", "false")] },
+    LampWay { name: "beam", is_calligraphic: true, sets: &[] },
+];
 
 fn configure(root: &Reader) -> Option<Arc<dyn Generator>> {
     let parameters = Parameters::read(&root.table_or_empty(NAME));

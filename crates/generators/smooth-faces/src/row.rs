@@ -25,6 +25,7 @@ pub static ROW: Row = Row {
     gear: Some(Gear { tables: &TABLES, file: FILE, text: SHIPPED, faults: &FAULTS }),
     ladders: &[],
     details: &[],
+    lamps: &[],
     configure,
 };
 

@@ -28,7 +28,7 @@ pub struct Kernel {
 /// How the work of a kernel is made ready.
 #[derive(Debug, Clone, Copy)]
 enum Make {
-    /// By itself.
+    /// By itself, from nothing.
     Alone(fn() -> Work),
     /// With shadow boundaries, which may be kept in a folder.
     Shadowed(fn(Option<&Path>) -> Work),

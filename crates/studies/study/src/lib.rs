@@ -18,6 +18,7 @@
 //! ([`regions()`]): region size of a survey against the ground. **Shadow** ([`shadow`]): the vehicle's, on flat
 //! ground and on true, by every law and method.
 //! **Pops** ([`pops`]): distances along the view axis, frame by frame, and what levels of detail do to them.
+//! **Lights** ([`lights`]): the light of a lamp over a mission, in each way that a generator has to draw it.
 //! **Reports** ([`report`]): what came of a study as text, as a document, and as tables and plots in a folder.
 //! **Not in the time.** Reading, elaboration, shadow boundaries that are found once, encoding.
 //! **Our choices.** Signals are compared on six groups of eight sweeps spread over the frame. A picture of fewer or more sweeps than the
@@ -29,6 +30,7 @@ pub mod economy;
 mod figures;
 mod fronts;
 pub mod ladder;
+pub mod lights;
 mod order;
 mod parameter;
 pub mod polynomial;

@@ -2,6 +2,7 @@
 
 mod economy;
 mod error;
+mod lights;
 mod outputs;
 mod pops;
 mod shadow;
@@ -16,9 +17,10 @@ const AFTER: &str = "Examples:
   lunoid study economy scenarios/showpiece.toml --quick
   lunoid study shadow scenarios/vehicle-shadow.toml
   lunoid study pops scenarios/lod-descent.toml
+  lunoid study lights scenarios/night-landing.toml --light ridge-beacon
   lunoid study error --help";
 
-/// Measure error against run time, what a scene does not need, what flat ground costs a shadow, and what pops.
+/// Measure error against run time, what a scene does not need, what flat ground costs a shadow, what pops, and how a lamp shines.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]
 pub struct StudyCommand {
@@ -39,6 +41,8 @@ enum Study {
     Stability(stability::StabilityStudy),
     /// Distances along the view axis frame by frame, and what levels of detail do to them.
     Pops(pops::PopStudy),
+    /// The light of a lamp over a mission, in each way of drawing it.
+    Lights(lights::LightStudy),
     /// The vehicle's shadow on flat ground against that on true ground.
     Shadow(shadow::ShadowStudy),
 }
@@ -54,6 +58,7 @@ impl StudyCommand {
             Study::Economy(study) => study.run(),
             Study::Stability(study) => study.run(),
             Study::Pops(study) => study.run(),
+            Study::Lights(study) => study.run(),
             Study::Shadow(study) => study.run(),
         }
     }
@@ -79,6 +84,9 @@ impl Study {
                 "pops",
                 "a pop lies between two frames, and a cut would lose one; give each worker --frames, each with the first frame of the next",
             ),
+            Self::Lights(_) => {
+                ("lights", "it has one table of all frames; give each worker a light by --light")
+            }
             Self::Shadow(_) => (
                 "shadow",
                 "its largest error is over all places, and --laws has times; give each worker a sun by --sun",

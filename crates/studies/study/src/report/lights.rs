@@ -1,0 +1,151 @@
+//! The light of a lamp over a mission: as text, document, tables and a plot.
+
+use std::path::Path;
+
+use ::plots::{Axis, Panel, Trace, TraceLook, trace_picture};
+use serde_json::{Value, json};
+
+use super::folder::{ReportError, save, write};
+use crate::lights::{ClosedForm, IN_SIGHT, LightCurve, LightFigures, MOSTLY};
+
+/// What came of a study of a lamp.
+pub struct LightReport {
+    /// Commit of the program.
+    pub commit: String,
+    /// Title of the scenario.
+    pub title: String,
+    /// Name of the generator that drew.
+    pub machine: String,
+    /// Name of the light.
+    pub light: String,
+    /// Number of the first frame.
+    pub first: u64,
+    /// Time of each frame (s).
+    pub times: Vec<f64>,
+    /// What it shows with nothing in front.
+    pub whole: ClosedForm,
+    /// What it shows in each way.
+    pub curves: Vec<LightCurve>,
+}
+
+impl LightReport {
+    /// Figures of all curves.
+    pub fn figures(&self) -> Vec<LightFigures> {
+        self.curves.iter().map(|curve| curve.figures(&self.whole, self.first)).collect()
+    }
+
+    /// Leaves `lights.json`, `lights.csv` with every frame, `lights.md` and a plot in `folder`.
+    ///
+    /// # Errors
+    /// If the folder cannot be made, or a file not be written.
+    pub fn leave(&self, folder: &Path) -> Result<(), ReportError> {
+        write(folder, "lights", &self.json(), &self.csv(), &self.page())?;
+        self.plot(folder)
+    }
+
+    /// A document of schema `lunoid.study-lights/1`.
+    pub fn json(&self) -> Value {
+        json!({
+            "schema": "lunoid.study-lights/1",
+            "commit": self.commit,
+            "title": self.title,
+            "machine": self.machine,
+            "light": self.light,
+            "first_frame": self.first,
+            "frames": self.times.len(),
+            "in_sight_above": IN_SIGHT,
+            "shares_above": MOSTLY,
+            "ways": self.figures(),
+        })
+    }
+
+    /// Returns the outcome as a table for people.
+    pub fn text(&self) -> String {
+        format!("{}\n\n{}", self.facts(), text::table(&self.table()))
+    }
+
+    fn facts(&self) -> String {
+        let last = self.first + self.times.len() as u64;
+        format!(
+            "{}, light {}, {}, frames {}..{last}, commit {}",
+            self.title, self.light, self.machine, self.first, self.commit
+        )
+    }
+
+    fn page(&self) -> String {
+        format!("{}.\n\n{}", self.facts(), text::markdown(&self.table()))
+    }
+
+    fn table(&self) -> Vec<Vec<String>> {
+        let head =
+            ["way", "frames in sight", "appears", "vanishes", "least share", "mean", "most", "twinkle"];
+        let share = |value: Option<f64>| value.map_or("-".into(), |value| format!("{value:.6}"));
+        let row = |figures: LightFigures| {
+            let LightFigures { name, in_sight, appears, vanishes, share: shares, twinkle } = figures;
+            let cells = (0..3).map(|index| share(shares.map(|all| all[index])));
+            let turns = [turns(&appears), turns(&vanishes)];
+            [name, in_sight.to_string()]
+                .into_iter()
+                .chain(turns)
+                .chain(cells)
+                .chain([share(twinkle)])
+                .collect()
+        };
+        [head.map(str::to_owned).into()].into_iter().chain(self.figures().into_iter().map(row)).collect()
+    }
+
+    fn csv(&self) -> String {
+        let names = self.curves.iter().map(|curve| format!("{}_white_px", curve.name));
+        let head = ["frame", "t_s", "distance_m", "closed_form_white_px"].map(str::to_owned);
+        let mut text = format!("{}\n", head.into_iter().chain(names).collect::<Vec<_>>().join(","));
+        for (index, time) in self.times.iter().enumerate() {
+            let known = [*time, self.whole.distances[index], self.whole.light[index]];
+            let cells = known.into_iter().chain(self.curves.iter().map(|curve| curve.light[index]));
+            let cells: Vec<String> = cells.map(|cell| cell.to_string()).collect();
+            text += &format!("{},{}\n", self.first + index as u64, cells.join(","));
+        }
+        text
+    }
+
+    /// Light, share of the closed form, and distance, over time.
+    fn plot(&self, folder: &Path) -> Result<(), ReportError> {
+        let shares: Vec<Vec<f64>> = self.curves.iter().map(|curve| curve.shares(&self.whole)).collect();
+        let trace = |name, y| Trace { name, x: &self.times, y };
+        let light = self.curves.iter().map(|curve| trace(curve.name.as_str(), &curve.light));
+        let parts = self.curves.iter().zip(&shares).map(|(curve, shares)| trace(curve.name.as_str(), shares));
+        let panels = [
+            Panel {
+                axis: Axis::new("light (pixels of white)"),
+                traces: light.chain([trace("closed form", &self.whole.light)]).collect(),
+            },
+            Panel { axis: Axis::new("share of the closed form"), traces: parts.collect() },
+            Panel { axis: Axis::new("distance (m)"), traces: vec![trace("distance", &self.whole.distances)] },
+        ];
+        let x = Axis::new("time (s)");
+        let look = TraceLook { facts: vec![self.facts()], ..TraceLook::titled("Light of a lamp") };
+        save(folder, "lights", trace_picture(&x, &panels, &[], &look))
+    }
+}
+
+/// The first frames of many.
+fn turns(frames: &[u64]) -> String {
+    const MOST: usize = 4;
+    let told: Vec<String> = frames.iter().take(MOST).map(u64::to_string).collect();
+    match frames.len() {
+        0 => "-".into(),
+        count if count > MOST => format!("{} and {} more", told.join(" "), count - MOST),
+        _ => told.join(" "),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn many_turns_are_told_by_the_first() {
+        assert_eq!(turns(&[]), "-");
+        assert_eq!(turns(&[3, 8]), "3 8");
+        assert_eq!(turns(&[1, 2, 3, 4, 5, 6]), "1 2 3 4 and 2 more");
+    }
+}
