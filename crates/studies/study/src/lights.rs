@@ -6,6 +6,7 @@
 //! than [`IN_SIGHT`] of that. *Twinkle* is by how much the share of the closed form differs over the frames that show more than
 //! [`MOSTLY`] of it: what ground hides in part does not twinkle.
 //! **Our choices.** A string of lamps is one light: their sum, and the distance of the nearest. A lamp beside the picture is out of sight.
+//! The light of a star goes with the least diameter of its disc; the closed form has the default one.
 
 use generator::{FrameError, Generator, PlaneKind, Planes, Stage};
 use glam::DVec3;
@@ -71,7 +72,7 @@ pub fn closed_form(alone: &Stage, poses: &[Pose]) -> ClosedForm {
 
 /// Light of a lamp (pixels of white) for an eye, with the focal length in pixels.
 fn shown(lamp: &LightPoint, eye: DVec3, focal: f64) -> f64 {
-    // Intensity times area is the same whatever the least diameter.
+    // Intensity times area of a lamp is the same whatever the least diameter.
     let disc = Disc::of_light(lamp, eye, focal, LeastDiameter::between_sweeps(1.0));
     disc.map_or(0.0, |disc| disc.light() * intensity(lamp.colour))
 }

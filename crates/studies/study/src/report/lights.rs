@@ -101,26 +101,31 @@ impl LightReport {
         for (index, time) in self.times.iter().enumerate() {
             let known = [*time, self.whole.distances[index], self.whole.light[index]];
             let cells = known.into_iter().chain(self.curves.iter().map(|curve| curve.light[index]));
-            let cells: Vec<String> = cells.map(|cell| cell.to_string()).collect();
+            // A star has no distance.
+            let told = |cell: f64| if cell.is_finite() { cell.to_string() } else { String::new() };
+            let cells: Vec<String> = cells.map(told).collect();
             text += &format!("{},{}\n", self.first + index as u64, cells.join(","));
         }
         text
     }
 
-    /// Light, share of the closed form, and distance, over time.
+    /// Light, share of the closed form, and the distance that it has, over time.
     fn plot(&self, folder: &Path) -> Result<(), ReportError> {
         let shares: Vec<Vec<f64>> = self.curves.iter().map(|curve| curve.shares(&self.whole)).collect();
         let trace = |name, y| Trace { name, x: &self.times, y };
         let light = self.curves.iter().map(|curve| trace(curve.name.as_str(), &curve.light));
         let parts = self.curves.iter().zip(&shares).map(|(curve, shares)| trace(curve.name.as_str(), shares));
-        let panels = [
+        let mut panels = vec![
             Panel {
                 axis: Axis::new("light (pixels of white)"),
                 traces: light.chain([trace("closed form", &self.whole.light)]).collect(),
             },
             Panel { axis: Axis::new("share of the closed form"), traces: parts.collect() },
-            Panel { axis: Axis::new("distance (m)"), traces: vec![trace("distance", &self.whole.distances)] },
         ];
+        if self.whole.distances.iter().any(|distance| distance.is_finite()) {
+            let traces = vec![trace("distance", &self.whole.distances)];
+            panels.push(Panel { axis: Axis::new("distance (m)"), traces });
+        }
         let x = Axis::new("time (s)");
         let look = TraceLook { facts: vec![self.facts()], ..TraceLook::titled("Light of a lamp") };
         save(folder, "lights", trace_picture(&x, &panels, &[], &look))
@@ -141,6 +146,25 @@ fn turns(frames: &[u64]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_star_has_no_distance() {
+        let report = LightReport {
+            commit: "none".into(),
+            title: "Star".into(),
+            machine: "exact".into(),
+            light: "star".into(),
+            first: 7,
+            times: vec![0.0, 0.5],
+            whole: ClosedForm { light: vec![2.0; 2], distances: vec![f64::INFINITY; 2] },
+            curves: vec![LightCurve { name: "exact".into(), light: vec![2.0, 0.0] }],
+        };
+        let head = "frame,t_s,distance_m,closed_form_white_px,exact_white_px";
+        assert_eq!(report.csv(), format!("{head}\n7,0,,2,2\n8,0.5,,2,0\n"));
+        let folder = tempfile::tempdir().unwrap();
+        report.leave(folder.path()).unwrap();
+        assert!(folder.path().join("lights.svg").exists());
+    }
 
     #[test]
     fn many_turns_are_told_by_the_first() {
