@@ -35,8 +35,8 @@ enum Make {
 }
 
 impl Kernel {
-    /// Makes the work ready. Shadow boundaries come from the folder `shadows`, which keeps what it did not have; without one they are
-    /// found anew.
+    /// Makes the work ready. Shadow boundaries that are needed stand in the folder `shadows`, which keeps what it did not have. Without a
+    /// folder each time computes them.
     pub fn ready(&self, shadows: Option<&Path>) -> Work {
         match self.make {
             Make::Alone(ready) => ready(),

@@ -1,14 +1,13 @@
 //! The light of a lamp over a mission: how it falls with distance, whether it twinkles, when ground takes it out of sight.
 //!
-//! **Law.** The *light* of a lamp in a frame is the sum over all pixels of the picture with the lamp less that of the picture without, in
-//! pixels of display white: a part of the picture that the lamp hides counts against it. It is held against the *closed form*:
-//! intensity times area of the lamp's disc with nothing in front, wherever it stands. A frame is *in sight* where a lamp shows more
-//! than [`IN_SIGHT`] of that. *Twinkle* is by how much the share of the closed form differs over the frames that show more than
-//! [`MOSTLY`] of it: what ground hides in part does not twinkle.
+//! **Law.** All pixels of a picture are added up, with the lamp and without. The difference is the *light* of the lamp, in pixels of
+//! display white. What the lamp hides counts against it. The *closed form* is intensity times area of the lamp's disc with nothing in
+//! front. A frame has the lamp *in sight* if it shows more than [`IN_SIGHT`] of that. *Twinkle* is the spread of the share of the closed
+//! form, over its mean. Frames that show more than [`MOSTLY`] count, as a lamp that ground hides in part does not twinkle.
 //! **Our choices.** A string of lamps is one light: their sum, and the distance of the nearest. A lamp beside the picture is out of sight.
 //! The light of a star goes with the least diameter of its disc; the closed form has the default one.
 
-use generator::{FrameError, Generator, PlaneKind, Planes, Stage};
+use generator::{FrameError, Generator, PlaneKind, Planes, Stage, Weight};
 use glam::DVec3;
 use light_points::{Disc, LeastDiameter};
 use quantities::intensity;
@@ -106,6 +105,16 @@ pub fn light_curve(
     Ok(LightCurve { name: name.into(), light })
 }
 
+/// What a generator lacks of a stage, each with the reason: a lamp that it does not draw is among them.
+///
+/// # Errors
+/// If the generator cannot draw the stage.
+pub fn not_modelled(generator: &dyn Generator, stage: &Stage) -> Result<Vec<String>, StudyError> {
+    let omissions = generator.prepare(stage.clone())?.omissions().into_iter();
+    let lacking = omissions.filter(|omission| omission.weight == Weight::NotModelled);
+    Ok(lacking.map(|omission| format!("{}: {}", omission.what, omission.why)).collect())
+}
+
 /// Sum of all pixels of each picture. One after the other: a picture may depend on those before it.
 fn sums(
     generator: &dyn Generator,
@@ -159,10 +168,52 @@ impl LightCurve {
 
 #[cfg(test)]
 mod tests {
+    use hardware_model::{HardwareModel, ModelSource};
+    use scenario::{PoseTable, Scenario};
+
     use super::*;
+    use crate::stability::BASE;
 
     fn curve(light: &[f64]) -> LightCurve {
         LightCurve { name: "it".into(), light: light.into() }
+    }
+
+    /// The built-in scene with a lamp 20 m ahead and without, and the pose of its frame.
+    fn lamp_ahead() -> ([Stage; 2], Pose) {
+        let lamp = "[[light]]\nid = 'lamp'\nx_m = 806.4\ny_m = 816.5\nabove_m = 3\ndiameter_m = 0.5\ncolour = [1, 1, 1]\n";
+        let with = Scenario::parse("small", &format!("{BASE}\n{lamp}")).unwrap();
+        let mut without = with.clone();
+        without.effects.lights.clear();
+        let ideal = HardwareModel::load(&ModelSource::BuiltIn("ideal".into()), &[], &[]).unwrap().model;
+        let settings = front_door::settings(&with, &ideal).unwrap();
+        let stages =
+            [&with, &without].map(|scenario| front_door::build(scenario, settings.clone()).unwrap().stage());
+        let table =
+            PoseTable::resolve(&with, &stages[0].landscape, settings.timebase.update, None, 0..1).unwrap();
+        (stages, table.rows()[0].pose)
+    }
+
+    #[test]
+    fn the_judge_shows_the_closed_form() {
+        let ([with, without], pose) = lamp_ahead();
+        let whole = closed_form(&with, &[pose]);
+        let judge = registry::configure_with(registry::judge(), &[]).unwrap();
+        let curve = light_curve("exact", &*judge, [&with, &without], 0, &[pose]).unwrap();
+        let share = curve.shares(&whole)[0];
+        assert!((share - 1.0).abs() < 0.01, "{share} of {whole:?}");
+        let dark = light_curve("exact", &*judge, [&without, &without], 0, &[pose]).unwrap();
+        assert_eq!(dark.light, [0.0]);
+    }
+
+    #[test]
+    fn who_draws_no_lamps_says_so() {
+        let ([with, without], _) = lamp_ahead();
+        let flat = registry::find("smooth-faces").unwrap();
+        let flat = registry::configure_with(flat, &[]).unwrap();
+        let lacking = |stage| not_modelled(&*flat, stage).unwrap();
+        let new: Vec<_> =
+            lacking(&with).into_iter().filter(|what| !lacking(&without).contains(what)).collect();
+        assert!(new.len() == 1 && new[0].contains("[[light]]"), "{new:?}");
     }
 
     #[test]

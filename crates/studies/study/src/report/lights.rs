@@ -26,6 +26,8 @@ pub struct LightReport {
     pub whole: ClosedForm,
     /// What it shows in each way.
     pub curves: Vec<LightCurve>,
+    /// What the generator lacks of the scene, each with the reason.
+    pub not_modelled: Vec<String>,
 }
 
 impl LightReport {
@@ -56,12 +58,14 @@ impl LightReport {
             "in_sight_above": IN_SIGHT,
             "shares_above": MOSTLY,
             "ways": self.figures(),
+            "not_modelled": self.not_modelled,
         })
     }
 
     /// Returns the outcome as a table for people.
     pub fn text(&self) -> String {
-        format!("{}\n\n{}", self.facts(), text::table(&self.table()))
+        let lacking = self.not_modelled.iter().map(|what| format!("not drawn: {what}\n")).collect::<String>();
+        format!("{}\n\n{}{lacking}", self.facts(), text::table(&self.table()))
     }
 
     fn facts(&self) -> String {
@@ -158,7 +162,9 @@ mod tests {
             times: vec![0.0, 0.5],
             whole: ClosedForm { light: vec![2.0; 2], distances: vec![f64::INFINITY; 2] },
             curves: vec![LightCurve { name: "exact".into(), light: vec![2.0, 0.0] }],
+            not_modelled: vec!["lamps: it has none".into()],
         };
+        assert!(report.text().ends_with("not drawn: lamps: it has none\n"), "{}", report.text());
         let head = "frame,t_s,distance_m,closed_form_white_px,exact_white_px";
         assert_eq!(report.csv(), format!("{head}\n7,0,,2,2\n8,0.5,,2,0\n"));
         let folder = tempfile::tempdir().unwrap();

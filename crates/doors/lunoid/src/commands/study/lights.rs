@@ -7,7 +7,7 @@ use front_door::Opened;
 use generator::{Generator, LampWay, Stage};
 use machine::MachineStage;
 use scenario::{EffectWishes, LightWish, Pose};
-use study::lights::{LightCurve, closed_form, light_curve};
+use study::lights::{LightCurve, closed_form, light_curve, not_modelled};
 use study::report::{LightReport, is_of};
 
 use super::outputs::Outputs;
@@ -76,6 +76,7 @@ impl LightStudy {
                 times: poses.iter().map(|pose| pose.time).collect(),
                 whole: closed_form(&alone, &poses),
                 curves: self.curves(&opened, &base, index, (frames.start, &poses))?,
+                not_modelled: not_modelled(&*opened.generator, &alone).map_err(Failure::input)?,
             })
         })?;
         if let Some(folder) = &self.outputs.out {
