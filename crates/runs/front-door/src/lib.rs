@@ -37,7 +37,7 @@ pub use extremes::expect_drawable;
 pub use ground::landscape;
 pub use keys::{Decides, decides};
 pub use kind::{KNOWN, Kind, read_model, read_scenario};
-pub use open::open;
+pub use open::{base_model, open};
 pub use opened::Opened;
 pub use stage::{bank, build, over, settings, under};
 pub use wishes::Wishes;

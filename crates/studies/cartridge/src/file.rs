@@ -2,11 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use exact::Exact;
-use generator::Generator;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use toml::{Table, Value};
 
+use crate::engine::Engine;
 use crate::reading::Reading;
 use crate::scene::{CartridgeScene, Case};
 
@@ -44,36 +43,6 @@ pub struct Cartridge {
     pub(crate) cases: Vec<Case>,
     pub(crate) expect: Vec<Expect>,
     pub(crate) must_fail: Vec<(Overlay, Vec<Case>)>,
-}
-
-/// What runs a scene.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Deserialize, Serialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-#[serde(rename_all = "kebab-case")]
-pub enum Engine {
-    /// The hybrid machine, its analog signals in f64.
-    MachineF64,
-    /// The hybrid machine, its analog signals in f32.
-    MachineF32,
-    /// The same picture by closed form and root finding.
-    Exact,
-    /// A part by itself, in f64: scenes of other kinds than `machine`.
-    Part,
-}
-
-impl Engine {
-    /// All engines, the machine first.
-    pub const ALL: [Self; 4] = [Self::MachineF64, Self::MachineF32, Self::Exact, Self::Part];
-
-    /// Its word in files.
-    pub fn word(self) -> &'static str {
-        match self {
-            Self::MachineF64 => "machine-f64",
-            Self::MachineF32 => "machine-f32",
-            Self::Exact => "exact",
-            Self::Part => "part",
-        }
-    }
 }
 
 /// One answer that the scene must give.
@@ -138,7 +107,7 @@ impl Cartridge {
         file.resolve(name, &scene).map_err(refuse)
     }
 
-    /// What the answers hold for, in the order of [`Engine::ALL`].
+    /// What the answers hold for, in the order of [`Engine::all`].
     pub fn engines(&self) -> BTreeSet<Engine> {
         self.expect.iter().flat_map(|expect| expect.engines.iter().copied()).collect()
     }
@@ -179,12 +148,11 @@ impl Expect {
             return Err("engines = []: expected at least one".into());
         }
         for &engine in &self.engines {
-            let has_signals = engine != Engine::Exact || !self.read.needs_signals();
+            let has_signals = engine.has_signals() || !self.read.needs_signals();
             if !scene.is_for(engine) || !has_signals {
                 return Err(format!("`{label}` cannot be read off the engine \"{}\"", engine.word()));
             }
         }
-        debug_assert!(Exact.signals().is_empty());
         let known = signal_plane::signals();
         match self.read.signals().into_iter().find(|name| !known.iter().any(|signal| signal.name == *name)) {
             Some(name) => Err(format!("the machine has no signal `{name}`; see lunoid signals")),

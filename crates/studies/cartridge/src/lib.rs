@@ -16,8 +16,9 @@
 //! **Second opinion.** The formulas of `formula` are written out here and share with the machine the words of the bank,
 //! the figures of the hardware model, the azimuths of the fan, and the lot that static errors are drawn from.
 //! **Our choices.** The answers of an overlaid scene stay those of the scene without. A cartridge names models and faults
-//! that the program carries, and no files.
+//! that the program carries, and no files. The answers of a whole scenario stand in the file as numbers, each with its derivation.
 
+mod engine;
 mod file;
 mod folder;
 mod formula;
@@ -30,7 +31,8 @@ mod scene;
 #[cfg(test)]
 mod tests;
 
-pub use file::{Cartridge, CartridgeError, Engine};
+pub use engine::Engine;
+pub use file::{Cartridge, CartridgeError};
 pub use folder::{CARRIED, SCHEMA, carried, of_file, of_folder};
 pub use junit::junit;
 pub use outcome::{Answer, Outcome, OverlayOutcome, Summary};

@@ -2,7 +2,8 @@
 
 use serde::Serialize;
 
-use crate::file::{Engine, Expect};
+use crate::engine::Engine;
+use crate::file::Expect;
 use crate::reading::Deviation;
 
 /// What came of a cartridge: its answers, and its overlays.

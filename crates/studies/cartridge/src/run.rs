@@ -1,6 +1,7 @@
 //! Running a cartridge: right on everything that an answer holds for, and wrong under every overlay that must show.
 
-use crate::file::{Cartridge, CartridgeError, Engine, Expect};
+use crate::engine::Engine;
+use crate::file::{Cartridge, CartridgeError, Expect};
 use crate::outcome::{Answer, Outcome, OverlayOutcome};
 use crate::reading::Reading;
 use crate::scene::Case;

@@ -241,6 +241,90 @@ fn what_cannot_be_read_is_an_error() {
     }
 }
 
+/// A scenario in a cartridge is refused by the place of its fault, before anything is drawn.
+#[test]
+fn a_scenario_that_cannot_be_drawn_is_refused() {
+    for (name, from, to, part) in [
+        (
+            "stack-of-sheets",
+            "frames = [0]",
+            "frames = [0, 0]",
+            "frames = [0, 0]: expected at most 1000, in order",
+        ),
+        ("stack-of-sheets", "frames = [0]", "frames = [7]", "frames: 7: expected below 1"),
+        ("stack-of-sheets", "tau = 0.7", "tau = 1.7", "`sheet[0].tau` must be"),
+        ("stack-of-sheets", "tau = 0.7", "tao = 0.7", "unknown key `sheet[0].tao`"),
+        (
+            "stack-of-sheets",
+            "[[expect]]",
+            "[scene.gear.beem]\njump_us = 1\n\n[[expect]]",
+            "gear: unknown table `beem`",
+        ),
+        (
+            "ground-distance",
+            "channel = \"tilted\"",
+            "channel = \"titled\"",
+            "channel: the scenario has no channel `titled`",
+        ),
+        (
+            "ground-distance",
+            "engines = [\"exact\"",
+            "engines = [\"exactly\"",
+            "unknown engine `exactly`, expected one of machine-f64,",
+        ),
+        (
+            "ground-distance",
+            "engines = [\"exact\"",
+            "engines = [\"part\"",
+            "cannot be read off the engine \"part\"",
+        ),
+        (
+            "flat-plane",
+            "\"machine-f32\", \"exact\"",
+            "\"machine-f32\", \"sampled\"",
+            "cannot be read off the engine \"sampled\"",
+        ),
+        ("ground-distance", "keyframes = [", "file = \"path.csv\", keyframes = [", "path"),
+    ] {
+        let found = refused(name, from, to);
+        assert!(found.contains(part), "{to}: {found}");
+    }
+}
+
+/// Readings of planes, pixels, counters and frames that a picture does not have.
+#[test]
+fn what_a_picture_lacks_is_an_error() {
+    for (name, from, to, part) in [
+        ("stack-of-sheets", "plane = \"red\"", "plane = \"rot\"", "no plane `rot` is drawn; drawn: "),
+        ("stack-of-sheets", "lines = [0, 6]", "lines = [0, 16]", "lines 0 to 16 are not in the picture"),
+        ("stack-of-sheets", "lines = [0, 6]", "lines = [6, 5]", "lines 6 to 5 are not in the picture"),
+        (
+            "beam-budget",
+            "counter = \"beam_dropped\"",
+            "counter = \"dropped\"",
+            "no counter `dropped`; counted: ",
+        ),
+        (
+            "lamp-by-distance",
+            "values = [32.507778728809, ",
+            "values = [",
+            "values: 5 numbers: expected 1 or 6, one a frame",
+        ),
+        (
+            "beam-budget",
+            "[[must_fail]]",
+            "[scene.gear.beam]\njump_ns = 1\n\n[[must_fail]]",
+            "unknown key `beam.jump_ns`",
+        ),
+    ] {
+        let text = text_of(name).replacen(from, to, 1);
+        assert_ne!(text, text_of(name), "{name} has no {from}");
+        let found = Cartridge::parse(name, name, &text).and_then(|cartridge| cartridge.run());
+        let error = found.expect_err(to).to_string();
+        assert!(error.contains(part) && error.starts_with(name), "{error}");
+    }
+}
+
 /// A wrong answer, an overlay that nothing notices, and an answer that is right.
 #[test]
 fn what_is_wrong_is_told() {

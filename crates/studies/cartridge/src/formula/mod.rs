@@ -2,6 +2,7 @@
 
 pub mod along;
 pub mod basis;
+pub mod distance;
 pub mod horizon;
 pub mod light;
 pub mod processor;

@@ -8,6 +8,7 @@ mod digital;
 mod display_line;
 mod edge_shift;
 mod fourier_line;
+mod frame;
 mod hidden;
 mod horizon_line;
 mod noise;
@@ -85,6 +86,14 @@ pub enum Reading {
     Turned(turned::TurnedReading),
     /// Pixels after a way out and back. Tolerance: pixels.
     RoundTrip(waits::RoundTripReading),
+    /// A plane that has one value on some pixels of each frame. Tolerance: the plane's unit.
+    Pixels(frame::PixelsReading),
+    /// The sum of a plane over some pixels of each frame. Tolerance: the plane's unit, times pixels.
+    Sum(frame::SumReading),
+    /// A number that the generator counts in each frame. Tolerance: counts.
+    Counter(frame::CounterReading),
+    /// The distance of level ground on some pixels. Tolerance: a part of it.
+    GroundDistance(frame::GroundDistanceReading),
 }
 
 impl Reading {
@@ -118,6 +127,10 @@ impl Reading {
             Self::Waits(reading) => format!("waits {}", reading.measure.word()),
             Self::Turned(reading) => format!("turned {}", reading.measure.word()),
             Self::RoundTrip(_) => "round-trip".into(),
+            Self::Pixels(reading) => format!("pixels of {}", reading.plane),
+            Self::Sum(reading) => format!("sum of {}", reading.plane),
+            Self::Counter(reading) => format!("counter {}", reading.counter),
+            Self::GroundDistance(_) => "ground-distance".into(),
         }
     }
 
@@ -131,6 +144,7 @@ impl Reading {
             Self::Waits(_) => "drum",
             Self::Turned(_) => "turn",
             Self::RoundTrip(_) => "view",
+            Self::Pixels(_) | Self::Sum(_) | Self::Counter(_) | Self::GroundDistance(_) => "scenario",
             _ => "machine",
         };
         kind == scene.kind()
@@ -212,6 +226,13 @@ impl Reading {
             (Case::View(_), Seen::View(seen)) => match self {
                 Self::RoundTrip(_) => Ok(waits::round_trip(seen)),
                 _ => self.not_of("a view"),
+            },
+            (Case::Scenario(meant), Seen::Scenario(seen)) => match self {
+                Self::Pixels(reading) => reading.deviation(meant, seen),
+                Self::Sum(reading) => reading.deviation(meant, seen),
+                Self::Counter(reading) => reading.deviation(seen),
+                Self::GroundDistance(reading) => reading.deviation(meant, seen),
+                _ => self.not_of("a scenario"),
             },
             _ => self.not_of("another kind of scene"),
         }

@@ -4,9 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use control_plane::{ControlPlane, MachineStage};
-use exact::Exact;
 use features::{Crater, Features, Shape};
-use generator::{Generator, PlaneKind, Planes};
+use generator::{PlaneKind, Planes};
 use hardware_model::{HardwareModel, Settings};
 use landscape::{Attitude, Bank, Landscape, Sun};
 use machine::Prepare;
@@ -21,7 +20,7 @@ use timing::FrameTiming;
 
 use super::ground::CartridgeGround;
 use super::within;
-use crate::file::Engine;
+use crate::engine::Engine;
 use crate::hardware::Hardware;
 use crate::reading::Reading;
 
@@ -193,7 +192,7 @@ impl MachineCase {
             false => None,
         };
         let session = match engine {
-            Engine::Exact => Exact.prepare(stage.stage()).map_err(|error| error.to_string())?,
+            Engine::Generator(_) => registry::judge_on(stage.stage()).map_err(|error| error.to_string())?,
             Engine::MachineF32 | Engine::MachineF64 | Engine::Part => stage.prepare(),
         };
         let raster = self.settings.raster;

@@ -5,12 +5,13 @@ pub mod ground;
 pub mod machine;
 pub mod noise;
 pub mod part;
+pub mod scenario;
 pub mod turn;
 pub mod view;
 
 use serde::Deserialize;
 
-use crate::file::Engine;
+use crate::engine::Engine;
 use crate::reading::Reading;
 
 /// The scene that is run, by its kind.
@@ -30,6 +31,8 @@ pub enum CartridgeScene {
     Turn(turn::TurnScene),
     /// Pixels, the rays through them, and pixels again.
     View(view::ViewScene),
+    /// Frames of a whole scenario, drawn by the machine or by any generator.
+    Scenario(scenario::ScenarioScene),
 }
 
 /// Runs of a scene at most: models by headings by grounds.
@@ -44,6 +47,7 @@ pub enum Case {
     Drum(drum::DrumCase),
     Turn(turn::TurnCase),
     View(view::ViewScene),
+    Scenario(Box<scenario::ScenarioCase>),
 }
 
 /// What came of a run.
@@ -55,6 +59,7 @@ pub enum Seen {
     Drum(drum::Waits),
     Turn(turn::Turned),
     View(view::Trips),
+    Scenario(Vec<scenario::Frame>),
 }
 
 impl CartridgeScene {
@@ -67,13 +72,15 @@ impl CartridgeScene {
             Self::Drum(_) => "drum",
             Self::Turn(_) => "turn",
             Self::View(_) => "view",
+            Self::Scenario(_) => "scenario",
         }
     }
 
     /// Whether an engine runs scenes of this kind.
     pub fn is_for(&self, engine: Engine) -> bool {
         match self {
-            Self::Machine(_) => engine != Engine::Part,
+            Self::Machine(_) => engine.has_signals() || engine.is_judge(),
+            Self::Scenario(_) => engine != Engine::Part,
             _ => engine == Engine::Part,
         }
     }
@@ -89,6 +96,7 @@ impl CartridgeScene {
             Self::Drum(scene) => scene.cases()?.into_iter().map(Case::Drum).collect(),
             Self::Turn(scene) => scene.cases()?.into_iter().map(Case::Turn).collect(),
             Self::View(scene) => scene.checked().map(|()| vec![Case::View(scene.clone())])?,
+            Self::Scenario(scene) => vec![Case::Scenario(Box::new(scene.case()?))],
         };
         match cases.len() {
             0 => Err("the scene means no run at all: a list of it is empty".into()),
@@ -108,6 +116,7 @@ impl Case {
             Self::Drum(case) => case.model.name.clone(),
             Self::Turn(case) => case.model.name.clone(),
             Self::View(_) => "all views".into(),
+            Self::Scenario(case) => case.what(),
         }
     }
 
@@ -120,6 +129,7 @@ impl Case {
             Self::Drum(case) => Seen::Drum(case.run()),
             Self::Turn(case) => Seen::Turn(case.run()?),
             Self::View(scene) => Seen::View(scene.run()),
+            Self::Scenario(case) => Seen::Scenario(case.draw(engine)?),
         })
     }
 }

@@ -1,0 +1,169 @@
+//! Frames of a scenario: pixels, sums of pixels, counters, and the distance of level ground.
+
+use serde::Deserialize;
+
+use super::Deviation;
+use crate::formula::distance::to_level_ground;
+use crate::scene::scenario::{Frame, ScenarioCase};
+
+/// A part of the picture.
+#[derive(Debug, Clone, Copy, Default, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct Part {
+    /// First and last column, from 0 on the left; both are included. All if it is missing.
+    pub columns: Option<[usize; 2]>,
+    /// First and last line, from 0 at the top; both are included. All if it is missing.
+    pub lines: Option<[usize; 2]>,
+}
+
+/// A plane that has one value on all pixels of a part of the picture.
+#[derive(Debug, Clone, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct PixelsReading {
+    /// Name of the plane, as `lunoid replay --planes` has it.
+    pub plane: String,
+    /// Pixels that are read.
+    #[serde(default)]
+    pub part: Part,
+    /// The value of each frame that is drawn, or one for all.
+    pub values: Vec<f64>,
+}
+
+/// The sum of a plane over a part of the picture.
+#[derive(Debug, Clone, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct SumReading {
+    /// Name of the plane, as `lunoid replay --planes` has it.
+    pub plane: String,
+    /// Pixels that are added up.
+    #[serde(default)]
+    pub part: Part,
+    /// The sum of each frame that is drawn, or one for all.
+    pub values: Vec<f64>,
+}
+
+/// A number that the generator counts.
+#[derive(Debug, Clone, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct CounterReading {
+    /// Name of the counter, as the record of a run has it.
+    pub counter: String,
+    /// The count of each frame that is drawn, or one for all.
+    pub values: Vec<f64>,
+}
+
+/// The distance of level ground, without curvature, on all pixels of a part of the picture.
+#[derive(Debug, Clone, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct GroundDistanceReading {
+    /// Pixels that are read; all of them show ground.
+    #[serde(default)]
+    pub part: Part,
+    /// Height of the ground (m).
+    pub height_m: f64,
+}
+
+impl Part {
+    /// Columns and lines, if the picture has them.
+    fn within(self, [columns, lines]: [usize; 2]) -> Result<[std::ops::RangeInclusive<usize>; 2], String> {
+        let range =
+            |what: &str, asked: Option<[usize; 2]>, count: usize| match asked.unwrap_or([0, count - 1]) {
+                [first, last] if first <= last && last < count => Ok(first..=last),
+                [first, last] => Err(format!("{what} {first} to {last} are not in the picture")),
+            };
+        Ok([range("columns", self.columns, columns)?, range("lines", self.lines, lines)?])
+    }
+
+    /// Values of the plane called `name`, line by line.
+    fn of(self, name: &str, of: &ScenarioCase, frame: &Frame) -> Result<Vec<f64>, String> {
+        let [columns, lines] = self.within(of.size())?;
+        let known = || frame.planes.keys().copied().collect::<Vec<_>>().join(", ");
+        let plane = frame.planes.get(name);
+        let plane = plane.ok_or_else(|| format!("no plane `{name}` is drawn; drawn: {}", known()))?;
+        let [width, _] = of.size();
+        let line = |line: usize| columns.clone().map(move |column| f64::from(plane[line * width + column]));
+        Ok(lines.flat_map(line).collect())
+    }
+}
+
+/// The worst of all frames, each with its own value.
+fn of_frames(
+    values: &[f64],
+    seen: &[Frame],
+    deviation: impl Fn(&Frame, f64) -> Result<Deviation, String>,
+) -> Result<Deviation, String> {
+    let value = |index: usize| match values {
+        [one] => *one,
+        many => many[index],
+    };
+    if values.len() != 1 && values.len() != seen.len() {
+        return Err(format!("values: {} numbers: expected 1 or {}, one a frame", values.len(), seen.len()));
+    }
+    let all = seen.iter().enumerate().map(|(index, frame)| {
+        let found = deviation(frame, value(index))?;
+        Ok(Deviation { what: format!("{}, picture {}", found.what, index + 1), ..found })
+    });
+    let all = all.collect::<Result<Vec<Deviation>, String>>()?;
+    all.into_iter().reduce(Deviation::worse).ok_or("no frame was drawn".into())
+}
+
+impl PixelsReading {
+    pub(super) fn deviation(&self, meant: &ScenarioCase, seen: &[Frame]) -> Result<Deviation, String> {
+        of_frames(&self.values, seen, |frame, value| {
+            let found = self.part.of(&self.plane, meant, frame)?;
+            let expected = vec![value; found.len()];
+            Ok(Deviation::between(&format!("pixel of {}", self.plane), &found, &expected, 1.0))
+        })
+    }
+}
+
+impl SumReading {
+    pub(super) fn deviation(&self, meant: &ScenarioCase, seen: &[Frame]) -> Result<Deviation, String> {
+        of_frames(&self.values, seen, |frame, value| {
+            let found = self.part.of(&self.plane, meant, frame)?;
+            Ok(Deviation::of(format!("sum of {}", self.plane), found.iter().sum(), value, 1.0))
+        })
+    }
+}
+
+impl CounterReading {
+    pub(super) fn deviation(&self, seen: &[Frame]) -> Result<Deviation, String> {
+        of_frames(&self.values, seen, |frame, value| {
+            let known = || frame.counts.named().map(|(name, _)| name).collect::<Vec<_>>().join(", ");
+            let count = frame.counts.get(&self.counter);
+            let count =
+                count.ok_or_else(|| format!("no counter `{}`; counted: {}", self.counter, known()))?;
+            Ok(Deviation::of(&self.counter, count as f64, value, 1.0))
+        })
+    }
+}
+
+impl GroundDistanceReading {
+    pub(super) fn deviation(&self, meant: &ScenarioCase, seen: &[Frame]) -> Result<Deviation, String> {
+        let [columns, lines] = self.part.within(meant.size())?;
+        let (size, tangents) = (meant.size(), meant.tangents());
+        let on_screen =
+            |axis: usize, pixel: usize| tangents[axis] * ((2 * pixel + 1) as f64 / size[axis] as f64 - 1.0);
+        let all = meant.poses.iter().zip(seen).map(|((number, pose), frame)| {
+            let line =
+                |line: usize| columns.clone().map(move |column| [on_screen(0, column), on_screen(1, line)]);
+            let pixels = lines.clone().flat_map(line);
+            let expected: Vec<f64> = pixels.map(|at| to_level_ground(pose, self.height_m, at)).collect();
+            let found = self.part.of("distance", meant, frame)?;
+            let what = format!("distance in frame {number}");
+            // Relative: distances of one picture reach from metres to kilometres.
+            let [found, one] = [
+                found.iter().zip(&expected).map(|(found, right)| found / right).collect::<Vec<_>>(),
+                vec![1.0; expected.len()],
+            ];
+            Ok(Deviation::between(&what, &found, &one, 1.0))
+        });
+        let all = all.collect::<Result<Vec<Deviation>, String>>()?;
+        all.into_iter().reduce(Deviation::worse).ok_or("no frame was drawn".into())
+    }
+}

@@ -1,0 +1,165 @@
+//! Frames of a whole scenario, by any generator.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use control_plane::MachineStage;
+use diagnostics::{ProblemList, Problems, TomlFile};
+use generator::{FrameCounts, Generator, PlaneKind, Planes, Session};
+use hardware_model::{HardwareModel, ModelSource};
+use scenario::{Pose, PoseTable, Scalar, Scenario};
+use serde::Deserialize;
+use signal::Probe;
+use toml::Table;
+
+use crate::engine::Engine;
+
+/// Some frames of a scenario, one after the other.
+#[derive(Debug, Clone, Deserialize)]
+#[cfg_attr(test, derive(schemars::JsonSchema))]
+#[serde(deny_unknown_fields)]
+pub struct ScenarioScene {
+    /// Numbers of the frames that are drawn, in order.
+    pub frames: Vec<u64>,
+    /// The scenario: keys of a scenario file. It names no other file.
+    #[cfg_attr(test, schemars(with = "serde_json::Map<String, serde_json::Value>"))]
+    pub scenario: Table,
+    /// Channel of the scenario that is looked through; without it, the vehicle's own camera.
+    pub channel: Option<String>,
+    /// Figures of what a generator runs on: tables of its file of figures, over those that ship.
+    #[serde(default)]
+    #[cfg_attr(test, schemars(with = "serde_json::Map<String, serde_json::Value>"))]
+    pub gear: Table,
+}
+
+/// Frames of a scene at most.
+const MOST_FRAMES: usize = 1000;
+
+/// A scenario on its ground.
+#[derive(Debug, Clone)]
+pub struct ScenarioCase {
+    /// The vehicle's pose in each frame that is drawn, with the number of the frame.
+    pub poses: Vec<(u64, Pose)>,
+    title: String,
+    stage: MachineStage,
+    texts: [String; 2],
+}
+
+/// What came of a frame.
+#[derive(Debug, Clone)]
+pub struct Frame {
+    /// Planes that the engine draws, by name, each line by line.
+    pub planes: BTreeMap<&'static str, Vec<f32>>,
+    /// What the frame took and lost.
+    pub counts: FrameCounts,
+}
+
+impl ScenarioScene {
+    pub(super) fn case(&self) -> Result<ScenarioCase, String> {
+        if self.frames.len() > MOST_FRAMES || !self.frames.is_sorted_by(|a, b| a < b) {
+            return Err(format!("frames = {:?}: expected at most {MOST_FRAMES}, in order", self.frames));
+        }
+        let known: Vec<&str> =
+            registry::ROWS.iter().filter_map(|row| row.gear).flat_map(|gear| gear.tables).copied().collect();
+        if let Some(table) = self.gear.keys().find(|table| !known.contains(&table.as_str())) {
+            return Err(format!("gear: unknown table `{table}`, expected one of {}", known.join(", ")));
+        }
+        let text = |table: &Table| toml::to_string(table).map_err(|error| error.to_string());
+        let texts = [text(&self.scenario)?, text(&self.gear)?];
+        let told = |problems: ProblemList| format!("scenario: {}", problems.render(false).trim_end());
+        let scenario =
+            Scenario::parse_beside("scenario", &texts[0], &registry::parameter_tables()).map_err(told)?;
+        if let Some(file) = scenario.files().first() {
+            return Err(format!("scenario: {}: a cartridge is one file; expected no other", file.display()));
+        }
+        let scenario = match &self.channel {
+            None => scenario,
+            Some(name) => scenario
+                .through(name)
+                .ok_or_else(|| format!("channel: the scenario has no channel `{name}`"))?,
+        };
+        let settings =
+            front_door::settings(&scenario, &model(&scenario)?).map_err(|error| error.to_string())?;
+        let (update, yoke) = (settings.timebase.update, settings.yoke);
+        let stage = front_door::build(&scenario, settings).map_err(|error| error.to_string())?;
+        let pose = |&frame: &u64| -> Result<(u64, Pose), String> {
+            let table = PoseTable::resolve(&scenario, &stage.landscape, update, yoke, frame..frame + 1);
+            let table = table.map_err(|problems| problems.to_string())?;
+            let row = table.rows().first().ok_or("no pose")?;
+            Ok((frame, row.pose))
+        };
+        let last = scenario.frames(update);
+        match self.frames.iter().find(|&&frame| frame >= last) {
+            Some(frame) => Err(format!("frames: {frame}: expected below {last}, the frames of the scenario")),
+            None => {
+                let poses = self.frames.iter().map(pose).collect::<Result<Vec<_>, _>>()?;
+                Ok(ScenarioCase { poses, title: scenario.title.clone(), stage, texts })
+            }
+        }
+    }
+}
+
+/// The hardware model that the scenario names; under a generator the ideal machine.
+fn model(scenario: &Scenario) -> Result<HardwareModel, String> {
+    let name = front_door::base_model(&scenario.machine);
+    let loaded = HardwareModel::load(&ModelSource::BuiltIn(name.into()), &[], &[]);
+    loaded
+        .map(|loaded| loaded.model)
+        .map_err(|problems| format!("scenario: {}", problems.render(false).trim_end()))
+}
+
+impl ScenarioCase {
+    pub(super) fn what(&self) -> String {
+        self.title.clone()
+    }
+
+    /// Columns and lines of the picture.
+    pub fn size(&self) -> [usize; 2] {
+        let raster = self.stage.settings.raster;
+        [raster.columns as usize, raster.lines as usize]
+    }
+
+    /// Tangents of half the field of view, across and upright.
+    pub fn tangents(&self) -> [f64; 2] {
+        let field = self.stage.settings.raster.field;
+        [field.tan_half_width, field.tan_half_height]
+    }
+
+    pub(super) fn draw(&self, engine: Engine) -> Result<Vec<Frame>, String> {
+        let (session, kinds) = self.session(engine)?;
+        let [columns, lines] = self.size();
+        let mut planes = Planes::new(columns, lines, &kinds);
+        let frame = |(frame, pose): &(u64, Pose)| -> Result<Frame, String> {
+            let counts =
+                session.frame(*frame, pose, &mut planes, &mut Probe::off()).map_err(|e| e.to_string())?;
+            let drawn = kinds.iter().filter_map(|kind| Some((kind.name(), planes.get(*kind)?.to_vec())));
+            Ok(Frame { planes: drawn.collect(), counts })
+        };
+        self.poses.iter().map(frame).collect()
+    }
+
+    /// The engine on this stage, and the planes that it draws.
+    fn session(&self, engine: Engine) -> Result<(Box<dyn Session>, Vec<PlaneKind>), String> {
+        let scalar = if engine == Engine::MachineF32 { Scalar::F32 } else { Scalar::F64 };
+        let generator: Arc<dyn Generator> = match engine {
+            Engine::Generator(name) => self.generator(name)?,
+            Engine::MachineF32 | Engine::MachineF64 | Engine::Part => {
+                Arc::new(machine::HybridMachine::new(hardware_model::Settings {
+                    scalar,
+                    ..self.stage.settings.clone()
+                }))
+            }
+        };
+        let kinds = generator.planes().iter().copied().filter(|kind| PlaneKind::ALL.contains(kind)).collect();
+        let session = generator.prepare(self.stage.stage()).map_err(|error| error.to_string())?;
+        Ok((session, kinds))
+    }
+
+    fn generator(&self, name: &str) -> Result<Arc<dyn Generator>, String> {
+        let row = registry::find(name).ok_or_else(|| format!("no generator is called `{name}`"))?;
+        let problems = Problems::new();
+        let file = |name: &str, text: &str| TomlFile::parse(name, text, &problems);
+        let layers = [file("scenario", &self.texts[0]), file("gear", &self.texts[1])].into_iter().flatten();
+        registry::configure(row, layers).map_err(|problems| problems.render(false).trim_end().to_owned())
+    }
+}
