@@ -17,13 +17,29 @@ pub struct Attribute {
 impl Attribute {
     /// The value that has `values` at `corners` (camera axes, m). A plane that goes through the eye, or that is none, has the mean of
     /// `values` all over.
-    pub fn new([p, q, r]: [DVec3; 3], values: [f64; 3], projection: &Projection) -> Self {
+    pub fn new(corners: [DVec3; 3], values: [f64; 3], projection: &Projection) -> Self {
+        Self::over(&Corners::new(corners), values, projection)
+    }
+
+    /// The channels of three colours (red, green, blue) at `corners`, as [`Attribute::new`] has each. Greys are worked out once.
+    pub fn channels(corners: [DVec3; 3], colours: [[f64; 3]; 3], projection: &Projection) -> [Self; 3] {
+        let corners = Corners::new(corners);
+        let values = |k: usize| [colours[0][k], colours[1][k], colours[2][k]];
+        let (red, green, blue) = (values(0), values(1), values(2));
+        let first = Self::over(&corners, red, projection);
+        if red == green && red == blue {
+            return [first; 3];
+        }
+        [first, Self::over(&corners, green, projection), Self::over(&corners, blue, projection)]
+    }
+
+    fn over(corners: &Corners, values: [f64; 3], projection: &Projection) -> Self {
         let [least, most] = [
             values.into_iter().fold(f64::INFINITY, f64::min),
             values.into_iter().fold(f64::NEG_INFINITY, f64::max),
         ];
-        let sum = q.cross(r) * values[0] + r.cross(p) * values[1] + p.cross(q) * values[2];
-        let gradient = sum / p.dot(q.cross(r));
+        let [at_first, at_second, at_third] = corners.faces;
+        let gradient = (at_first * values[0] + at_second * values[1] + at_third * values[2]) / corners.volume;
         let slope = [gradient.x, gradient.y].map(|along| along / projection.focal);
         let origin = gradient.z - slope[0] * projection.centre[0] - slope[1] * projection.centre[1];
         if gradient.is_finite() && origin.is_finite() {
@@ -38,6 +54,21 @@ impl Attribute {
     pub fn at(&self, [x, y]: [f64; 2], q: f64) -> f64 {
         // What is no number is the least value.
         ((self.slope[0] * x + self.slope[1] * y + self.origin) / q).max(self.least).min(self.most)
+    }
+}
+
+/// What the corners of a triangle come to, whatever their values.
+struct Corners {
+    /// Cross products of the other two corners, corner by corner.
+    faces: [DVec3; 3],
+    /// Six times the volume of the corners with the eye; 0 if their plane goes through it.
+    volume: f64,
+}
+
+impl Corners {
+    fn new([p, q, r]: [DVec3; 3]) -> Self {
+        let first = q.cross(r);
+        Self { faces: [first, r.cross(p), p.cross(q)], volume: p.dot(first) }
     }
 }
 
@@ -64,6 +95,17 @@ mod tests {
         // In space, not on the screen: the middle is the mean.
         let middle = corners.iter().sum::<DVec3>() / 3.0;
         assert!((at(middle) - 1.75 / 3.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn channels_are_the_attributes_of_their_values() {
+        let corners = CORNERS.map(DVec3::from_array);
+        for colours in [[[0.1, 0.2, 0.3], [0.5, 0.2, 0.9], [0.4, 0.7, 0.3]], [[0.1; 3], [0.5; 3], [0.4; 3]]] {
+            let one = |k: usize| {
+                Attribute::new(corners, [colours[0][k], colours[1][k], colours[2][k]], &PROJECTION)
+            };
+            assert_eq!(Attribute::channels(corners, colours, &PROJECTION), [0, 1, 2].map(one));
+        }
     }
 
     #[test]

@@ -46,9 +46,13 @@ pub fn clip(
     if let Some(wrong) = coordinates.into_iter().find(|along| !(-FARTHEST..=FARTHEST).contains(along)) {
         return Err(ClipError::Corner(wrong));
     }
-    let kept = half_spaces(projection, screen, near)
-        .iter()
-        .fold(Polygon::from_slice(&corners), |polygon, half_space| half_space.keep(&polygon));
+    let mut kept = Polygon::from_slice(&corners);
+    for half_space in half_spaces(projection, screen, near) {
+        // Most triangles are wholly inside: nothing is cut or copied.
+        if !kept.iter().all(|&corner| half_space.height(corner) >= 0.0) {
+            kept = half_space.keep(&kept);
+        }
+    }
     let snapped = kept.iter().map(|&corner| Point::snap(projection.project(corner)));
     let snapped = snapped.collect::<Result<SmallVec<[Point; 8]>, _>>()?;
     let Some((&first, others)) = snapped.split_first() else { return Ok(Fan::new()) };
@@ -79,8 +83,11 @@ struct HalfSpace {
 }
 
 impl HalfSpace {
+    fn height(&self, point: DVec3) -> f64 {
+        self.normal.dot(point) + self.offset
+    }
+
     fn keep(&self, polygon: &Polygon) -> Polygon {
-        let height = |point: DVec3| self.normal.dot(point) + self.offset;
-        keep(polygon, height, |from: DVec3, to: DVec3, share| from + (to - from) * share)
+        keep(polygon, |point| self.height(point), |from: DVec3, to: DVec3, share| from + (to - from) * share)
     }
 }

@@ -22,6 +22,8 @@ impl Lists {
     /// Lists the `triangles`, at most 2^32 of them, by their places in the slice.
     pub fn fill(&mut self, screen: &Screen, triangles: &[Triangle]) {
         self.pairs.clear();
+        // A small triangle meets one sub-area, or two.
+        self.pairs.reserve(2 * triangles.len());
         self.starts.clear();
         self.starts.resize(screen.sub_areas() + 1, 0);
         for (number, triangle) in triangles.iter().enumerate() {

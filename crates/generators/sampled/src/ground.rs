@@ -26,13 +26,20 @@ pub fn rings(stage: &Stage, run: &Parameters) -> Rings {
     fitted.map_or(finest, |fitted| fitted.rings)
 }
 
-/// The ground that a camera may show.
+/// Fills `mesh` with the ground that a camera may show.
 ///
 /// # Errors If the eye is not over the bank, or the rings are out of range.
-pub fn mesh(stage: &Stage, rings: Rings, camera: &Camera) -> Result<GroundMesh, MeshError> {
+pub fn fill(mesh: &mut GroundMesh, stage: &Stage, rings: Rings, camera: &Camera) -> Result<(), MeshError> {
     let wedge = Wedge::new(camera, &stage.view);
+    mesh.fill_where(&stage.landscape, camera.eye, rings, |area| wedge.may_show(area))
+}
+
+/// The same as a mesh of its own.
+///
+/// # Errors As [`fill`].
+fn mesh(stage: &Stage, rings: Rings, camera: &Camera) -> Result<GroundMesh, MeshError> {
     let mut mesh = GroundMesh::default();
-    mesh.fill_where(&stage.landscape, camera.eye, rings, |area| wedge.may_show(area))?;
+    fill(&mut mesh, stage, rings, camera)?;
     Ok(mesh)
 }
 

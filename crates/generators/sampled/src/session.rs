@@ -1,10 +1,12 @@
 //! The generator made ready for a stage.
 
+use std::sync::{Mutex, PoisonError};
+
 use generator::{
     BeamEntry, FaceScene, Fact, FrameCounts, FrameError, Omission, PlaneKind, Planes, PrepareError,
     Session as GeneratorSession, Stage, check_eye, face_lists_beside, photographs_beside,
 };
-use ground_mesh::Rings;
+use ground_mesh::{GroundMesh, Rings};
 use raster::{Lists, Screen};
 use scenario::Pose;
 use scene_sampler::{Camera, Filled, Scene, judged_faces};
@@ -36,6 +38,8 @@ pub(crate) struct Session {
     pub fields: Fields,
     /// Rings of the ground in all frames.
     rings: Rings,
+    /// Buffers of meshes that no frame uses at the moment.
+    meshes: Mutex<Vec<GroundMesh>>,
 }
 
 impl Session {
@@ -53,7 +57,8 @@ impl Session {
             });
         }
         let rings = ground::rings(&stage, &parameters);
-        Ok(Self { stage, screen, parameters, hardware, fields: Fields::default(), rings })
+        let (fields, meshes) = (Fields::default(), Mutex::default());
+        Ok(Self { stage, screen, parameters, hardware, fields, rings, meshes })
     }
 
     /// Gathers frame `frame` from `pose`.
@@ -93,11 +98,17 @@ impl Session {
     fn scene(&self, frame: u64, pose: &Pose) -> Result<Scene, FrameError> {
         self.check(frame, pose)?;
         let camera = Camera::new(pose, &self.stage.view);
-        let mesh = ground::mesh(&self.stage, self.rings, &camera);
-        let mesh = mesh.map_err(|error| FrameError::Refused { frame, reason: error.to_string() })?;
+        let mut meshes = self.meshes.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut mesh = meshes.pop().unwrap_or_default();
+        drop(meshes);
+        ground::fill(&mut mesh, &self.stage, self.rings, &camera)
+            .map_err(|error| FrameError::Refused { frame, reason: error.to_string() })?;
         let sun = self.stage.scenery.sun(pose.time);
         let ground = ground::faces(&self.stage, &mesh, &camera, &sun);
-        Scene::new(&self.stage, &self.parameters.sampling, &self.screen, camera, ground, (frame, pose.time))
+        let run = &self.parameters.sampling;
+        let scene = Scene::new(&self.stage, run, &self.screen, camera, ground, (frame, pose.time));
+        self.meshes.lock().unwrap_or_else(PoisonError::into_inner).push(mesh);
+        scene
     }
 
     /// What a frame took and lost, with its late sub-areas, and whether its picture shows a new frame.

@@ -147,6 +147,12 @@ impl Faces {
         self.labels.len() as u32 - 1
     }
 
+    /// Makes room for so many further triangles.
+    pub fn reserve(&mut self, triangles: usize) {
+        self.triangles.reserve(triangles);
+        self.looks.reserve(triangles);
+    }
+
     /// Adds the triangles of a part of the frame behind its own; the part has no numbers, corners or planes of its own.
     pub fn append(&mut self, part: Self) {
         self.triangles.extend(part.triangles);
@@ -178,7 +184,9 @@ impl Faces {
         };
         self.work.corners += fan.len() as u64 + 2;
         let before = self.triangles.len();
-        self.triangles.extend(fan.into_iter().filter(is_seen).filter_map(Triangle::new));
+        self.triangles.extend(
+            fan.iter().filter(|corners| is_seen(corners)).filter_map(|corners| Triangle::new(*corners)),
+        );
         let count = self.triangles.len() - before;
         if count > 0 {
             let look = self.look(face, paint, plane);
@@ -256,7 +264,6 @@ impl Faces {
 /// The feature of a triangle whose corners have colours.
 fn shaded(corners: [Corner; 3], id: u32, priority: i32, plane: DistancePlane, camera: &Camera) -> Feature {
     let places = corners.map(|corner| corner.place);
-    let channel =
-        |k: usize| Attribute::new(places, corners.map(|corner| corner.colour[k]), &camera.projection);
-    Feature::shaded(id, priority, [0, 1, 2].map(channel), plane)
+    let channels = Attribute::channels(places, corners.map(|corner| corner.colour), &camera.projection);
+    Feature::shaded(id, priority, channels, plane)
 }

@@ -44,6 +44,7 @@ impl Ground<'_> {
             }
             Ok(faces)
         };
+        all.reserve(self.triangles.len());
         for triangles in self.triangles.chunks(CHUNKS * CHUNK) {
             let parts: Result<Vec<Faces>, FaceError> = triangles.par_chunks(CHUNK).map(clipped).collect();
             parts?.into_iter().for_each(|part| all.append(part));

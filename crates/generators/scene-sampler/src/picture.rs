@@ -1,5 +1,7 @@
 //! From a scene to a picture: all sub-areas, then the beam.
 
+use std::sync::{Mutex, PoisonError};
+
 use generator::{FrameError, Label, PlaneKind, Planes};
 use glam::DVec3;
 use light_points::BeamBudget;
@@ -97,12 +99,14 @@ pub fn draw(
         let area = screen.sub_area(number);
         is_read.then(|| Reading::of(sampler.stack(), scene, lists, &area, number))
     };
-    let drawn = |sampler: &mut Result<Sampler, FeatureError>, number: usize| match sampler {
-        Ok(sampler) => {
-            let tile = sampler.draw(scene, lists, screen, number)?;
-            Ok((tile, reading(sampler, number)))
-        }
-        Err(error) => Err(*error),
+    let idle = Mutex::new(Vec::new());
+    let drawn = |number: usize| {
+        let waiting = idle.lock().unwrap_or_else(PoisonError::into_inner).pop();
+        let mut sampler = waiting.map_or_else(|| Sampler::new(run), Ok)?;
+        let tile = sampler.draw(scene, lists, screen, number)?;
+        let reading = reading(&sampler, number);
+        idle.lock().unwrap_or_else(PoisonError::into_inner).push(sampler);
+        Ok((tile, reading))
     };
     let pixels = screen.size().iter().map(|pixels| *pixels as usize).product();
     let mut picture = Picture {
@@ -117,7 +121,7 @@ pub fn draw(
     for row in (0..rows).step_by(ROWS) {
         let numbers = row * columns..(row + ROWS).min(rows) * columns;
         let tiles: Result<Vec<(Tile, Option<Reading>)>, FeatureError> =
-            numbers.clone().into_par_iter().map_init(|| Sampler::new(run), drawn).collect();
+            numbers.clone().into_par_iter().map(drawn).collect();
         for (number, (tile, reading)) in numbers.zip(tiles.map_err(refused)?) {
             band.add(&tile, &screen.sub_area(number));
             picture.losses = picture.losses.and(tile.losses);

@@ -38,8 +38,10 @@ mod entry;
 mod feature;
 mod layers;
 mod loss;
+mod nearest;
 mod places;
 mod shelf;
+mod shown;
 mod stack;
 
 pub use capacity::Capacity;

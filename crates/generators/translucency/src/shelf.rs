@@ -13,6 +13,7 @@ pub(crate) struct Shelf {
     /// Slots that every sampling point has by now, at most the capacity.
     stride: usize,
     counts: Vec<u32>,
+    farthest: Vec<f64>,
     entries: Vec<Entry>,
 }
 
@@ -21,17 +22,29 @@ impl Shelf {
     pub fn new(capacity: Option<u32>, samples: usize) -> Self {
         let capacity = capacity.map_or(usize::MAX, |slots| slots as usize);
         let stride = capacity.min(FIRST_SLOTS);
-        Self { capacity, stride, counts: vec![0; samples], entries: vec![Entry::NONE; stride * samples] }
+        Self {
+            capacity,
+            stride,
+            counts: vec![0; samples],
+            farthest: vec![farthest_of_none(capacity); samples],
+            entries: vec![Entry::NONE; stride * samples],
+        }
     }
 
     /// Forgets what sampling points have.
     pub fn clear(&mut self, samples: std::ops::Range<usize>) {
+        self.farthest[samples.clone()].fill(farthest_of_none(self.capacity));
         self.counts[samples].fill(0);
     }
 
     /// What a sampling point has, near to far.
     pub fn of(&self, sample: usize) -> &[Entry] {
         &self.entries[sample * self.stride..][..self.counts[sample] as usize]
+    }
+
+    /// How near (q, 1/m) the farthest is that a full sampling point has; nothing is as far where there is a slot.
+    pub fn farthest(&self) -> &[f64] {
+        &self.farthest
     }
 
     /// Puts an entry in its place by distance and key; what then has no slot is given back, the farthest.
@@ -52,6 +65,9 @@ impl Shelf {
         let slots = &mut self.entries[sample * self.stride..][..self.counts[sample] as usize];
         slots[place..].rotate_right(1);
         slots[place] = entry;
+        if slots.len() == self.capacity {
+            self.farthest[sample] = slots[self.capacity - 1].q;
+        }
         lost
     }
 
@@ -65,4 +81,9 @@ impl Shelf {
         }
         (self.stride, self.entries) = (stride, entries);
     }
+}
+
+/// [`Shelf::farthest`] of a sampling point that has nothing: without a slot everything is too far.
+fn farthest_of_none(capacity: usize) -> f64 {
+    if capacity == 0 { f64::INFINITY } else { f64::NEG_INFINITY }
 }

@@ -6,8 +6,7 @@ use crate::brightest::Brightest;
 use crate::capacity::Capacity;
 use crate::entry::Entry;
 use crate::feature::{Feature, FeatureError, is_light};
-use crate::layers::{Layer, Merged};
-use crate::loss::{Loss, Losses};
+use crate::nearest::Nearest;
 use crate::places::Places;
 use crate::shelf::Shelf;
 
@@ -20,19 +19,23 @@ pub(crate) const SIDE: usize = LARGEST_SIDE as usize;
 /// point `i` of a pixel has the number `pixel * samples + i`.
 #[derive(Debug, Clone)]
 pub struct Stack {
-    background: [f64; 3],
-    places: Places,
-    features: Vec<Feature>,
-    brightest: Brightest,
-    /// Nearest opaque features: q of each sampling point (1/m), and the number of the feature.
-    distances: Vec<f64>,
-    opaque: Vec<u32>,
+    pub(crate) background: [f64; 3],
+    pub(crate) places: Places,
+    pub(crate) features: Vec<Feature>,
+    pub(crate) brightest: Brightest,
+    /// Nearest opaque feature of each sampling point.
+    pub(crate) opaque: Nearest,
     /// Pixels whose shelves hold something of this sub-area, as bits; all others hold what an earlier one left.
-    layered: u64,
-    shelves: [Shelf; 2],
-    is_shared: bool,
+    pub(crate) layered: u64,
+    pub(crate) shelves: [Shelf; 2],
+    pub(crate) is_shared: bool,
+    /// Pixels of the sub-area, as bits, and its first and its last corner on the screen (pixels).
+    pub(crate) pixels: u64,
+    pub(crate) corners: [[f64; 2]; 2],
+    /// How near (q, 1/m) all sampling points have an opaque feature or a lost one of each kind, at least: nothing of that kind shows behind it.
+    pub(crate) floors: [f64; 2],
     /// The nearest feature without a slot, by kind, for each sampling point.
-    lost: [Vec<Entry>; 2],
+    pub(crate) lost: [Nearest; 2],
 }
 
 impl Stack {
@@ -53,12 +56,14 @@ impl Stack {
             places: Places::new(sampling),
             features: Vec::new(),
             brightest: Brightest::default(),
-            distances: vec![Entry::NONE.q; samples],
-            opaque: vec![Entry::NONE.number; samples],
+            opaque: Nearest::new(samples),
             layered: 0,
             shelves: slots.map(|capacity| Shelf::new(capacity, samples)),
             is_shared,
-            lost: [vec![Entry::NONE; samples], vec![Entry::NONE; samples]],
+            pixels: 0,
+            corners: [[0.0; 2]; 2],
+            floors: [f64::NEG_INFINITY; 2],
+            lost: [Nearest::new(samples), Nearest::new(samples)],
         })
     }
 
@@ -67,9 +72,14 @@ impl Stack {
         self.places.start(area);
         self.features.clear();
         self.brightest = Brightest::default();
-        self.distances.fill(Entry::NONE.q);
-        self.opaque.fill(Entry::NONE.number);
+        self.opaque.clear(0..self.opaque.q.len());
         self.layered = 0;
+        let (columns, rows) = (area.columns(), area.rows());
+        self.corners =
+            [[columns.start, rows.start], [columns.end, rows.end]].map(|corner| corner.map(f64::from));
+        let row = u64::MAX >> (SIDE * SIDE - columns.len());
+        self.pixels = (0..rows.len()).fold(0, |pixels, number| pixels | row << (SIDE * number));
+        self.floors = [f64::NEG_INFINITY; 2];
     }
 
     /// Sampling points of a pixel, 1 to 32.
@@ -91,8 +101,12 @@ impl Stack {
         if feature.is_invisible() {
             return;
         }
-        if !feature.is_opaque() {
+        let kind = (!feature.is_opaque()).then(|| feature.kind() as usize);
+        if let Some(kind) = kind {
             self.brightest.take_in(&feature);
+            if self.nearest_of(plane) < self.floors[kind] {
+                return;
+            }
         }
         self.features.push(feature);
         let pixels = pixels.into_iter();
@@ -103,6 +117,31 @@ impl Stack {
             16 => self.add_in::<16>(plane, pixels),
             _ => self.add_in::<32>(plane, pixels),
         }
+        if let Some(kind) = kind
+            && self.layered & self.pixels == self.pixels
+        {
+            self.floors[kind] = self.floor(kind);
+        }
+    }
+
+    /// How near (q, 1/m) a plane is in the sub-area at most; more where rounding might make it so.
+    fn nearest_of(&self, plane: &DistancePlane) -> f64 {
+        let [low, high] = self.corners;
+        let largest = |axis: usize| (plane.slope[axis] * low[axis]).max(plane.slope[axis] * high[axis]);
+        let size = |axis: usize| plane.slope[axis].abs() * high[axis];
+        let slack = 1e-14 * (size(0) + size(1) + plane.origin.abs());
+        largest(0) + largest(1) + plane.origin + slack
+    }
+
+    /// What [`Stack::floors`] says of a kind, where all pixels have their shelves.
+    fn floor(&self, kind: usize) -> f64 {
+        let of_pixel = |pixel: usize| {
+            let samples = pixel * self.samples()..(pixel + 1) * self.samples();
+            let pairs = self.lost[kind].q[samples.clone()].iter().zip(&self.opaque.q[samples]);
+            pairs.fold(f64::INFINITY, |least, (lost, opaque)| least.min(lost.max(*opaque)))
+        };
+        let pixels = (0..SIDE * SIDE).filter(|pixel| self.pixels >> pixel & 1 == 1);
+        pixels.map(of_pixel).fold(f64::INFINITY, f64::min)
     }
 
     /// Adds the last of the features.
@@ -129,8 +168,8 @@ impl Stack {
     /// the stack is read, because the nearest of a set before a distance are the nearest of the whole set.
     fn cover<const N: usize>(&mut self, pixel: usize, distances: &[f64; N], number: u32) {
         let first = pixel * N;
-        let stored = &mut self.distances[first..first + N];
-        let opaque = &mut self.opaque[first..first + N];
+        let stored = &mut self.opaque.q[first..first + N];
+        let opaque = &mut self.opaque.numbers[first..first + N];
         let mut is_equal = false;
         for i in 0..N {
             let is_nearer = distances[i] > stored[i];
@@ -153,16 +192,50 @@ impl Stack {
     fn lay<const N: usize>(&mut self, pixel: usize, distances: &[f64; N], number: u32) {
         let kind = self.features[number as usize].kind();
         let shelf = if self.is_shared { 0 } else { kind as usize };
+        if self.is_layered(pixel) && self.pass_over(pixel, distances, number, shelf) {
+            return;
+        }
         for i in 0..N {
             let (sample, entry) = (pixel * N + i, Entry { q: distances[i], number });
-            if !entry.is_nearer(self.opaque(sample), &self.features) {
+            if !entry.is_nearer(self.opaque.of(sample), &self.features) {
                 continue;
             }
             self.unroll(pixel);
             if let Some(lost) = self.shelves[shelf].insert(sample, entry, &self.features) {
-                self.lose(sample, lost);
+                let kind = self.features[lost.number as usize].kind();
+                self.lost[kind as usize].offer(sample, lost, &self.features);
             }
         }
+    }
+
+    /// Loses a feature all over a pixel whose shelves are full of what is nearer; `false` where that takes a closer look: a shelf has a slot
+    /// for it, or something is equally near.
+    fn pass_over<const N: usize>(
+        &mut self,
+        pixel: usize,
+        distances: &[f64; N],
+        number: u32,
+        shelf: usize,
+    ) -> bool {
+        let first = pixel * N;
+        let farthest = &self.shelves[shelf].farthest()[first..first + N];
+        let opaque = &self.opaque.q[first..first + N];
+        let Nearest { q, numbers } = &mut self.lost[self.features[number as usize].kind() as usize];
+        let (q, numbers) = (&mut q[first..first + N], &mut numbers[first..first + N]);
+        let mut is_plain = true;
+        for i in 0..N {
+            // What is no number lies nowhere.
+            let is_near = distances[i] >= farthest[i];
+            is_plain &= !is_near & (distances[i] != opaque[i]) & (distances[i] != q[i]);
+        }
+        if is_plain {
+            for i in 0..N {
+                let is_nearest = (distances[i] > opaque[i]) & (distances[i] > q[i]);
+                q[i] = if is_nearest { distances[i] } else { q[i] };
+                numbers[i] = if is_nearest { number } else { numbers[i] };
+            }
+        }
+        is_plain
     }
 
     /// Empties the shelves of a pixel before its first use in this sub-area.
@@ -170,161 +243,8 @@ impl Stack {
         if !self.is_layered(pixel) {
             let samples = pixel * self.samples()..(pixel + 1) * self.samples();
             self.shelves.iter_mut().for_each(|shelf| shelf.clear(samples.clone()));
-            self.lost.iter_mut().for_each(|lost| lost[samples.clone()].fill(Entry::NONE));
+            self.lost.iter_mut().for_each(|lost| lost.clear(samples.clone()));
             self.layered |= 1 << pixel;
         }
-    }
-
-    /// Remembers the nearest of what found no slot.
-    fn lose(&mut self, sample: usize, entry: Entry) {
-        let kind = self.features[entry.number as usize].kind();
-        let nearest = &mut self.lost[kind as usize][sample];
-        if entry.is_nearer(*nearest, &self.features) {
-            *nearest = entry;
-        }
-    }
-
-    /// Whether a translucent feature was put before the opaque one of a pixel (0 to 63).
-    pub fn is_layered(&self, pixel: usize) -> bool {
-        self.layered >> pixel & 1 == 1
-    }
-
-    /// Nearest opaque feature of a sampling point, or none.
-    fn opaque(&self, sample: usize) -> Entry {
-        Entry { q: self.distances[sample], number: self.opaque[sample] }
-    }
-
-    /// Features that a sampling point shows, near to far; the last one is opaque, or the background is seen.
-    ///
-    /// # Panics If the number of the sampling point is not below 64 times that of a pixel.
-    pub fn layers(&self, sample: usize) -> impl Iterator<Item = Layer<'_>> {
-        let shelves = match self.is_layered(sample / self.samples()) {
-            true => [self.shelves[0].of(sample), self.shelves[1].of(sample)],
-            false => [&[][..]; 2],
-        };
-        Merged::new(&self.features, shelves, self.opaque(sample), self.middle(sample))
-    }
-
-    /// Share of light (0 to 1) of something at distance `q` (1/m) that reaches the eye at a sampling point: the product of nearer
-    /// translucencies, 0 behind an opaque feature. `feature` says who is nearer at the same distance.
-    ///
-    /// # Panics As [`Stack::layers`] does.
-    pub fn through(&self, sample: usize, q: f64, feature: &Feature) -> f64 {
-        let is_before = |layer: &Layer<'_>| {
-            let order = || layer.feature.order_at_one_distance(feature);
-            layer.q > q || layer.q == q && order().is_lt()
-        };
-        self.layers(sample).take_while(is_before).fold(1.0, |_, layer| layer.rest())
-    }
-
-    /// Colour of a sampling point (linear red, green, blue).
-    ///
-    /// # Panics As [`Stack::layers`] does.
-    pub fn colour_at(&self, sample: usize) -> [f64; 3] {
-        let (mut colour, mut rest) = ([0.0; 3], 1.0);
-        for layer in self.layers(sample) {
-            let light = layer.light();
-            colour = std::array::from_fn(|channel| colour[channel] + light[channel]);
-            rest = layer.rest();
-        }
-        std::array::from_fn(|channel| colour[channel] + rest * self.background[channel])
-    }
-
-    /// Colour of the sampling points of a pixel, summed with weights: those of [`raster::Weights::of`], of the pixel itself or of the
-    /// place that it has beside another. Of a pixel that is one opaque feature the bits are those of one point times all weights.
-    ///
-    /// # Panics If the number of the pixel is above 63, or the weights are not as many as the sampling points.
-    pub fn colour(&self, pixel: usize, weights: &[f64]) -> [f64; 3] {
-        let samples = pixel * self.samples()..(pixel + 1) * self.samples();
-        assert_eq!(weights.len(), samples.len(), "a weight for each sampling point");
-        if !self.is_layered(pixel) {
-            return self.colour_of_opaque(pixel, weights);
-        }
-        samples.zip(weights).fold([0.0; 3], |sum, (sample, weight)| {
-            let colour = self.colour_at(sample);
-            std::array::from_fn(|channel| sum[channel] + weight * colour[channel])
-        })
-    }
-
-    /// The same of a pixel without translucent features.
-    fn colour_of_opaque(&self, pixel: usize, weights: &[f64]) -> [f64; 3] {
-        let opaque = &self.opaque[pixel * self.samples()..(pixel + 1) * self.samples()];
-        let middle = self.places.middle(pixel);
-        let light = |number: u32| match self.features.get(number as usize) {
-            Some(feature) => feature.light_at(middle),
-            None => self.background,
-        };
-        let times = |weight: f64, [red, green, blue]: [f64; 3]| [weight * red, weight * green, weight * blue];
-        if opaque.iter().all(|&number| number == opaque[0]) {
-            return times(weights.iter().sum(), light(opaque[0]));
-        }
-        let (mut sum, mut last) = ([0.0; 3], (opaque[0], light(opaque[0])));
-        for (&number, &weight) in opaque.iter().zip(weights) {
-            if number != last.0 {
-                last = (number, light(number));
-            }
-            let [red, green, blue] = times(weight, last.1);
-            sum = [sum[0] + red, sum[1] + green, sum[2] + blue];
-        }
-        sum
-    }
-
-    /// Nearest opaque feature of a sampling point with its q (1/m); `None` over the background.
-    ///
-    /// # Panics As [`Stack::layers`] does.
-    pub fn surface_at(&self, sample: usize) -> Option<(&Feature, f64)> {
-        self.found(self.opaque(sample))
-    }
-
-    /// Nearest opaque feature of a pixel with its q (1/m): the nearest of all its sampling points. `None` over the background.
-    ///
-    /// # Panics If the number of the pixel is above 63.
-    pub fn surface(&self, pixel: usize) -> Option<(&Feature, f64)> {
-        let samples = pixel * self.samples()..(pixel + 1) * self.samples();
-        let nearer = |best: Entry, other: Entry| {
-            if !other.is_none() && other.is_nearer(best, &self.features) { other } else { best }
-        };
-        self.found(samples.map(|sample| self.opaque(sample)).fold(Entry::NONE, nearer))
-    }
-
-    /// What a sampling point lost to the limits; `None` if nothing that would be seen.
-    ///
-    /// # Panics As [`Stack::layers`] does.
-    pub fn loss_at(&self, sample: usize) -> Option<Loss<'_>> {
-        if !self.is_layered(sample / self.samples()) {
-            return None;
-        }
-        let opaque = self.opaque(sample);
-        let is_seen = |entry: &Entry| !entry.is_none() && entry.is_nearer(opaque, &self.features);
-        let seen = [0, 1].map(|kind| Some(self.lost[kind][sample]).filter(is_seen));
-        let nearer = |a: Entry, b: Entry| if a.is_nearer(b, &self.features) { a } else { b };
-        let first = seen.into_iter().flatten().reduce(nearer)?;
-        let behind = self.found(opaque).map(|(feature, _)| feature.light_at(self.middle(sample)));
-        let behind = behind.unwrap_or(self.background);
-        let through = self.through(sample, first.q, &self.features[first.number as usize]);
-        let bound = self.brightest.with(behind).map(|channel| through * channel);
-        Some(Loss { nearest: seen.map(|entry| entry.and_then(|entry| self.found(entry))), bound })
-    }
-
-    /// What the sub-area lost to the limits.
-    pub fn losses(&self) -> Losses {
-        let mut losses = Losses::default();
-        for pixel in (0..SIDE * SIDE).filter(|&pixel| self.is_layered(pixel)) {
-            for sample in pixel * self.samples()..(pixel + 1) * self.samples() {
-                if let Some(loss) = self.loss_at(sample) {
-                    losses.take_in(&loss);
-                }
-            }
-        }
-        losses
-    }
-
-    /// Middle of the pixel of a sampling point (pixels on the screen).
-    fn middle(&self, sample: usize) -> [f64; 2] {
-        self.places.middle(sample / self.samples())
-    }
-
-    fn found(&self, entry: Entry) -> Option<(&Feature, f64)> {
-        (!entry.is_none()).then(|| (&self.features[entry.number as usize], entry.q))
     }
 }

@@ -1,4 +1,4 @@
-// A ray tracer over Embree 3: a mesh with smooth normals under one sun, with cast shadows.
+// A ray tracer over Embree 3: a mesh with smooth normals under one sun, with cast shadows, or one whose vertices send light of their own.
 //
 //   embree SCENE
 //
@@ -9,6 +9,8 @@
 // It divides space once, prints "built SECONDS", and answers each line of its input with one line:
 //
 //   trace PACKET NORTH EAST UP   traces a frame by packets of 16, 8 or 1 rays under the sun of that direction: SECONDS
+//   show PACKET                  traces a frame without sun: the first number of a normal is the light of its vertex: SECONDS
+//   divide QUALITY               divides space anew, of quality low, medium or high: SECONDS
 //   picture PATH                 writes the last frame as floats, line by line from the top left: written
 //
 // A frame is one ray for each pixel, through its centre, and one to the sun from each place that faces it. Rays of a packet are those
@@ -89,18 +91,19 @@ Scene read(const char *path) {
     return scene;
 }
 
-/// Space divided over the faces.
-RTCScene divide(RTCDevice device, const Scene &scene) {
-    RTCGeometry mesh = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_QUAD);
+/// Space divided over the faces. Where all of them are triangles, Embree takes them as such.
+RTCScene divide(RTCDevice device, const Scene &scene, RTCBuildQuality quality) {
+    const bool triangles = std::all_of(scene.faces.begin(), scene.faces.end(), [](const Face &face) { return face.corners[2] == face.corners[3]; });
+    RTCGeometry mesh = rtcNewGeometry(device, triangles ? RTC_GEOMETRY_TYPE_TRIANGLE : RTC_GEOMETRY_TYPE_QUAD);
     // Embree asks for four readable bytes behind the last place: the normal follows it.
     rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, scene.vertices.data(), 0, sizeof(Vertex),
                                scene.vertices.size());
-    rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT4, scene.faces.data(), 0, sizeof(Face),
-                               scene.faces.size());
-    rtcSetGeometryBuildQuality(mesh, RTC_BUILD_QUALITY_HIGH);
+    rtcSetSharedGeometryBuffer(mesh, RTC_BUFFER_TYPE_INDEX, 0, triangles ? RTC_FORMAT_UINT3 : RTC_FORMAT_UINT4, scene.faces.data(), 0,
+                               sizeof(Face), scene.faces.size());
+    rtcSetGeometryBuildQuality(mesh, quality);
     rtcCommitGeometry(mesh);
     RTCScene space = rtcNewScene(device);
-    rtcSetSceneBuildQuality(space, RTC_BUILD_QUALITY_HIGH);
+    rtcSetSceneBuildQuality(space, quality);
     rtcAttachGeometry(space, mesh);
     rtcReleaseGeometry(mesh);
     rtcCommitScene(space);
@@ -176,7 +179,9 @@ template <> struct Packet<1> {
 struct Frame {
     const Scene &scene;
     RTCScene space;
+    /// Direction of the sun; of no length where vertices have light of their own.
     float sun[3];
+    bool own_light;
     std::vector<float> &picture;
     std::atomic<unsigned> next{0};
 };
@@ -227,6 +232,10 @@ template <unsigned N> void trace_packet(Frame &frame, RTCIntersectContext &conte
             const float *a = frame.scene.vertices[corners[beyond ? 2 : 0]].normal,
                         *b = frame.scene.vertices[corners[beyond ? 3 : 1]].normal,
                         *c = frame.scene.vertices[corners[beyond ? 1 : 3]].normal;
+            if (frame.own_light) {
+                light[i] = w * a[0] + u * b[0] + v * c[0];
+                continue;
+            }
             const float north = w * a[0] + u * b[0] + v * c[0], east = w * a[1] + u * b[1] + v * c[1],
                         up = w * a[2] + u * b[2] + v * c[2];
             const float towards = north * frame.sun[0] + east * frame.sun[1] + up * frame.sun[2];
@@ -358,7 +367,7 @@ int main(int count, char **arguments) {
     const Scene scene = read(arguments[1]);
     RTCDevice device = rtcNewDevice(("threads=" + std::to_string(THREADS)).c_str());
     auto begin = std::chrono::steady_clock::now();
-    RTCScene space = divide(device, scene);
+    RTCScene space = divide(device, scene, RTC_BUILD_QUALITY_HIGH);
     std::cout << "built " << seconds_since(begin) << std::endl;
     if (rtcGetDeviceError(device) != RTC_ERROR_NONE) fail("space could not be divided");
 
@@ -369,21 +378,31 @@ int main(int count, char **arguments) {
             std::istringstream words(line);
             std::string what, path;
             unsigned packet = 0;
-            float sun[3];
-            words >> what;
-            if (what == "trace" && words >> packet >> sun[0] >> sun[1] >> sun[2] && (packet == 16 || packet == 8 || packet == 1)) {
-                Frame frame{scene, space, {sun[0], sun[1], sun[2]}, picture};
+            float sun[3] = {0.0f, 0.0f, 0.0f};
+            words >> what >> packet;
+            const bool whole = packet == 16 || packet == 8 || packet == 1;
+            if (whole && (what == "show" || (what == "trace" && words >> sun[0] >> sun[1] >> sun[2]))) {
+                Frame frame{scene, space, {sun[0], sun[1], sun[2]}, what == "show", picture};
                 begin = std::chrono::steady_clock::now();
                 helpers.trace(packet, frame);
                 std::cout << seconds_since(begin) << std::endl;
-            } else if (what == "picture" && words >> std::ws && std::getline(words, path)) {
+            } else if (line == "divide low" || line == "divide medium" || line == "divide high") {
+                rtcReleaseScene(space);
+                begin = std::chrono::steady_clock::now();
+                space = divide(device, scene,
+                               line == "divide low"      ? RTC_BUILD_QUALITY_LOW
+                               : line == "divide medium" ? RTC_BUILD_QUALITY_MEDIUM
+                                                         : RTC_BUILD_QUALITY_HIGH);
+                std::cout << seconds_since(begin) << std::endl;
+            } else if (line.rfind("picture ", 0) == 0) {
+                path = line.substr(8);
                 std::ofstream file(path, std::ios::binary);
                 file.write(reinterpret_cast<const char *>(picture.data()),
                            static_cast<std::streamsize>(picture.size() * sizeof(float)));
                 if (!file.flush()) fail(path + ": cannot be written");
                 std::cout << "written" << std::endl;
             } else {
-                fail("expected 'trace PACKET NORTH EAST UP' with packets of 16, 8 or 1, or 'picture PATH', found '" + line + "'");
+                fail("expected 'trace PACKET NORTH EAST UP' or 'show PACKET' with packets of 16, 8 or 1, 'divide low|medium|high' or 'picture PATH', found '" + line + "'");
             }
         }
     }

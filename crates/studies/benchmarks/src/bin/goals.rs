@@ -8,6 +8,7 @@ use std::time::Instant;
 
 use benchmarks::around::{Mission, surveyed};
 use benchmarks::chain::{Outputs, Stepped, difference, simulate};
+use benchmarks::guests::{self, SideChoice};
 use benchmarks::mesh::trace;
 use benchmarks::startup::{begin, prepare};
 use benchmarks::{Choice, FrameTimes, KERNELS, STANDARD, TimedScene, Work, frame_times};
@@ -51,6 +52,23 @@ enum Part {
     Embree,
     /// Folds, loads and queues of a frame by Verilator, against the control plane.
     Verilator,
+    /// The other generators against themselves, the judge and Embree.
+    Guests {
+        /// Rows whose quantity has these words alone.
+        #[arg(default_value = "")]
+        words: String,
+    },
+    /// Peak memory of the other generators.
+    GuestMemory,
+    /// Peak memory (MB) of this process after three frames of a side.
+    #[command(hide = true)]
+    GuestPeak {
+        scenario: String,
+        #[arg(long)]
+        machine: Option<String>,
+        #[arg(long = "set", value_parser = key_value)]
+        set: Vec<(String, String)>,
+    },
     /// Peak memory (KiB) of this process after three frames of a shipped scenario under ideal parts.
     #[command(hide = true)]
     Peak {
@@ -81,6 +99,8 @@ fn main() -> ExitCode {
             Part::Mesh,
             Part::Embree,
             Part::Verilator,
+            Part::Guests { words: String::new() },
+            Part::GuestMemory,
         ],
         Some(part) => vec![part],
     };
@@ -105,6 +125,20 @@ fn run(part: &Part) -> Result<(), String> {
         Part::Mesh => mesh(),
         Part::Embree => embree(),
         Part::Verilator => verilator(),
+        Part::Guests { words } => {
+            println!("{}", guests::table(words)?);
+            Ok(())
+        }
+        Part::GuestMemory => {
+            println!("{}", guests::memory_table(guest_peak)?);
+            Ok(())
+        }
+        Part::GuestPeak { scenario, machine, set } => {
+            let set = set.iter().cloned().collect();
+            let choice = SideChoice { scenario: scenario.clone(), machine: machine.clone(), set, frame: 0 };
+            println!("{}", guests::peak(&choice)?);
+            Ok(())
+        }
         Part::Peak { scenario, standard } => peak(scenario, *standard),
         Part::Begin { scenario, preview } => {
             let economy = if *preview { Economy::Instants(1) } else { Economy::Bounded };
@@ -249,6 +283,22 @@ fn peak(scenario: &str, standard: bool) -> Result<(), String> {
     }
     println!("{}", replay::peak_memory().ok_or("this system does not tell the peak")?);
     Ok(())
+}
+
+/// A key and its value, as `--set` takes them.
+fn key_value(written: &str) -> Result<(String, String), String> {
+    let pair = written.split_once('=').ok_or("expected KEY=VALUE")?;
+    Ok((pair.0.to_owned(), pair.1.to_owned()))
+}
+
+/// Peak memory (MB) of a side in a process of its own.
+fn guest_peak(choice: &SideChoice) -> Result<f64, String> {
+    let machine = choice.machine.iter().flat_map(|machine| ["--machine".to_owned(), machine.clone()]);
+    let set = choice.set.iter().flat_map(|(key, value)| ["--set".to_owned(), format!("{key}={value}")]);
+    let arguments: Vec<String> =
+        ["guest-peak".to_owned(), choice.scenario.clone()].into_iter().chain(machine).chain(set).collect();
+    let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    apart(&arguments)?.trim().parse().map_err(|_| "no peak".to_owned())
 }
 
 fn startup() -> Result<(), String> {

@@ -81,7 +81,27 @@ impl Embree {
     /// # Errors
     /// If it does not answer so.
     pub fn trace(&mut self, packet: u32, [north, east, up]: [f64; 3]) -> Result<f64, String> {
-        let said = self.process.ask(&format!("trace {packet} {north} {east} {up}"))?;
+        self.seconds(&format!("trace {packet} {north} {east} {up}"))
+    }
+
+    /// Traces a frame of a mesh whose vertices have light of their own, by packets of 16, 8 or 1 rays: its time (s).
+    ///
+    /// # Errors
+    /// If it does not answer so.
+    pub fn show(&mut self, packet: u32) -> Result<f64, String> {
+        self.seconds(&format!("show {packet}"))
+    }
+
+    /// Divides space anew, of quality `low`, `medium` or `high`: the time (s).
+    ///
+    /// # Errors
+    /// If it does not answer so.
+    pub fn divide(&mut self, quality: &str) -> Result<f64, String> {
+        self.seconds(&format!("divide {quality}"))
+    }
+
+    fn seconds(&mut self, question: &str) -> Result<f64, String> {
+        let said = self.process.ask(question)?;
         said.parse().map_err(|_| self.process.unexpected("seconds", &said))
     }
 

@@ -1,0 +1,171 @@
+//! Sides in turns.
+
+use std::fmt::Write as _;
+
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+use super::list::Against;
+use super::{Comparison, Guests, Side};
+use crate::peers::embree::{Embree, Program, camera_sight, screen_mesh};
+use crate::peers::median;
+
+/// Rays of a packet, and qualities of the structure: the fastest of each counts.
+const PACKETS: [u32; 3] = [16, 8, 1];
+const QUALITIES: [&str; 3] = ["low", "medium", "high"];
+/// Mean difference of two pictures up to which they show the same (share of white). Chosen: a missing mesh has a hundred times as much.
+const ALIKE: f64 = 0.01;
+
+/// Medians of both sides (s), and a remark.
+struct Medians {
+    first: f64,
+    second: f64,
+    remark: String,
+}
+
+/// All comparisons whose quantity has `part` in it, as a table in Markdown.
+///
+/// # Errors
+/// If a side cannot be drawn, or a ray tracer shows another picture.
+pub fn table(part: &str) -> Result<String, String> {
+    let [one, two] = [1, 2].map(|threads| ThreadPoolBuilder::new().num_threads(threads).build());
+    let pools = [one.map_err(|error| error.to_string())?, two.map_err(|error| error.to_string())?];
+    let mut text = "| issue | quantity | must | aim | measured | | ms | other, ms | |\n|---|---|---|---|---|---|---|---|---|\n".to_owned();
+    for row in Guests::read()?.comparison.iter().filter(|row| row.quantity.contains(part)) {
+        let Comparison { issue, quantity, must, aim, .. } = row;
+        let found = medians(row, &pools).map_err(|error| format!("{quantity}: {error}"))?;
+        let Some(Medians { first, second, remark }) = found else {
+            let _ = writeln!(text, "| {issue} | {quantity} | {must} | {aim} | | Embree is not here | | | |");
+            continue;
+        };
+        let (figure, is_met) = row.figure(first, second);
+        let met = if is_met { "met" } else { "**not met**" };
+        let _ = writeln!(
+            text,
+            "| {issue} | {quantity} | {must} | {aim} | {figure:.2} | {met} | {:.2} | {:.2} | {remark} |",
+            first * 1e3,
+            second * 1e3
+        );
+    }
+    Ok(text)
+}
+
+/// Medians of a row; `None` where a package is missing.
+fn medians(row: &Comparison, [one, two]: &[ThreadPool; 2]) -> Result<Option<Medians>, String> {
+    let mut first = Side::new(&row.first)?;
+    match &row.against {
+        Against::Side(other) => {
+            let mut second = Side::new(other)?;
+            in_turns(row.turns, || first.draw(two), || second.draw(two)).map(Some)
+        }
+        Against::OneThread => {
+            let mut second = Side::new(&row.first)?;
+            in_turns(row.turns, || first.draw(two), || second.draw(one)).map(Some)
+        }
+        Against::Embree { fineness, anew } => {
+            let Ok(program) = Program::compile()? else { return Ok(None) };
+            first.draw(two)?;
+            let (picture, frame, pose) = first.picture()?;
+            let faces = first.session().faces(frame, &pose).map_err(|error| error.to_string())?;
+            let mesh = screen_mesh(&faces.ok_or("the generator has no faces")?, &first.stage.view);
+            let mut embree = program.start(&mesh, &camera_sight(&first.stage.view, *fineness))?;
+            let (packet, quality) = fastest(&mut embree, *anew)?;
+            let difference = difference(
+                &picture,
+                &embree.picture()?,
+                [first.stage.view.columns as usize, *fineness as usize],
+            );
+            if difference > ALIKE {
+                return Err(format!(
+                    "the pictures differ by {difference:.4} in the mean: expected the same scene"
+                ));
+            }
+            let found = in_turns(
+                row.turns,
+                || first.draw(two),
+                || traced(&mut embree, packet, quality.filter(|_| *anew)),
+            )?;
+            let made = quality.map_or(String::new(), |quality| format!(", {quality}"));
+            let remark = format!(
+                "{} triangles, packets of {packet}{made}; pictures differ by {difference:.4}",
+                mesh.faces.len()
+            );
+            Ok(Some(Medians { remark, ..found }))
+        }
+    }
+}
+
+/// A frame by Embree (s), with its structure if that is made anew.
+fn traced(embree: &mut Embree, packet: u32, quality: Option<&str>) -> Result<f64, String> {
+    let divided = quality.map_or(Ok(0.0), |quality| embree.divide(quality))?;
+    Ok(divided + embree.show(packet)?)
+}
+
+/// The packet and the quality of the structure that take the least time; that of the structure counts if it is made anew.
+fn fastest(embree: &mut Embree, anew: bool) -> Result<(u32, Option<&'static str>), String> {
+    let mut best: Option<(f64, u32, &str)> = None;
+    for quality in QUALITIES {
+        let divided = embree.divide(quality)?;
+        for packet in PACKETS {
+            embree.show(packet)?;
+            let seconds = embree.show(packet)? + if anew { divided } else { 0.0 };
+            if best.is_none_or(|(least, ..)| seconds < least) {
+                best = Some((seconds, packet, quality));
+            }
+        }
+    }
+    let (_, packet, quality) = best.ok_or("no packet was tried")?;
+    embree.divide(quality)?;
+    embree.show(packet)?;
+    Ok((packet, Some(quality)))
+}
+
+/// Mean difference of a picture and one of more rays a pixel, whose means are taken; over the pixels that both of them light.
+fn difference(picture: &[f32], rays: &[f32], [columns, fineness]: [usize; 2]) -> f64 {
+    let mean = |pixel: usize| {
+        let (column, line) = (pixel % columns, pixel / columns);
+        let ray = |k: usize| {
+            rays[(line * fineness + k / fineness) * columns * fineness + column * fineness + k % fineness]
+        };
+        (0..fineness * fineness).map(|k| f64::from(ray(k))).sum::<f64>() / (fineness * fineness) as f64
+    };
+    let sum: f64 =
+        picture.iter().enumerate().map(|(pixel, &found)| (f64::from(found) - mean(pixel)).abs()).sum();
+    sum / picture.len().max(1) as f64
+}
+
+/// Medians of two sides in turns, each after a frame that is not timed.
+fn in_turns(
+    turns: usize,
+    mut first: impl FnMut() -> Result<f64, String>,
+    mut second: impl FnMut() -> Result<f64, String>,
+) -> Result<Medians, String> {
+    first()?;
+    second()?;
+    let (mut of_first, mut of_second) = (Vec::new(), Vec::new());
+    for _ in 0..turns.max(1) {
+        of_first.push(first()?);
+        of_second.push(second()?);
+    }
+    Ok(Medians { first: median(of_first), second: median(of_second), remark: String::new() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{difference, in_turns};
+
+    #[test]
+    fn four_rays_make_a_pixel() {
+        let rays = [0.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0, 1.0];
+        assert_eq!(difference(&[0.75, 0.75], &rays, [2, 2]), 0.0);
+        assert_eq!(difference(&[0.75, 1.0], &rays, [2, 2]), 0.125);
+    }
+
+    #[test]
+    fn the_first_frame_of_each_side_is_not_timed() {
+        let (mut slow, mut fast) = (9.0, 5.0);
+        let found =
+            in_turns(3, || Ok(std::mem::replace(&mut slow, 2.0)), || Ok(std::mem::replace(&mut fast, 1.0)));
+        let found = found.unwrap();
+        assert_eq!((found.first, found.second), (2.0, 1.0));
+    }
+}
