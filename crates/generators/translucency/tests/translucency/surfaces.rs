@@ -1,7 +1,7 @@
 //! Whole sub-areas of triangles: every sampling point against the plane of the nearest of them.
 
 use raster::{Coverage, DistancePlane, Filter, Pattern, Point, Sampling, Screen, Triangle};
-use translucency::{Capacity, Feature, Stack};
+use translucency::{Capacity, Feature, Losses, Stack};
 
 use super::{Random, assert_colour, separate};
 
@@ -148,4 +148,89 @@ fn what_has_no_distance_is_not_stored_and_what_is_fixed_to_the_eye_is_nearest() 
     stack.add(opaque(5, 0), &at(1e300), [(0, 15)]);
     let seen = [0, 1, 2, 3].map(|sample| stack.surface_at(sample).map(|(feature, _)| feature.id()));
     assert_eq!(seen, [Some(4), Some(4), Some(3), Some(3)]);
+}
+
+/// Sheets over the whole screen, of planes that cross one another here and there, as two triangles each.
+fn sheets(random: &mut Random, count: u32) -> Vec<Face> {
+    let corners = [[-8.0, -8.0], [29.0, -8.0], [29.0, 26.0], [-8.0, 26.0]];
+    let half = |[a, b, c]: [usize; 3]| {
+        Triangle::new([a, b, c].map(|corner| Point::snap(corners[corner]).unwrap())).unwrap()
+    };
+    let mut sheet = |number: u32| {
+        let slope = [0; 2].map(|_| 0.0004 * (random.unit() - 0.5));
+        let plane = DistancePlane { slope, origin: 0.03 + 0.01 * f64::from(number) };
+        let feature = Feature::surface(100 + number, 0, random.colour(), random.unit()).unwrap();
+        [[0, 1, 2], [0, 2, 3]].map(|corners| Face { triangle: half(corners), plane, feature })
+    };
+    (0..count).flat_map(&mut sheet).collect()
+}
+
+/// What all pixels show and all sub-areas lose, and that both are what sampling points say one by one.
+fn shown(
+    sampling: &Sampling,
+    capacity: Capacity,
+    faces: &[Face],
+    weights: &[f64],
+) -> (Vec<[f64; 3]>, Vec<Losses>) {
+    let (mut colours, mut losses) = (Vec::new(), Vec::new());
+    draw(sampling, capacity, faces, |stack, pixel, _| {
+        let samples = pixel * stack.samples()..(pixel + 1) * stack.samples();
+        let of_points = samples.clone().zip(weights).fold([0.0; 3], |sum, (sample, weight)| {
+            let colour = stack.colour_at(sample);
+            [0, 1, 2].map(|channel| sum[channel] + weight * colour[channel])
+        });
+        let colour = stack.colour(pixel, weights);
+        if stack.is_layered(pixel) {
+            assert_eq!(colour, of_points, "to the bit");
+        }
+        colours.push(colour);
+        losses.push(stack.losses());
+    });
+    (colours, losses)
+}
+
+/// Most features of such a sub-area lie behind all that its stacks keep and have lost, and are passed over.
+#[test]
+fn sheets_over_whole_sub_areas_are_the_same_in_any_order() {
+    let mut random = Random(7);
+    let sampling = Sampling::new(Pattern::Four);
+    let weights = Filter::Box.weights(Pattern::Four);
+    for capacity in [separate(2, 1), separate(0, 0), Capacity::Shared(Some(3))] {
+        let mut all = sheets(&mut random, 9);
+        all.extend(faces(&mut random, 6, true));
+        all.extend(faces(&mut random, 3, false));
+        let near_last = shown(&sampling, capacity, &all, weights.of([0, 0]));
+        assert!(near_last.1.iter().any(|losses| losses.translucent > 0 && losses.bound[0] > 0.0));
+        for _ in 0..8 {
+            for last in (1..all.len()).rev() {
+                all.swap(last, (random.unit() * (last + 1) as f64) as usize);
+            }
+            assert!(shown(&sampling, capacity, &all, weights.of([0, 0])) == near_last, "{capacity:?}");
+        }
+        all.sort_by(|a, b| b.plane.origin.total_cmp(&a.plane.origin));
+        assert!(shown(&sampling, capacity, &all, weights.of([0, 0])) == near_last, "near first");
+    }
+}
+
+/// Losses of a sub-area are those of its sampling points, one by one.
+#[test]
+fn losses_are_those_of_the_sampling_points() {
+    let mut random = Random(8);
+    let sampling = Sampling::new(Pattern::Four);
+    let mut all = sheets(&mut random, 6);
+    all.extend(faces(&mut random, 5, true));
+    let (mut lost, mut largest) = (0, 0.0f64);
+    let mut of_area = Losses::default();
+    draw(&sampling, separate(2, 1), &all, |stack, pixel, _| {
+        if pixel == 0 {
+            assert_eq!((of_area.translucent, of_area.bound[0]), (lost, largest));
+            (lost, largest, of_area) = (0, 0.0, stack.losses());
+        }
+        for loss in (4 * pixel..4 * pixel + 4).filter_map(|sample| stack.loss_at(sample)) {
+            lost += u64::from(loss.nearest[0].is_some());
+            largest = largest.max(loss.bound[0]);
+        }
+    });
+    assert_eq!((of_area.translucent, of_area.bound[0]), (lost, largest));
+    assert!(lost > 0 && largest > 0.0);
 }

@@ -50,7 +50,7 @@ pub enum Sense {
 #[derive(Debug, Clone, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Against {
-    /// Another side.
+    /// Another scenario or another generator.
     Side(SideChoice),
     /// The same side on one thread.
     OneThread,

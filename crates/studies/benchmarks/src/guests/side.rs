@@ -13,7 +13,7 @@ use super::SideChoice;
 
 /// A side of a comparison.
 pub struct Side {
-    /// What is drawn.
+    /// The stage that its generator draws.
     pub stage: Stage,
     session: Box<dyn Session>,
     planes: Planes,
