@@ -126,7 +126,7 @@ impl File {
         let all: BTreeSet<Engine> =
             self.expect.iter().flat_map(|expect| expect.engines.iter().copied()).collect();
         let laid = |(index, overlay): (usize, Overlay)| {
-            let laid = overlay.cases(table, cases.len(), &all);
+            let laid = overlay.cases(table, &cases, &all);
             laid.map(|cases| (overlay, cases)).map_err(|error| format!("must_fail {}: {error}", index + 1))
         };
         let must_fail: Result<Vec<_>, String> = self.must_fail.into_iter().enumerate().map(laid).collect();
@@ -163,7 +163,7 @@ impl Expect {
 
 impl Overlay {
     /// The runs of the scene with this laid over it: as many as without.
-    fn cases(&self, scene: &Table, expected: usize, all: &BTreeSet<Engine>) -> Result<Vec<Case>, String> {
+    fn cases(&self, scene: &Table, meant: &[Case], all: &BTreeSet<Engine>) -> Result<Vec<Case>, String> {
         if self.engines.is_empty() || !self.engines.iter().all(|engine| all.contains(engine)) {
             return Err("engines: expected some of those that the answers hold for".into());
         }
@@ -171,11 +171,21 @@ impl Overlay {
         lay(&self.scene, &mut table);
         let scene: CartridgeScene = table.try_into().map_err(|error| one_line(&error))?;
         let cases = scene.cases()?;
-        match cases.len() == expected {
+        if let Some((meant, changed)) =
+            meant.iter().zip(&cases).find(|(meant, case)| meant.size() != case.size())
+        {
+            return Err(format!(
+                "a picture of {:?} instead of {:?} pixels: expected the same raster",
+                changed.size().unwrap_or_default(),
+                meant.size().unwrap_or_default()
+            ));
+        }
+        match cases.len() == meant.len() {
             true => Ok(cases),
             false => Err(format!(
-                "{} runs instead of {expected}: expected the same headings and models",
-                cases.len()
+                "{} runs instead of {}: expected the same headings and models",
+                cases.len(),
+                meant.len()
             )),
         }
     }

@@ -247,9 +247,39 @@ fn a_scenario_that_cannot_be_drawn_is_refused() {
     for (name, from, to, part) in [
         (
             "stack-of-sheets",
+            "[[expect]]",
+            "[scene.scenario.lunsim]\nnonsense = 5\n\n[[expect]]",
+            "unknown key `lunsim.nonsense`",
+        ),
+        (
+            "stack-of-sheets",
+            "[[expect]]",
+            "[scene.gear.rt]\nnonsense = 5\n\n[[expect]]",
+            "unknown key `rt.nonsense`",
+        ),
+        (
+            "stack-of-sheets",
+            "sampled = { translucent = 1 }",
+            "sampled = { translucend = 1 }",
+            "must_fail 2: ",
+        ),
+        (
+            "beam-budget",
+            "raster = { update_hz = 50, refresh_hz = 50 }",
+            "raster = { columns = 64 }",
+            "must_fail 2: a picture of [64, 16] instead of [1000, 16] pixels",
+        ),
+        (
+            "beam-budget",
+            "[[must_fail]]",
+            "[scene.gear.beam]\njump_ns = 1\n\n[[must_fail]]",
+            "unknown key `beam.jump_ns`",
+        ),
+        (
+            "stack-of-sheets",
             "frames = [0]",
             "frames = [0, 0]",
-            "frames = [0, 0]: expected at most 1000, in order",
+            "frames: 0 after 0: expected each once, in order",
         ),
         ("stack-of-sheets", "frames = [0]", "frames = [7]", "frames: 7: expected below 1"),
         ("stack-of-sheets", "tau = 0.7", "tau = 1.7", "`sheet[0].tau` must be"),
@@ -295,6 +325,8 @@ fn a_scenario_that_cannot_be_drawn_is_refused() {
 #[test]
 fn what_a_picture_lacks_is_an_error() {
     for (name, from, to, part) in [
+        ("stack-of-sheets", "\"exact\"]", "\"exact\", \"machine-f64\"]", "not drawn: "),
+        ("ground-distance", "height_m = 0.0", "height_m = 3.0", "not all of the part shows ground"),
         ("stack-of-sheets", "plane = \"red\"", "plane = \"rot\"", "no plane `rot` is drawn; drawn: "),
         ("stack-of-sheets", "lines = [0, 6]", "lines = [0, 16]", "lines 0 to 16 are not in the picture"),
         ("stack-of-sheets", "lines = [0, 6]", "lines = [6, 5]", "lines 6 to 5 are not in the picture"),
@@ -308,13 +340,7 @@ fn what_a_picture_lacks_is_an_error() {
             "lamp-by-distance",
             "values = [32.507778728809, ",
             "values = [",
-            "values: 5 numbers: expected 1 or 6, one a frame",
-        ),
-        (
-            "beam-budget",
-            "[[must_fail]]",
-            "[scene.gear.beam]\njump_ns = 1\n\n[[must_fail]]",
-            "unknown key `beam.jump_ns`",
+            "values: 5 numbers: expected one for all frames, or 6, one a frame",
         ),
     ] {
         let text = text_of(name).replacen(from, to, 1);

@@ -74,7 +74,10 @@ impl Part {
         let range =
             |what: &str, asked: Option<[usize; 2]>, count: usize| match asked.unwrap_or([0, count - 1]) {
                 [first, last] if first <= last && last < count => Ok(first..=last),
-                [first, last] => Err(format!("{what} {first} to {last} are not in the picture")),
+                [first, last] => Err(format!(
+                    "{what} {first} to {last} are not in the picture: expected two of 0 to {}, in order",
+                    count - 1
+                )),
             };
         Ok([range("columns", self.columns, columns)?, range("lines", self.lines, lines)?])
     }
@@ -94,6 +97,7 @@ impl Part {
 /// The worst of all frames, each with its own value.
 fn of_frames(
     values: &[f64],
+    meant: &ScenarioCase,
     seen: &[Frame],
     deviation: impl Fn(&Frame, f64) -> Result<Deviation, String>,
 ) -> Result<Deviation, String> {
@@ -102,11 +106,13 @@ fn of_frames(
         many => many[index],
     };
     if values.len() != 1 && values.len() != seen.len() {
-        return Err(format!("values: {} numbers: expected 1 or {}, one a frame", values.len(), seen.len()));
+        let one_each =
+            if seen.len() > 1 { format!(", or {}, one a frame", seen.len()) } else { String::new() };
+        return Err(format!("values: {} numbers: expected one for all frames{one_each}", values.len()));
     }
-    let all = seen.iter().enumerate().map(|(index, frame)| {
+    let all = meant.poses.iter().zip(seen).enumerate().map(|(index, ((number, _), frame))| {
         let found = deviation(frame, value(index))?;
-        Ok(Deviation { what: format!("{}, picture {}", found.what, index + 1), ..found })
+        Ok(Deviation { what: format!("{}, frame {number}", found.what), ..found })
     });
     let all = all.collect::<Result<Vec<Deviation>, String>>()?;
     all.into_iter().reduce(Deviation::worse).ok_or("no frame was drawn".into())
@@ -114,7 +120,7 @@ fn of_frames(
 
 impl PixelsReading {
     pub(super) fn deviation(&self, meant: &ScenarioCase, seen: &[Frame]) -> Result<Deviation, String> {
-        of_frames(&self.values, seen, |frame, value| {
+        of_frames(&self.values, meant, seen, |frame, value| {
             let found = self.part.of(&self.plane, meant, frame)?;
             let expected = vec![value; found.len()];
             Ok(Deviation::between(&format!("pixel of {}", self.plane), &found, &expected, 1.0))
@@ -124,7 +130,7 @@ impl PixelsReading {
 
 impl SumReading {
     pub(super) fn deviation(&self, meant: &ScenarioCase, seen: &[Frame]) -> Result<Deviation, String> {
-        of_frames(&self.values, seen, |frame, value| {
+        of_frames(&self.values, meant, seen, |frame, value| {
             let found = self.part.of(&self.plane, meant, frame)?;
             Ok(Deviation::of(format!("sum of {}", self.plane), found.iter().sum(), value, 1.0))
         })
@@ -132,8 +138,8 @@ impl SumReading {
 }
 
 impl CounterReading {
-    pub(super) fn deviation(&self, seen: &[Frame]) -> Result<Deviation, String> {
-        of_frames(&self.values, seen, |frame, value| {
+    pub(super) fn deviation(&self, meant: &ScenarioCase, seen: &[Frame]) -> Result<Deviation, String> {
+        of_frames(&self.values, meant, seen, |frame, value| {
             let known = || frame.counts.named().map(|(name, _)| name).collect::<Vec<_>>().join(", ");
             let count = frame.counts.get(&self.counter);
             let count =
@@ -154,6 +160,9 @@ impl GroundDistanceReading {
                 |line: usize| columns.clone().map(move |column| [on_screen(0, column), on_screen(1, line)]);
             let pixels = lines.clone().flat_map(line);
             let expected: Vec<f64> = pixels.map(|at| to_level_ground(pose, self.height_m, at)).collect();
+            if !expected.iter().all(|distance| distance.is_finite() && *distance > 0.0) {
+                return Err("not all of the part shows ground: expected lines below the horizon, and an eye above `height_m`".into());
+            }
             let found = self.part.of("distance", meant, frame)?;
             let what = format!("distance in frame {number}");
             // Relative: distances of one picture reach from metres to kilometres.

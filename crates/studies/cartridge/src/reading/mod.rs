@@ -230,7 +230,7 @@ impl Reading {
             (Case::Scenario(meant), Seen::Scenario(seen)) => match self {
                 Self::Pixels(reading) => reading.deviation(meant, seen),
                 Self::Sum(reading) => reading.deviation(meant, seen),
-                Self::Counter(reading) => reading.deviation(seen),
+                Self::Counter(reading) => reading.deviation(meant, seen),
                 Self::GroundDistance(reading) => reading.deviation(meant, seen),
                 _ => self.not_of("a scenario"),
             },

@@ -120,6 +120,11 @@ impl Case {
         }
     }
 
+    /// Columns and lines of the picture of a scenario; `None` of other kinds.
+    pub fn size(&self) -> Option<[usize; 2]> {
+        if let Self::Scenario(case) = self { Some(case.size()) } else { None }
+    }
+
     /// Runs it on an engine, and keeps what the readings look at.
     pub fn run(&self, engine: Engine, readings: &[&Reading]) -> Result<Seen, String> {
         Ok(match self {

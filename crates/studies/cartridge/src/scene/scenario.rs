@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use control_plane::MachineStage;
-use diagnostics::{ProblemList, Problems, TomlFile};
-use generator::{FrameCounts, Generator, PlaneKind, Planes, Session};
+use diagnostics::{ProblemList, ProblemRecord, Problems, TomlFile};
+use generator::{FrameCounts, Generator, PlaneKind, Planes, Row, Session, Weight};
 use hardware_model::{HardwareModel, ModelSource};
 use scenario::{Pose, PoseTable, Scalar, Scenario};
 use serde::Deserialize;
@@ -56,8 +56,11 @@ pub struct Frame {
 
 impl ScenarioScene {
     pub(super) fn case(&self) -> Result<ScenarioCase, String> {
-        if self.frames.len() > MOST_FRAMES || !self.frames.is_sorted_by(|a, b| a < b) {
-            return Err(format!("frames = {:?}: expected at most {MOST_FRAMES}, in order", self.frames));
+        if !(1..=MOST_FRAMES).contains(&self.frames.len()) {
+            return Err(format!("frames: {} of them: expected 1 to {MOST_FRAMES}", self.frames.len()));
+        }
+        if let Some(pair) = self.frames.windows(2).find(|pair| pair[0] >= pair[1]) {
+            return Err(format!("frames: {} after {}: expected each once, in order", pair[1], pair[0]));
         }
         let known: Vec<&str> =
             registry::ROWS.iter().filter_map(|row| row.gear).flat_map(|gear| gear.tables).copied().collect();
@@ -66,9 +69,11 @@ impl ScenarioScene {
         }
         let text = |table: &Table| toml::to_string(table).map_err(|error| error.to_string());
         let texts = [text(&self.scenario)?, text(&self.gear)?];
-        let told = |problems: ProblemList| format!("scenario: {}", problems.render(false).trim_end());
-        let scenario =
-            Scenario::parse_beside("scenario", &texts[0], &registry::parameter_tables()).map_err(told)?;
+        let scenario = Scenario::parse_beside("scenario", &texts[0], &registry::parameter_tables())
+            .map_err(|problems| told(&problems))?;
+        for row in registry::ROWS {
+            configured(row, &texts)?;
+        }
         if let Some(file) = scenario.files().first() {
             return Err(format!("scenario: {}: a cartridge is one file; expected no other", file.display()));
         }
@@ -103,9 +108,7 @@ impl ScenarioScene {
 fn model(scenario: &Scenario) -> Result<HardwareModel, String> {
     let name = front_door::base_model(&scenario.machine);
     let loaded = HardwareModel::load(&ModelSource::BuiltIn(name.into()), &[], &[]);
-    loaded
-        .map(|loaded| loaded.model)
-        .map_err(|problems| format!("scenario: {}", problems.render(false).trim_end()))
+    loaded.map(|loaded| loaded.model).map_err(|problems| told(&problems))
 }
 
 impl ScenarioCase {
@@ -152,14 +155,37 @@ impl ScenarioCase {
         };
         let kinds = generator.planes().iter().copied().filter(|kind| PlaneKind::ALL.contains(kind)).collect();
         let session = generator.prepare(self.stage.stage()).map_err(|error| error.to_string())?;
+        let lacking = session.omissions().into_iter().find(|omission| omission.weight == Weight::NotModelled);
+        if let Some(lacking) = lacking {
+            return Err(format!(
+                "not drawn: {}: {}; leave it out of the scene, or the engine",
+                lacking.what, lacking.why
+            ));
+        }
         Ok((session, kinds))
     }
 
     fn generator(&self, name: &str) -> Result<Arc<dyn Generator>, String> {
         let row = registry::find(name).ok_or_else(|| format!("no generator is called `{name}`"))?;
-        let problems = Problems::new();
-        let file = |name: &str, text: &str| TomlFile::parse(name, text, &problems);
-        let layers = [file("scenario", &self.texts[0]), file("gear", &self.texts[1])].into_iter().flatten();
-        registry::configure(row, layers).map_err(|problems| problems.render(false).trim_end().to_owned())
+        configured(row, &self.texts)
     }
+}
+
+/// A generator by the tables of a scenario and of gear, each as text.
+fn configured(row: &Row, texts: &[String; 2]) -> Result<Arc<dyn Generator>, String> {
+    let problems = Problems::new();
+    let file = |name: &str, text: &str| TomlFile::parse(name, text, &problems);
+    let layers = [file("scenario", &texts[0]), file("gear", &texts[1])].into_iter().flatten();
+    registry::configure(row, layers).map_err(|problems| told(&problems))
+}
+
+/// Faults by their keys: lines of a text that is made of the file's tables would mislead.
+fn told(problems: &ProblemList) -> String {
+    let one = |record: ProblemRecord| {
+        let ProblemRecord { file, title, expected, .. } = record;
+        let expected = expected.filter(|expected| !title.contains(expected.as_str()));
+        let expected = expected.map_or(String::new(), |expected| format!(", expected {expected}"));
+        format!("{file}: {title}{expected}")
+    };
+    problems.records().into_iter().map(one).collect::<Vec<_>>().join("; ")
 }

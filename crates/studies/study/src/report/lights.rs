@@ -65,7 +65,19 @@ impl LightReport {
     /// Returns the outcome as a table for people.
     pub fn text(&self) -> String {
         let lacking = self.not_modelled.iter().map(|what| format!("not drawn: {what}\n")).collect::<String>();
-        format!("{}\n\n{}{lacking}", self.facts(), text::table(&self.table()))
+        format!("{}\n\n{}{}{lacking}", self.facts(), text::table(&self.table()), self.remarks())
+    }
+
+    /// What the table does not say, a line each.
+    fn remarks(&self) -> String {
+        let figures = self.figures();
+        let mut text = String::new();
+        if figures.iter().all(|figures| figures.in_sight == 0) {
+            text += "The light is in sight in no frame.\n";
+        } else if figures.iter().any(|figures| figures.share.is_none()) {
+            text += &format!("A way without shares never shows more than {MOSTLY} of the closed form.\n");
+        }
+        text
     }
 
     fn facts(&self) -> String {
@@ -77,7 +89,9 @@ impl LightReport {
     }
 
     fn page(&self) -> String {
-        format!("{}.\n\n{}", self.facts(), text::markdown(&self.table()))
+        let remarks = self.remarks();
+        let apart = if remarks.is_empty() { "" } else { "\n" };
+        format!("{}.\n\n{}{apart}{remarks}", self.facts(), text::markdown(&self.table()))
     }
 
     fn table(&self) -> Vec<Vec<String>> {
@@ -170,6 +184,28 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         report.leave(folder.path()).unwrap();
         assert!(folder.path().join("lights.svg").exists());
+    }
+
+    #[test]
+    fn a_light_that_is_hidden_is_told_in_words() {
+        let report = |light: Vec<f64>| LightReport {
+            commit: "none".into(),
+            title: "Lamp".into(),
+            machine: "exact".into(),
+            light: "lamp".into(),
+            first: 0,
+            times: vec![0.0, 0.5],
+            whole: ClosedForm { light: vec![2.0; 2], distances: vec![9.0; 2] },
+            curves: vec![LightCurve { name: "exact".into(), light }],
+            not_modelled: Vec::new(),
+        };
+        assert!(report(vec![0.0; 2]).text().ends_with("The light is in sight in no frame.\n"));
+        assert!(
+            report(vec![0.4, 0.0])
+                .page()
+                .ends_with("\n\nA way without shares never shows more than 0.5 of the closed form.\n")
+        );
+        assert!(report(vec![2.0; 2]).remarks().is_empty());
     }
 
     #[test]

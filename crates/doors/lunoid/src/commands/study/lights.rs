@@ -1,5 +1,6 @@
 //! `lunoid study lights`: how the light of a lamp goes with distance, over sampling points, and behind ground.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use clap::Args;
@@ -7,7 +8,7 @@ use front_door::Opened;
 use generator::{Generator, LampWay, Stage};
 use machine::MachineStage;
 use scenario::{EffectWishes, LightWish, Pose};
-use study::lights::{LightCurve, closed_form, light_curve, not_modelled};
+use study::lights::{ClosedForm, LightCurve, closed_form, light_curve, not_modelled};
 use study::report::{LightReport, is_of};
 
 use super::outputs::Outputs;
@@ -56,6 +57,7 @@ impl LightStudy {
     pub fn run(&self) -> Result<Verdict, Failure> {
         self.outputs.expect_apart(|file| is_of("lights", file), &self.stage.sources())?;
         let opened = self.stage.load()?;
+        expect_open(&opened)?;
         let index = self.chosen(&opened.scenario.effects.lights)?;
         let frames = choose_frames(&opened, self.frames)?;
         let report = self.threads.pool()?.install(|| -> Result<LightReport, Failure> {
@@ -67,6 +69,8 @@ impl LightStudy {
                 let white_magnitude = effects.white_magnitude;
                 *effects = EffectWishes { lights, white_magnitude, ..EffectWishes::default() };
             })?;
+            let whole = closed_form(&alone, &poses);
+            expect_lit(&whole, &frames)?;
             Ok(LightReport {
                 commit: COMMIT.into(),
                 title: opened.scenario.title.clone(),
@@ -74,7 +78,7 @@ impl LightStudy {
                 light: opened.scenario.effects.lights[index].id.clone(),
                 first: frames.start,
                 times: poses.iter().map(|pose| pose.time).collect(),
-                whole: closed_form(&alone, &poses),
+                whole,
                 curves: self.curves(&opened, &base, index, (frames.start, &poses))?,
                 not_modelled: not_modelled(&*opened.generator, &alone).map_err(Failure::input)?,
             })
@@ -90,7 +94,9 @@ impl LightStudy {
     fn chosen(&self, lights: &[LightWish]) -> Result<usize, Failure> {
         let names = || lights.iter().map(|light| light.id.as_str()).collect::<Vec<_>>().join(", ");
         match (&self.light, lights.len()) {
-            (_, 0) => Err(Failure::input("the scenario has no [[light]]; give a scenario that has one")),
+            (_, 0) => Err(Failure::input(
+                "the scenario has no [[light]]; give a scenario that has one: [stars] are none",
+            )),
             (None, 1) => Ok(0),
             (None, count) => Err(Failure::usage(format!(
                 "the scenario has {count} lights: choose one by --light: {}",
@@ -121,6 +127,29 @@ impl LightStudy {
             light_curve(&way.name, &*way.generator, stages, first, poses).map_err(Failure::input)
         };
         ways(opened)?.into_iter().map(curve).collect()
+    }
+}
+
+/// No key is set that the ways set.
+fn expect_open(opened: &Opened) -> Result<(), Failure> {
+    let ways = opened.row.map_or(&[][..], |row| row.lamps);
+    let set = |key: &str| opened.wishes().set.iter().any(|(wished, _)| wished == key);
+    match ways.iter().flat_map(|way| way.sets).find(|(key, _)| set(key)) {
+        Some((key, _)) => {
+            Err(Failure::usage(format!("--set {key}: the ways of this study set it; leave the option out")))
+        }
+        None => Ok(()),
+    }
+}
+
+/// The lamp shines on the eye in one frame at least.
+fn expect_lit(whole: &ClosedForm, frames: &Range<u64>) -> Result<(), Failure> {
+    match whole.light.iter().any(|light| *light > 0.0) {
+        true => Ok(()),
+        false => Err(Failure::input(format!(
+            "the light sends the eye nothing in frames {}..{}: it is dark, or its beam points elsewhere; choose other frames or another light",
+            frames.start, frames.end
+        ))),
     }
 }
 
