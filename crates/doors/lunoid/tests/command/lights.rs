@@ -118,7 +118,7 @@ fn what_would_be_passed_over_is_refused() {
     let all = ["study", "lights", "plain.toml", "--light", "beacon", "--out", "found"];
     let (_, said) = scene.expect(2, &[&all[..], &["--set", "sampled.normalise=false"]].concat());
     assert!(said.contains("--set sampled.normalise: the ways of this study set it"), "{said}");
-    scene.write("plain.toml", &PLAIN.replacen("diameter_m = 0.5", "diameter_m = 0.5\nintensity = 0", 1));
+    scene.write("plain.toml", PLAIN.replacen("diameter_m = 0.5", "diameter_m = 0.5\nintensity = 0", 1));
     let (_, said) = scene.expect(3, &all);
     assert!(said.contains("the light sends the eye nothing in frames 0..20"), "{said}");
     assert!(!scene.path().join("found").exists());
