@@ -41,6 +41,6 @@ mod wire;
 pub use message::{MAGIC, Message, PREFIX};
 pub use opening::{Home, Opening};
 pub use plane::{Dtype, Element, Plane};
-pub use requests::{COMMON, REQUESTS, RequestRow};
-pub use session::{PROTOCOL, Session, refusal, unreadable};
+pub use requests::{REQUESTS, RequestRow};
+pub use session::{Session, refusal, unreadable};
 pub use wire::WireError;

@@ -64,16 +64,6 @@ pub fn nearest_neighbour(points: &mut [BeamPoint]) {
     }
 }
 
-/// Length of all jumps (pixels), the first from the screen's top left corner.
-pub fn path_length(points: &[BeamPoint]) -> f64 {
-    let places = points.iter().map(|point| point.place);
-    std::iter::once([0.0, 0.0])
-        .chain(places.clone())
-        .zip(places)
-        .map(|(from, to)| squared(from, to).sqrt())
-        .sum()
-}
-
 fn squared(from: [f64; 2], to: [f64; 2]) -> f64 {
     let [x, y] = [to[0] - from[0], to[1] - from[1]];
     x * x + y * y
@@ -82,6 +72,16 @@ fn squared(from: [f64; 2], to: [f64; 2]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Length of all jumps (pixels), the first from the screen's top left corner.
+    fn path_length(points: &[BeamPoint]) -> f64 {
+        let places = points.iter().map(|point| point.place);
+        std::iter::once([0.0, 0.0])
+            .chain(places.clone())
+            .zip(places)
+            .map(|(from, to)| squared(from, to).sqrt())
+            .sum()
+    }
 
     fn point(id: u32, x: f64, light: f64) -> BeamPoint {
         BeamPoint { id, place: [x, 0.0], light }

@@ -31,7 +31,7 @@ mod spot;
 mod under;
 mod veil;
 
-pub use beam::{BeamBudget, BeamPoint, nearest_neighbour, path_length};
+pub use beam::{BeamBudget, BeamPoint, nearest_neighbour};
 pub use disc::{Disc, crossover, projected_diameter};
 pub use error::LightError;
 pub use least::LeastDiameter;

@@ -44,14 +44,14 @@ mod sampling;
 mod screen;
 mod triangle;
 
-pub use area::{area_within, visible_areas};
+pub use area::area_within;
 pub use attribute::Attribute;
 pub use clip::{ClipError, Fan, clip};
 pub use coverage::Coverage;
 pub use filter::{Filter, Weights};
 pub use fixed::{OffRaster, Point};
 pub use lists::Lists;
-pub use pattern::{OFFSET_UNIT, Pattern};
+pub use pattern::Pattern;
 pub use plane::DistancePlane;
 pub use projection::Projection;
 pub use sampling::Sampling;

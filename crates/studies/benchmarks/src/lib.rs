@@ -8,7 +8,6 @@
 //! - [`ROWS`], [`frame_times`]: frames whose time `speed` tells, and how they are timed.
 //! - [`around`]: what stands before and between frames: ground, shadow boundaries, a survey, whole missions.
 //! - [`chain`]: an analog chain by exact steps and by ngspice, held against each other by the binary `goals`.
-//! - [`guests`]: the other generators against themselves, the judge and a ray tracer, by the same binary.
 //! - [`mesh`]: the ground of a scene drawn by a ray tracer, held against the machine by the same binary.
 //! - [`peers`]: programs of other people that do the same work, held against the machine by the same binary.
 //! - [`startup`]: a large problem area prepared in a folder, and what it takes to begin with it.
@@ -22,7 +21,6 @@ mod baseline;
 mod callgrind;
 pub mod chain;
 mod frames;
-pub mod guests;
 mod kernels;
 mod ladder;
 pub mod mesh;

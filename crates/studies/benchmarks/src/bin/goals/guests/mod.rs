@@ -9,6 +9,6 @@ mod memory;
 mod side;
 
 pub use comparison::table;
-pub use list::{Comparison, Guests, Sense, SideChoice};
+pub use list::{Comparison, Guests, SideChoice};
 pub use memory::{memory_table, peak};
 pub use side::Side;

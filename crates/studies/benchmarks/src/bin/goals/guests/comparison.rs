@@ -6,8 +6,8 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::list::Against;
 use super::{Comparison, Guests, Side};
-use crate::peers::embree::{Embree, Program, camera_sight, screen_mesh};
-use crate::peers::median;
+use benchmarks::peers::embree::{Embree, Program, camera_sight, screen_mesh};
+use benchmarks::peers::median;
 
 /// Rays of a packet, and qualities of the structure: the fastest of each counts.
 const PACKETS: [u32; 3] = [16, 8, 1];

@@ -103,7 +103,7 @@ impl Guests {
     /// # Errors
     /// If it cannot be read.
     pub fn read() -> Result<Self, String> {
-        toml::from_str(include_str!("../../peers/guests.toml"))
+        toml::from_str(include_str!("../../../../peers/guests.toml"))
             .map_err(|error| format!("peers/guests.toml: {error}"))
     }
 }

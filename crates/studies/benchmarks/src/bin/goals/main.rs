@@ -1,6 +1,8 @@
 //! The whole table of goals: frames, missions, the control plane by itself, memory, start-up, an analog chain against ngspice,
 //! the ground against a ray tracer.
 
+mod guests;
+
 use std::env;
 use std::path::Path;
 use std::process::{Command, ExitCode};
@@ -8,7 +10,6 @@ use std::time::Instant;
 
 use benchmarks::around::{Mission, surveyed};
 use benchmarks::chain::{Outputs, Stepped, difference, simulate};
-use benchmarks::guests::{self, SideChoice};
 use benchmarks::mesh::trace;
 use benchmarks::startup::{begin, prepare};
 use benchmarks::{Choice, FrameTimes, KERNELS, STANDARD, TimedScene, Work, frame_times};
@@ -22,6 +23,8 @@ use machine::Prepare;
 use scenario::{Curvature, Laws, PixelRule, Pose, Projection, Scalar};
 use signal::{LANES, Lanes, Probe, Real};
 use sweep_program::SweepProgram;
+
+use guests::SideChoice;
 
 /// Measure the table of goals: all of it, or one part.
 #[derive(Debug, Parser)]
