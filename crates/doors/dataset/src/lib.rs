@@ -55,6 +55,6 @@ pub use plan::{Combination, Fault, FlightDraws, KeyDraw, Plan, PoseDraws, Wanted
 pub use record::{MadeFrom, PlanRecord, Record, SCHEMA};
 pub use row::{GroundSeen, PoseLabel, Row};
 pub use run::{Job, Outcome, run};
-pub use sample::{Made, Maker};
+pub use sample::{MOST_ATTEMPTS, Made, Maker};
 pub use splits::{Split, Splits};
 pub use written::FORMAT;

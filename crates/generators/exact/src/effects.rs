@@ -27,7 +27,7 @@ use crate::scene::Scene;
 use crate::view::View;
 
 pub use column::Opaque;
-pub use lattice::sub_rays;
+pub use lattice::{SUB_RAYS, sub_rays};
 pub use screen::Screen;
 pub use stack::Surface;
 

@@ -202,6 +202,7 @@ mod walk;
 
 pub use ceilings::Ceilings;
 pub use column::{Fineness, LINE_MEAN_TOLERANCE, RIDGE_SHARE};
+pub use effects::SUB_RAYS;
 pub use outlook::{Outlook, Ray, Sight, Spot};
 pub use session::{Columns, Exact, ExactWithin, ProfilePoint, ROW};
 pub use view::View;

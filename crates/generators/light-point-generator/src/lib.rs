@@ -40,5 +40,5 @@ mod table;
 pub use beam::{beam_entries, draw_beam};
 pub use placing::{Optics, Point};
 pub use sight::Before;
-pub use switch::{LightSwitch, Third};
+pub use switch::{LightSwitch, SAMPLES_A_LINE, Third};
 pub use table::{Chord, PointTable};

@@ -23,6 +23,6 @@ mod error;
 mod number;
 
 pub use blocks::{block_by_cost, block_by_count};
-pub use environment::from_environment;
+pub use environment::{SHARDS, from_environment};
 pub use error::ShardError;
 pub use number::Shard;

@@ -46,4 +46,5 @@ pub use drape::{Choice, Drape, Shown};
 pub use error::DrapeError;
 pub use footprint::Footprint;
 pub use ground::Ground;
+pub use layer::MOST_PROBES;
 pub use triangle::pixels as triangle_pixels;
