@@ -1,5 +1,5 @@
-//! The machine against a ray tracer over Embree: the same ground, eye and sun, with cast shadows; and other generators against it over their
-//! own faces.
+//! The machine against a ray tracer over Embree: the same ground, eye and sun, with cast shadows. Other generators are held
+//! against it over their own faces.
 //!
 //! `peers/ground.toml` is the scene. Each side has a ladder of settings. Of each ladder the fastest setting counts whose picture is
 //! close enough to `exact` at the centres of the same pixels. Both use two threads and take turns.

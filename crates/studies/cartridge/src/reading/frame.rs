@@ -17,31 +17,17 @@ pub struct Part {
     pub lines: Option<[usize; 2]>,
 }
 
-/// A plane that has one value on all pixels of a part of the picture.
+/// A plane on a part of the picture, frame by frame.
 #[derive(Debug, Clone, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub struct PixelsReading {
-    /// Name of the plane, as `lunoid replay --planes` has it.
+pub struct PlaneReading {
+    /// Name of the plane: `intensity`, `red`, `distance`, or another that the engine draws.
     pub plane: String,
     /// Pixels that are read.
     #[serde(default)]
     pub part: Part,
-    /// The value of each frame that is drawn, or one for all.
-    pub values: Vec<f64>,
-}
-
-/// The sum of a plane over a part of the picture.
-#[derive(Debug, Clone, Deserialize)]
-#[cfg_attr(test, derive(schemars::JsonSchema))]
-#[serde(deny_unknown_fields)]
-pub struct SumReading {
-    /// Name of the plane, as `lunoid replay --planes` has it.
-    pub plane: String,
-    /// Pixels that are added up.
-    #[serde(default)]
-    pub part: Part,
-    /// The sum of each frame that is drawn, or one for all.
+    /// What is expected of each frame that is drawn, or one number for all.
     pub values: Vec<f64>,
 }
 
@@ -118,18 +104,18 @@ fn of_frames(
     all.into_iter().reduce(Deviation::worse).ok_or("no frame was drawn".into())
 }
 
-impl PixelsReading {
-    pub(super) fn deviation(&self, meant: &ScenarioCase, seen: &[Frame]) -> Result<Deviation, String> {
+impl PlaneReading {
+    /// The pixel that is farthest from the value.
+    pub(super) fn of_pixels(&self, meant: &ScenarioCase, seen: &[Frame]) -> Result<Deviation, String> {
         of_frames(&self.values, meant, seen, |frame, value| {
             let found = self.part.of(&self.plane, meant, frame)?;
             let expected = vec![value; found.len()];
             Ok(Deviation::between(&format!("pixel of {}", self.plane), &found, &expected, 1.0))
         })
     }
-}
 
-impl SumReading {
-    pub(super) fn deviation(&self, meant: &ScenarioCase, seen: &[Frame]) -> Result<Deviation, String> {
+    /// The sum of all pixels against the value.
+    pub(super) fn of_sum(&self, meant: &ScenarioCase, seen: &[Frame]) -> Result<Deviation, String> {
         of_frames(&self.values, meant, seen, |frame, value| {
             let found = self.part.of(&self.plane, meant, frame)?;
             Ok(Deviation::of(format!("sum of {}", self.plane), found.iter().sum(), value, 1.0))

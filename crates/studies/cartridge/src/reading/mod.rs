@@ -87,9 +87,9 @@ pub enum Reading {
     /// Pixels after a way out and back. Tolerance: pixels.
     RoundTrip(waits::RoundTripReading),
     /// A plane that has one value on some pixels of each frame. Tolerance: the plane's unit.
-    Pixels(frame::PixelsReading),
+    Pixels(frame::PlaneReading),
     /// The sum of a plane over some pixels of each frame. Tolerance: the plane's unit, times pixels.
-    Sum(frame::SumReading),
+    Sum(frame::PlaneReading),
     /// A number that the generator counts in each frame. Tolerance: counts.
     Counter(frame::CounterReading),
     /// The distance of level ground on some pixels. Tolerance: a part of it.
@@ -228,8 +228,8 @@ impl Reading {
                 _ => self.not_of("a view"),
             },
             (Case::Scenario(meant), Seen::Scenario(seen)) => match self {
-                Self::Pixels(reading) => reading.deviation(meant, seen),
-                Self::Sum(reading) => reading.deviation(meant, seen),
+                Self::Pixels(reading) => reading.of_pixels(meant, seen),
+                Self::Sum(reading) => reading.of_sum(meant, seen),
                 Self::Counter(reading) => reading.deviation(meant, seen),
                 Self::GroundDistance(reading) => reading.deviation(meant, seen),
                 _ => self.not_of("a scenario"),

@@ -56,51 +56,60 @@ pub struct Frame {
 
 impl ScenarioScene {
     pub(super) fn case(&self) -> Result<ScenarioCase, String> {
+        self.expect_frames()?;
+        self.expect_gear()?;
+        let text = |table: &Table| toml::to_string(table).map_err(|error| error.to_string());
+        let texts = [text(&self.scenario)?, text(&self.gear)?];
+        let scenario = self.read(&texts)?;
+        let settings =
+            front_door::settings(&scenario, &model(&scenario)?).map_err(|error| error.to_string())?;
+        let (update, yoke) = (settings.timebase.update, settings.yoke);
+        let (first, last) = (self.frames[0], self.frames[self.frames.len() - 1]);
+        let end = scenario.frames(update);
+        if last >= end {
+            return Err(format!("frames: {last}: expected below {end}, the frames of the scenario"));
+        }
+        let stage = front_door::build(&scenario, settings).map_err(|error| error.to_string())?;
+        let table = PoseTable::resolve(&scenario, &stage.landscape, update, yoke, first..last + 1);
+        let table = table.map_err(|problems| problems.to_string())?;
+        let pose = |&frame: &u64| (frame, table.rows()[(frame - first) as usize].pose);
+        let poses = self.frames.iter().map(pose).collect();
+        Ok(ScenarioCase { poses, title: scenario.title.clone(), stage, texts })
+    }
+
+    fn expect_frames(&self) -> Result<(), String> {
         if !(1..=MOST_FRAMES).contains(&self.frames.len()) {
             return Err(format!("frames: {} of them: expected 1 to {MOST_FRAMES}", self.frames.len()));
         }
-        if let Some(pair) = self.frames.windows(2).find(|pair| pair[0] >= pair[1]) {
-            return Err(format!("frames: {} after {}: expected each once, in order", pair[1], pair[0]));
+        match self.frames.windows(2).find(|pair| pair[0] >= pair[1]) {
+            Some(pair) => Err(format!("frames: {} after {}: expected each once, in order", pair[1], pair[0])),
+            None => Ok(()),
         }
-        let known: Vec<&str> =
-            registry::ROWS.iter().filter_map(|row| row.gear).flat_map(|gear| gear.tables).copied().collect();
-        if let Some(table) = self.gear.keys().find(|table| !known.contains(&table.as_str())) {
-            return Err(format!("gear: unknown table `{table}`, expected one of {}", known.join(", ")));
+    }
+
+    fn expect_gear(&self) -> Result<(), String> {
+        let gear = registry::ROWS.iter().filter_map(|row| row.gear);
+        let known: Vec<&str> = gear.flat_map(|gear| gear.tables).copied().collect();
+        match self.gear.keys().find(|table| !known.contains(&table.as_str())) {
+            Some(table) => {
+                Err(format!("gear: unknown table `{table}`, expected one of {}", known.join(", ")))
+            }
+            None => Ok(()),
         }
-        let text = |table: &Table| toml::to_string(table).map_err(|error| error.to_string());
-        let texts = [text(&self.scenario)?, text(&self.gear)?];
+    }
+
+    /// The scenario through its channel, with the tables of all generators right.
+    fn read(&self, texts: &[String; 2]) -> Result<Scenario, String> {
         let scenario = Scenario::parse_beside("scenario", &texts[0], &registry::parameter_tables())
             .map_err(|problems| told(&problems))?;
         for row in registry::ROWS {
-            configured(row, &texts)?;
+            configured(row, texts)?;
         }
         if let Some(file) = scenario.files().first() {
             return Err(format!("scenario: {}: a cartridge is one file; expected no other", file.display()));
         }
-        let scenario = match &self.channel {
-            None => scenario,
-            Some(name) => scenario
-                .through(name)
-                .ok_or_else(|| format!("channel: the scenario has no channel `{name}`"))?,
-        };
-        let settings =
-            front_door::settings(&scenario, &model(&scenario)?).map_err(|error| error.to_string())?;
-        let (update, yoke) = (settings.timebase.update, settings.yoke);
-        let stage = front_door::build(&scenario, settings).map_err(|error| error.to_string())?;
-        let pose = |&frame: &u64| -> Result<(u64, Pose), String> {
-            let table = PoseTable::resolve(&scenario, &stage.landscape, update, yoke, frame..frame + 1);
-            let table = table.map_err(|problems| problems.to_string())?;
-            let row = table.rows().first().ok_or("no pose")?;
-            Ok((frame, row.pose))
-        };
-        let last = scenario.frames(update);
-        match self.frames.iter().find(|&&frame| frame >= last) {
-            Some(frame) => Err(format!("frames: {frame}: expected below {last}, the frames of the scenario")),
-            None => {
-                let poses = self.frames.iter().map(pose).collect::<Result<Vec<_>, _>>()?;
-                Ok(ScenarioCase { poses, title: scenario.title.clone(), stage, texts })
-            }
-        }
+        let Some(name) = &self.channel else { return Ok(scenario) };
+        scenario.through(name).ok_or_else(|| format!("channel: the scenario has no channel `{name}`"))
     }
 }
 

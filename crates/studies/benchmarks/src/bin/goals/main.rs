@@ -138,7 +138,7 @@ fn run(part: &Part) -> Result<(), String> {
         }
         Part::GuestPeak { scenario, machine, set } => {
             let set = set.iter().cloned().collect();
-            let choice = SideChoice { scenario: scenario.clone(), machine: machine.clone(), set, frame: 0 };
+            let choice = SideChoice { scenario: scenario.clone(), machine: machine.clone(), set };
             println!("{}", guests::peak(&choice)?);
             Ok(())
         }

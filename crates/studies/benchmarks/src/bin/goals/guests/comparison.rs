@@ -1,4 +1,4 @@
-//! Sides in turns.
+//! Comparisons of two sides, which draw in turns.
 
 use std::fmt::Write as _;
 
@@ -82,11 +82,10 @@ fn medians(row: &Comparison, [one, two]: &[ThreadPool; 2]) -> Result<Option<Medi
             let found = in_turns(
                 row.turns,
                 || first.draw(two),
-                || traced(&mut embree, packet, quality.filter(|_| *anew)),
+                || traced(&mut embree, packet, anew.then_some(quality)),
             )?;
-            let made = quality.map_or(String::new(), |quality| format!(", {quality}"));
             let remark = format!(
-                "{} triangles, packets of {packet}{made}; pictures differ by {difference:.4}",
+                "{} triangles, packets of {packet}, {quality}; pictures differ by {difference:.4}",
                 mesh.faces.len()
             );
             Ok(Some(Medians { remark, ..found }))
@@ -100,8 +99,8 @@ fn traced(embree: &mut Embree, packet: u32, quality: Option<&str>) -> Result<f64
     Ok(divided + embree.show(packet)?)
 }
 
-/// The packet and the quality of the structure that take the least time; that of the structure counts if it is made anew.
-fn fastest(embree: &mut Embree, anew: bool) -> Result<(u32, Option<&'static str>), String> {
+/// The fastest packet and quality of the structure. Making the structure counts if each frame makes it.
+fn fastest(embree: &mut Embree, anew: bool) -> Result<(u32, &'static str), String> {
     let mut best: Option<(f64, u32, &str)> = None;
     for quality in QUALITIES {
         let divided = embree.divide(quality)?;
@@ -116,10 +115,10 @@ fn fastest(embree: &mut Embree, anew: bool) -> Result<(u32, Option<&'static str>
     let (_, packet, quality) = best.ok_or("no packet was tried")?;
     embree.divide(quality)?;
     embree.show(packet)?;
-    Ok((packet, Some(quality)))
+    Ok((packet, quality))
 }
 
-/// Mean difference of a picture and one of more rays a pixel, whose means are taken; over the pixels that both of them light.
+/// Mean difference of a picture and one of more rays a pixel, whose means are taken.
 fn difference(picture: &[f32], rays: &[f32], [columns, fineness]: [usize; 2]) -> f64 {
     let mean = |pixel: usize| {
         let (column, line) = (pixel % columns, pixel / columns);

@@ -10,7 +10,7 @@ use serde::Deserialize;
 pub struct Guests {
     /// Two sides, or one side on two threads and on one, or a side and a ray tracer.
     pub comparison: Vec<Comparison>,
-    /// Sides whose peak memory is told.
+    /// Peak memory of sides.
     pub memory: Vec<MemoryRow>,
 }
 
@@ -92,9 +92,6 @@ pub struct SideChoice {
     /// Keys with their values, as `--set` takes them.
     #[serde(default)]
     pub set: BTreeMap<String, String>,
-    /// First frame that is drawn.
-    #[serde(default)]
-    pub frame: u64,
 }
 
 impl Guests {

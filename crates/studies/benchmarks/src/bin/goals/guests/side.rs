@@ -36,9 +36,9 @@ impl Side {
         let wishes = Wishes { machine: choice.machine.clone(), set, ..Wishes::default() };
         let opened = open(&path, &wishes).map_err(|error| error.to_string())?;
         let stage = opened.stage().map_err(|error| error.to_string())?;
-        let last = opened.frames().min(choice.frame + FRAMES);
-        let poses = opened.poses(&stage, choice.frame..last).map_err(|problems| problems.to_string())?;
-        let poses = (choice.frame..).zip(poses.rows().iter().map(|row| row.pose)).collect();
+        let last = opened.frames().min(FRAMES);
+        let poses = opened.poses(&stage, 0..last).map_err(|problems| problems.to_string())?;
+        let poses = (0..).zip(poses.rows().iter().map(|row| row.pose)).collect();
         let colours = [PlaneKind::Intensity, PlaneKind::Red, PlaneKind::Green, PlaneKind::Blue];
         let kinds = if opened.generator.draws_colour(&stage) { &colours[..] } else { &colours[..1] };
         let planes = Planes::new(stage.view.columns as usize, stage.view.lines as usize, kinds);
