@@ -59,6 +59,12 @@ impl Rate {
         (numerator % denominator == 0).then_some((numerator / denominator) as u64)
     }
 
+    /// Length of a period in whole ticks of a clock of so many hertz, at least 1.
+    pub fn period_ticks(self, hertz: u64) -> u64 {
+        let ticks = u128::from(hertz) * u128::from(self.denominator) / u128::from(self.numerator);
+        u64::try_from(ticks).unwrap_or(u64::MAX).max(1)
+    }
+
     /// Periods of this clock in `count` periods of another: whole part and fraction.
     fn periods_in(self, count: u64, of: Rate) -> (u64, f64) {
         let numerator = u128::from(count) * u128::from(self.numerator) * u128::from(of.denominator);
@@ -215,6 +221,14 @@ mod tests {
         let clocks = nominal();
         assert_eq!(clocks.sample_rate(), Rate::new(525 * 30 * 1208, 1).unwrap());
         assert!((1.0 / clocks.sample_rate().hertz() - 52.56e-9).abs() < 1e-11);
+    }
+
+    #[test]
+    fn a_period_is_counted_in_whole_ticks() {
+        let rate = |frames, seconds| Rate::new(frames, seconds).unwrap();
+        assert_eq!(rate(30, 1).period_ticks(1_000_000_000), 33_333_333);
+        assert_eq!(rate(30_000, 1001).period_ticks(40_000_000), 1_334_666);
+        assert_eq!((rate(30, 1).period_ticks(1), rate(1, u64::MAX).period_ticks(u64::MAX)), (1, u64::MAX));
     }
 
     #[test]

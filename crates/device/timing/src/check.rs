@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use crate::deadline::{BINS, Slack};
+use crate::level_change::LevelChange;
 use crate::missed::Missed;
 use crate::record::{FORMAT, FrameTiming, TimingRecord, Vertices};
 use crate::task::Task;
@@ -95,6 +96,7 @@ fn check_frame(frame: &FrameTiming) -> Checked {
         }
     }
     check_tasks("tasks", &frame.tasks)?;
+    check_level_changes(&frame.level_changes)?;
     let mut misses = frame.misses.iter().enumerate();
     misses.try_for_each(|(index, missed)| {
         check_missed(missed).map_err(|fault| fault.within(&format!("misses[{index}]")))
@@ -123,6 +125,26 @@ fn check_slack(slack: &Slack) -> Checked {
         return Err(Fault::new("least", found, "a slack of the first bin that is not empty"));
     }
     Ok(())
+}
+
+fn check_level_changes(changes: &[LevelChange]) -> Checked {
+    let mut tiles = BTreeSet::new();
+    changes.iter().try_for_each(|LevelChange { tile, from, to, distance_m, fraction }| {
+        let place = |key: &str| format!("level_changes, {tile}{key}");
+        if !tiles.insert(tile) {
+            return Err(Fault::new(place(""), "it twice", "every tile once"));
+        }
+        if from == to {
+            return Err(Fault::new(place(", to"), to, "another level than `from`"));
+        }
+        if !(distance_m.is_finite() && *distance_m >= 0.0) {
+            return Err(Fault::new(place(", distance_m"), distance_m, "metres, 0 or more"));
+        }
+        match (0.0..=1.0).contains(fraction) {
+            true => Ok(()),
+            false => Err(Fault::new(place(", fraction"), fraction, "0 to 1")),
+        }
+    })
 }
 
 fn check_missed(missed: &Missed) -> Checked {

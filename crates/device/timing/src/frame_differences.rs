@@ -6,6 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::comparison::Tolerance;
 use crate::deadline::{Deadline, Slack};
 use crate::difference::{Difference, Differences, pairs};
+use crate::level_change::LevelChange;
 use crate::missed::Missed;
 use crate::record::{FrameTiming, Sets, UnitUse, Vertices};
 use crate::task::Task;
@@ -28,6 +29,7 @@ pub(crate) fn frame_differences(
         deadlines,
         units,
         tasks,
+        level_changes,
         misses,
         events,
         events_blake3,
@@ -42,6 +44,7 @@ pub(crate) fn frame_differences(
     differences.deadlines(deadlines, &found.deadlines);
     differences.units(units, &found.units);
     differences.tasks("tasks", tasks, &found.tasks);
+    differences.level_changes(level_changes, &found.level_changes, tolerance);
     differences.misses(misses, &found.misses, tolerance);
     differences.exact("events", events, &found.events);
     differences.exact("events_blake3", events_blake3, &found.events_blake3);
@@ -118,6 +121,32 @@ impl Differences {
                 (baseline, found) => self.option(place, baseline.map(described), found.map(described)),
             }
         }
+    }
+
+    fn level_changes(&mut self, baseline: &[LevelChange], found: &[LevelChange], tolerance: &Tolerance) {
+        let described = |change: &LevelChange| format!("level {} to {}", change.from, change.to);
+        for (tile, baseline, found) in pairs(baseline, found, |change| change.tile.as_str()) {
+            let place = format!("level_changes.{tile}");
+            match (baseline, found) {
+                (Some(baseline), Some(found)) => self.level_change(&place, baseline, found, tolerance),
+                (baseline, found) => self.option(place, baseline.map(described), found.map(described)),
+            }
+        }
+    }
+
+    fn level_change(
+        &mut self,
+        place: &str,
+        baseline: &LevelChange,
+        found: &LevelChange,
+        tolerance: &Tolerance,
+    ) {
+        let LevelChange { tile: _, from, to, distance_m, fraction } = *baseline;
+        self.exact(format!("{place}.from"), from, found.from);
+        self.exact(format!("{place}.to"), to, found.to);
+        let distances = [distance_m, found.distance_m].map(Some);
+        self.near(format!("{place}.distance_m"), distances[0], distances[1], tolerance.metres);
+        self.exact(format!("{place}.fraction"), fraction, found.fraction);
     }
 
     fn misses(&mut self, baseline: &[Missed], found: &[Missed], tolerance: &Tolerance) {

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::EventHash;
 use crate::deadline::{Deadline, Slack};
+use crate::level_change::LevelChange;
 use crate::missed::Missed;
 use crate::task::Task;
 
@@ -62,6 +63,10 @@ pub struct FrameTiming {
     /// The key may be missing.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub tasks: Vec<Task>,
+    /// Tiles of ground that are drawn at another level of detail than in the frame before, where the generator has levels. The
+    /// key may be missing.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub level_changes: Vec<LevelChange>,
     /// Deadlines that were not met, in order of sweep and time.
     pub misses: Vec<Missed>,
     /// Digital events of the frame.
@@ -85,6 +90,7 @@ impl FrameTiming {
             deadlines: BTreeMap::new(),
             units,
             tasks,
+            level_changes: Vec::new(),
             misses: Vec::new(),
             events,
             events_blake3,

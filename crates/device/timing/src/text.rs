@@ -2,6 +2,7 @@
 
 use std::fmt::{self, Write};
 
+use crate::level_change::LevelChange;
 use crate::missed::Missed;
 use crate::record::TimingRecord;
 use crate::task::Task;
@@ -10,8 +11,11 @@ use crate::totals::{DeadlineTotals, SweepMisses, Totals, UnitTotals};
 /// Sweeps of which a table tells the misses.
 const SWEEPS_SHOWN: usize = 12;
 
+/// Changes of level that a table tells.
+const LEVELS_SHOWN: usize = 24;
+
 impl TimingRecord {
-    /// Tables of the whole record: counters, deadlines, use of units, tasks, misses by cause and by sweep. One without deadlines
+    /// Tables of the whole record: counters, deadlines, use of units, tasks, changes of level, misses by cause and by sweep. One without deadlines
     /// has its units and tasks alone.
     pub fn text(&self) -> String {
         let mut out = String::new();
@@ -33,6 +37,7 @@ fn write_tables(out: &mut String, record: &TimingRecord) -> fmt::Result {
     write_deadlines(out, &totals)?;
     write_units(out, &totals)?;
     write_frame_tasks(out, &totals)?;
+    write_level_changes(out, record)?;
     write_causes(out, &totals)?;
     write_sweeps(out, &totals)
 }
@@ -78,7 +83,8 @@ fn write_counters(out: &mut String, totals: &Totals) -> fmt::Result {
     ];
     // Of a generator that is no hybrid machine, what it counts are its tasks.
     let is_hybrid = rows.iter().any(|(_, total)| *total > 0);
-    let rows = rows.into_iter().filter(|_| is_hybrid).chain([("events", totals.events)]);
+    let levels = [("level changes", totals.level_changes)].into_iter().filter(|(_, total)| *total > 0);
+    let rows = rows.into_iter().filter(|_| is_hybrid).chain(levels).chain([("events", totals.events)]);
     writeln!(out, "\n{:<16} {:>14} {:>14}", "counter", "total", "a frame")?;
     for (name, total) in rows {
         let mean = total as f64 / totals.frames.max(1) as f64;
@@ -159,14 +165,36 @@ fn write_frame_tasks(out: &mut String, totals: &Totals) -> fmt::Result {
         return Ok(());
     }
     let head = ["pieces a frame", "ticks a frame", "share"];
-    writeln!(out, "\n{:<10} {:<16} {:>16} {:>18} {:>8}", "unit", "task", head[0], head[1], head[2])?;
+    let wide = totals.tasks.iter().map(|task| task.unit.len()).max().unwrap_or(0).max(10);
+    writeln!(out, "\n{:<wide$} {:<16} {:>16} {:>18} {:>8}", "unit", "task", head[0], head[1], head[2])?;
     let frames = totals.frames.max(1) as f64;
     for Task { unit, task, pieces, ticks } in &totals.tasks {
         let [pieces, ticks_a_frame] = [*pieces, *ticks].map(|total| total as f64 / frames);
         let share = 100.0 * *ticks as f64 / totals.ticks as f64;
-        writeln!(out, "{unit:<10} {task:<16} {pieces:>16.1} {ticks_a_frame:>18.1} {share:>6.2} %")?;
+        writeln!(out, "{unit:<wide$} {task:<16} {pieces:>16.1} {ticks_a_frame:>18.1} {share:>6.2} %")?;
     }
     Ok(())
+}
+
+fn write_level_changes(out: &mut String, record: &TimingRecord) -> fmt::Result {
+    let many = record.level_changes().count();
+    if many == 0 {
+        return Ok(());
+    }
+    writeln!(
+        out,
+        "\n{:<16} {:>8} {:>6} {:>4} {:>14} {:>10}",
+        "level", "frame", "from", "to", "m away", "fraction"
+    )?;
+    for (frame, LevelChange { tile, from, to, distance_m, fraction }) in
+        record.level_changes().take(LEVELS_SHOWN)
+    {
+        writeln!(out, "{tile:<16} {frame:>8} {from:>6} {to:>4} {distance_m:>14.1} {fraction:>10.6}")?;
+    }
+    match many.saturating_sub(LEVELS_SHOWN) {
+        0 => Ok(()),
+        more => writeln!(out, "and {more} more changes; --json has them all"),
+    }
 }
 
 fn write_causes(out: &mut String, totals: &Totals) -> fmt::Result {

@@ -34,6 +34,8 @@ pub struct Totals {
     pub units: BTreeMap<String, UnitTotals>,
     /// Tasks of the frames, each with the pieces and ticks of all of them, in the order in which they are first met.
     pub tasks: Vec<Task>,
+    /// Tiles of ground that took another level of detail.
+    pub level_changes: u64,
     /// Number of misses by cause.
     pub causes: BTreeMap<Cause, u64>,
     /// Misses by sweep: what stands in one column of the picture.
@@ -102,6 +104,7 @@ impl Totals {
         sum(&mut self.vertices.asked, frame.vertices.asked);
         sum(&mut self.vertices.ready, frame.vertices.ready);
         sum(&mut self.events, frame.events);
+        sum(&mut self.level_changes, frame.level_changes.len() as u64);
         self.sets.add(&frame.sets);
         for (&deadline, slack) in &frame.deadlines {
             self.deadlines.entry(deadline).or_default().add(deadline, slack, frame);

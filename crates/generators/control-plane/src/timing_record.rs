@@ -130,6 +130,7 @@ impl ControlPlane {
             deadlines,
             units,
             tasks: Vec::new(),
+            level_changes: Vec::new(),
             misses,
             events,
             events_blake3: String::new(),

@@ -150,6 +150,11 @@ pub trait Generator: Send + Sync {
         false
     }
 
+    /// Whether the time of a frame depends on frames before it; then a stage for its timing must have the course too.
+    fn timing_remembers_frames(&self) -> bool {
+        self.remembers_frames()
+    }
+
     /// Its own settings, for the record of a run: everything that decides its pictures beside the stage, and that does
     /// not stand in the view.
     fn record(&self) -> Value {

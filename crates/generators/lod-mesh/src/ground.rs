@@ -12,6 +12,7 @@ use crate::frustum::Frustum;
 use crate::live;
 use crate::parameters::{GroundLight, Show, Transition};
 use crate::prepared::Prepared;
+use crate::slots::on_board;
 
 /// The tiles of a frame as a mesh, in the axes of the map.
 #[derive(Debug, Default)]
@@ -39,10 +40,11 @@ pub fn at_change(prepared: &Prepared, eye: DVec3, levels: [DVec3; 2]) -> State {
     let in_tiles = |eye: DVec3| [eye.y, eye.x, eye.z];
     let (terrain, levels) = (&prepared.posts.terrain, levels.map(in_tiles));
     let state = State::at_change(terrain, &prepared.table.levels, in_tiles(eye), levels);
-    match prepared.run.transition {
+    let state = match prepared.run.transition {
         Transition::Morph => state,
         Transition::Switch => state.switched(),
-    }
+    };
+    on_board(terrain, state, &prepared.run, prepared.slots)
 }
 
 /// The surface of a state.
@@ -69,11 +71,11 @@ pub fn finest_at(prepared: &Prepared, place: [f64; 2]) -> Option<f64> {
     is_over.then(|| finest(prepared, place))
 }
 
-/// The tiles of a surface that a camera may show.
-pub fn mesh(prepared: &Prepared, surface: &Surface<'_>, camera: &Camera) -> Mesh {
+/// The tiles that a camera may show.
+pub fn in_view(prepared: &Prepared, camera: &Camera) -> Vec<Tile> {
     let frustum = Frustum::new(camera);
-    let terrain = surface.terrain;
-    let in_view = |(tile, heights): &(Tile, _)| {
+    let terrain = &prepared.posts.terrain;
+    let may_show = |(tile, heights): &(Tile, _)| {
         let cells = terrain.cells(0);
         let corner = |at: usize| {
             let [east, north] = terrain.place(*tile, 0, [at, at]);
@@ -81,12 +83,12 @@ pub fn mesh(prepared: &Prepared, surface: &Surface<'_>, camera: &Camera) -> Mesh
         };
         frustum.may_show([corner(0), corner(cells)], heights)
     };
-    let tiles: Vec<_> = terrain
-        .tiles()
-        .zip(prepared.posts.heights.iter().cloned())
-        .filter(in_view)
-        .map(|(tile, _)| tile)
-        .collect();
+    let tiles = terrain.tiles().zip(prepared.posts.heights.iter().cloned());
+    tiles.filter(may_show).map(|(tile, _)| tile).collect()
+}
+
+/// Tiles of a surface, seen by a camera.
+pub fn mesh(surface: &Surface<'_>, tiles: &[Tile], camera: &Camera) -> Mesh {
     let parts: Vec<Mesh> = tiles.par_iter().map(|tile| Mesh::of_tile(surface, *tile, camera)).collect();
     let mut mesh = Mesh::default();
     parts.into_iter().for_each(|part| mesh.append(part));

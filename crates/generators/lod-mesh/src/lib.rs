@@ -57,6 +57,7 @@
 //!
 //! Remote shadow, texture, far silhouettes and vehicle tracks are listed as omissions.
 
+mod faults;
 mod frustum;
 mod ground;
 mod levels;
@@ -68,9 +69,12 @@ mod place;
 mod prepared;
 mod row;
 mod session;
+mod slots;
 mod sounding;
 mod terrain;
+mod time;
 
 pub use lod_mesh::LodMesh;
-pub use parameters::{GroundLight, Parameters, Show, Transition};
+pub use parameters::{Boulders, Clock, GroundLight, Parameters, Show, Slots, Transition};
 pub use row::ROW;
+pub use time::{Board, Capture, Hardware, Viewer};

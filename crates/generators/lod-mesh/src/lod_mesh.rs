@@ -1,18 +1,23 @@
 //! The generator: what it is called, what it counts, and what its pictures follow from.
 
-use generator::{Counter, Generator, Joined, PlaneKind, PrepareError, Session as GeneratorSession, Stage};
+use generator::{
+    Counter, Generator, Joined, PlaneKind, PrepareError, Session as GeneratorSession, Stage, Timed,
+};
 use scene_sampler::PLANES;
 use serde_json::Value;
 
 use crate::name::NAME;
-use crate::parameters::Parameters;
+use crate::parameters::{Clock, Parameters};
 use crate::session::Session;
+use crate::time::{Hardware, Job};
 
 /// The generator of tiles; see the crate's data sheet.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LodMesh {
     /// Run parameters that decide its pictures.
     pub parameters: Parameters,
+    /// Computer and graphics board that it runs on: how long frames take, and how many slots there are.
+    pub hardware: Hardware,
 }
 
 const fn counter(name: &'static str) -> Counter {
@@ -20,12 +25,14 @@ const fn counter(name: &'static str) -> Counter {
 }
 
 /// What a frame took and lost.
-const COUNTERS: [Counter; 11] = [
+const COUNTERS: [Counter; 13] = [
     counter("tiles"),
     counter("visits"),
     counter("vertices"),
     counter("morphing"),
     counter("ground_triangles"),
+    counter("cracked_edges"),
+    counter("repeated"),
     counter("faces"),
     counter("triangles"),
     counter("entries"),
@@ -51,11 +58,32 @@ impl Generator for LodMesh {
         stage.is_colourful() || self.parameters.show == crate::Show::Levels
     }
 
+    fn remembers_frames(&self) -> bool {
+        self.parameters.clock == Clock::RealTime
+    }
+
+    fn timing_remembers_frames(&self) -> bool {
+        true
+    }
+
+    fn has_deadlines(&self) -> bool {
+        true
+    }
+
     fn record(&self) -> Value {
-        self.parameters.record()
+        let mut record = self.parameters.record();
+        record["uniform_slots"] = self.hardware.board.uniform_slots.into();
+        if self.remembers_frames() {
+            record["viewer"] = self.hardware.record();
+        }
+        record
     }
 
     fn prepare(&self, stage: Stage) -> Result<Box<dyn GeneratorSession>, PrepareError> {
-        Ok(Box::new(Session::new(stage, self.parameters.clone())?))
+        Ok(Box::new(Session::new(stage, self.parameters.clone(), self.hardware)?))
+    }
+
+    fn timed(&self, stage: Stage) -> Result<Option<Box<dyn Timed>>, PrepareError> {
+        Ok(Some(Box::new(Job::new(stage, self.parameters.clone(), self.hardware)?)))
     }
 }

@@ -30,6 +30,16 @@ pub struct Parameters {
     pub light: GroundLight,
     /// What the ground shows.
     pub show: Show,
+    /// Level whose posts have the slopes that light looks up; 0 is the finest.
+    pub light_level: u32,
+    /// Bits of a fraction on its way to the board; 0 leaves it as it is.
+    pub percent_bits: u32,
+    /// What becomes of more tiles than the board has slots for.
+    pub slots: Slots,
+    /// What a frame that takes too long does to the next one.
+    pub clock: Clock,
+    /// Where boulders stand.
+    pub boulders: Boulders,
 }
 
 /// How a level becomes the next one.
@@ -59,6 +69,35 @@ pub enum Show {
     Levels,
 }
 
+/// What becomes of more tiles than the board has slots for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Slots {
+    /// All have one, as on boards of today; timing tells the slots of the document's.
+    Unlimited,
+    /// The ground is refused, as reported.
+    Refuse,
+    /// Neighbouring tiles share a slot, and with it a fraction.
+    Share,
+}
+
+/// What a frame that takes too long does to the next one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Clock {
+    /// Nothing: every pose is drawn.
+    Stepped,
+    /// The next pose is that of the time that was reached.
+    RealTime,
+}
+
+/// Where boulders stand.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Boulders {
+    /// On the ground.
+    OnGround,
+    /// At height 0, as reported: buried in hills, hovering over valleys.
+    AtMeanRadius,
+}
+
 impl Default for Parameters {
     /// Morphing over two fifths of a range is the document's own example for its three levels (chapter 6). All else is chosen.
     fn default() -> Self {
@@ -75,6 +114,11 @@ impl Default for Parameters {
             stitch: Stitch::CoarseSide,
             light: GroundLight::Map,
             show: Show::Light,
+            light_level: 0,
+            percent_bits: 0,
+            slots: Slots::Unlimited,
+            clock: Clock::Stepped,
+            boulders: Boulders::OnGround,
         }
     }
 }
@@ -86,6 +130,11 @@ const STITCHES: [(&str, Stitch); 3] =
     [("coarse-side", Stitch::CoarseSide), ("fine-side", Stitch::FineSide), ("none", Stitch::None)];
 const LIGHTS: [(&str, GroundLight); 2] = [("map", GroundLight::Map), ("live", GroundLight::Live)];
 const SHOWS: [(&str, Show); 2] = [("light", Show::Light), ("levels", Show::Levels)];
+const SLOTS: [(&str, Slots); 3] =
+    [("unlimited", Slots::Unlimited), ("refuse", Slots::Refuse), ("share", Slots::Share)];
+const CLOCKS: [(&str, Clock); 2] = [("stepped", Clock::Stepped), ("real-time", Clock::RealTime)];
+const BOULDERS: [(&str, Boulders); 2] =
+    [("ground", Boulders::OnGround), ("mean-radius", Boulders::AtMeanRadius)];
 
 impl Parameters {
     /// The parameters of a `[lod]` table; the default where the table has no key.
@@ -103,6 +152,13 @@ impl Parameters {
         let stitch = table.one_of("stitch", &STITCHES).default(usual.stitch);
         let light = table.one_of("light", &LIGHTS).default(usual.light);
         let show = table.one_of("show", &SHOWS).default(usual.show);
+        let light_level = table.u32("light_level").at_most(12).default(usual.light_level);
+        let percent_bits =
+            table.u32("percent_bits").at_most(24).unit("bits").help("0 leaves fractions as they are");
+        let percent_bits = percent_bits.default(usual.percent_bits);
+        let slots = table.one_of("slots", &SLOTS).default(usual.slots);
+        let clock = table.one_of("clock", &CLOCKS).default(usual.clock);
+        let boulders = table.one_of("boulders", &BOULDERS).default(usual.boulders);
         let read = Self {
             sampling: sampling?,
             order: order?,
@@ -116,6 +172,11 @@ impl Parameters {
             stitch: stitch?,
             light: light?,
             show: show?,
+            light_level: light_level?,
+            percent_bits: percent_bits?,
+            slots: slots?,
+            clock: clock?,
+            boulders: boulders?,
         };
         read.check(table)
     }
@@ -151,6 +212,12 @@ impl Parameters {
         } else if self.shares.len() != 1 && !self.fits(self.shares.len()) {
             let words = format!("{} shares for {} levels", self.shares.len(), self.level_count());
             Some(("morph_percent", words, "one number, or one for each level".to_owned()))
+        } else if self.light_level > self.order {
+            let words = format!("level {} of tiles of order {}", self.light_level, self.order);
+            Some(("light_level", words, format!("at most {}, the coarsest", self.order)))
+        } else if self.light_level > 0 && self.light == GroundLight::Live {
+            let words = format!("level {}, where light is live", self.light_level);
+            Some(("light_level", words, "0, or light = \"map\"".to_owned()))
         } else {
             None
         };
@@ -190,6 +257,11 @@ impl Parameters {
             ("stitch", word(&STITCHES, &self.stitch).into()),
             ("light", word(&LIGHTS, &self.light).into()),
             ("show", word(&SHOWS, &self.show).into()),
+            ("light_level", self.light_level.into()),
+            ("percent_bits", self.percent_bits.into()),
+            ("slots", word(&SLOTS, &self.slots).into()),
+            ("clock", word(&CLOCKS, &self.clock).into()),
+            ("boulders", word(&BOULDERS, &self.boulders).into()),
         ];
         own.into_iter().for_each(|(key, value)| record[key] = value);
         record

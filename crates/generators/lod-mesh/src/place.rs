@@ -2,7 +2,7 @@
 
 use generator::Fact;
 use glam::DVec3;
-use lod_tiles::Surface;
+use lod_tiles::{Surface, Terrain, Tile};
 use scene_sampler::Camera;
 
 use crate::ground::finest;
@@ -12,6 +12,12 @@ use crate::prepared::Prepared;
 pub struct Seen {
     /// Place: north, east, up (m), on the map.
     place: DVec3,
+}
+
+/// Distance (m) of an eye from the middle of a tile: what its level follows from.
+pub fn distance(terrain: &Terrain, tile: Tile, eye: DVec3) -> f64 {
+    let [x, y, z] = terrain.middle(tile);
+    (DVec3::new(y, x, z) - eye).length()
 }
 
 impl Seen {
@@ -27,8 +33,7 @@ impl Seen {
         let on_map = [east, north];
         let (tile, within) = surface.terrain.locate(on_map);
         let state = surface.tile_state(tile);
-        let [x, y, z] = surface.terrain.middle(tile);
-        let distance = (DVec3::new(y, x, z) - eye).length();
+        let distance = distance(surface.terrain, tile, eye);
         let [drawn, whole, finest] =
             [surface.under(on_map), surface.unmorphed(on_map), finest(prepared, on_map)];
         let level = format!(

@@ -4,11 +4,16 @@ use std::sync::Arc;
 
 use generator::{PrepareError, Stage};
 use lod_tiles::{State, TileState};
-use scene_sampler::GroundMap;
+use scenario::Standing;
+use scene_sampler::{Axis, GroundMap};
+use solids::Kind;
 
 use crate::levels::LevelTable;
-use crate::parameters::Parameters;
+use crate::name::NAME;
+use crate::parameters::{Boulders, Parameters, Slots};
+use crate::slots::fitting_order;
 use crate::terrain::Posts;
+use crate::time::Hardware;
 
 /// Everything of a run that frames share.
 pub struct Prepared {
@@ -18,7 +23,11 @@ pub struct Prepared {
     pub table: LevelTable,
     /// All tiles at the finest level.
     pub finest: State,
-    /// Slopes of all posts, as the map of the ground shares them.
+    /// Slots of the board's uniform array; `None` is without limit.
+    pub slots: Option<u32>,
+    /// Places of the posts whose slopes light looks up: north, then east.
+    light_axes: [Axis; 2],
+    /// Slopes of those posts, as the map of the ground shares them.
     slopes: Arc<[[f32; 2]]>,
 }
 
@@ -26,20 +35,24 @@ impl Prepared {
     /// Samples the ground of `stage` and settles its levels.
     ///
     /// # Errors
-    /// If the ground is too large, or ranges do not rise.
-    pub fn new(stage: Stage, run: Parameters) -> Result<Self, PrepareError> {
+    /// If the ground is too large, ranges do not rise, or tiles are more than the slots of the board where that is refused.
+    pub fn new(stage: Stage, run: Parameters, hardware: &Hardware) -> Result<Self, PrepareError> {
         let run = over_stored(&stage, run);
         let mut posts = Posts::new(&stage, &run)?;
-        let slopes = std::mem::take(&mut posts.slopes).into();
+        let slots = hardware.board.uniform_slots;
+        check_slots(&posts, &run, slots)?;
+        let (light_axes, slopes) = posts.take_slopes(run.light_level)?;
+        let stage = placed(stage, run.boulders);
         let table = LevelTable::new(&posts.terrain, &run, focal(&stage))?;
         let tiles = vec![TileState { level: 0, fraction: 0.0 }; posts.heights.len()];
         let finest = State::of(&posts.terrain, tiles);
-        Ok(Self { stage, run, posts, table, finest, slopes })
+        let slopes = slopes.into();
+        Ok(Self { stage, run, posts, table, finest, slots, light_axes, slopes })
     }
 
     /// The map of the ground's slopes under a sun (unit vector to it: north, east, up).
     pub fn map(&self, sun: [f64; 3]) -> Option<GroundMap> {
-        GroundMap::of_slopes(self.posts.axes, self.slopes.clone(), self.stage.landscape.clone(), sun)
+        GroundMap::of_slopes(self.light_axes, self.slopes.clone(), self.stage.landscape.clone(), sun)
     }
 }
 
@@ -52,6 +65,38 @@ fn over_stored(stage: &Stage, mut run: Parameters) -> Parameters {
         run.shares = stored.ranges.iter().map(|[_, share]| *share).collect();
     }
     run
+}
+
+/// Refuses more tiles than slots, where they must have one each.
+fn check_slots(posts: &Posts, run: &Parameters, slots: Option<u32>) -> Result<(), PrepareError> {
+    let (terrain, Some(slots), Slots::Refuse) = (&posts.terrain, slots, run.slots) else { return Ok(()) };
+    let tiles = terrain.tiles().count();
+    if tiles <= slots as usize {
+        return Ok(());
+    }
+    let larger = match fitting_order(terrain, slots) {
+        Some(order) => format!("tiles of order {order} or above would do (lod.order)"),
+        None => "no tile is large enough: ask for a larger lod.spacing_m".to_owned(),
+    };
+    Err(PrepareError::Unsupported {
+        generator: NAME,
+        what: format!("{tiles} tiles with the {slots} slots of board.uniform_slots"),
+        remedy: format!("{larger}; or let tiles share slots (lod.slots = \"share\")"),
+    })
+}
+
+/// The stage with its boulders where the run puts them.
+fn placed(stage: Stage, boulders: Boulders) -> Stage {
+    if boulders == Boulders::OnGround {
+        return stage;
+    }
+    let at_zero = |standing: &Standing| match standing.body.kind {
+        Kind::Rock => Standing { body: standing.body.lifted(-standing.body.foot.z), ..standing.clone() },
+        Kind::Culture => standing.clone(),
+    };
+    let standing = stage.scenery.standing().iter().map(at_zero).collect();
+    let scenery = (*stage.scenery).clone().with_bodies(standing);
+    Stage { scenery: Arc::new(scenery), ..stage }
 }
 
 /// Pixels in a tangent of 1, the larger of both directions.

@@ -3,10 +3,12 @@
 use std::sync::Arc;
 
 use diagnostics::Reader;
-use generator::{Against, DetailWay, ErrorLadder, Generator, Role, Row};
+use generator::{Against, DetailWay, ErrorLadder, Gear, Generator, Role, Row};
 
+use crate::faults::FAULTS;
 use crate::name::NAME;
-use crate::{LodMesh, Parameters};
+use crate::time::{FILE, SHIPPED, TABLES};
+use crate::{Hardware, LodMesh, Parameters};
 
 /// Table of its run parameters.
 const TABLE: &str = "lod";
@@ -17,9 +19,9 @@ pub static ROW: Row = Row {
     about: "tiles of ground at levels of detail that morph into one another (a thesis on tests of navigation)",
     role: Role::Guest,
     signals: &[],
-    timed: false,
+    timed: true,
     parameters: Some(TABLE),
-    gear: None,
+    gear: Some(Gear { tables: &TABLES, file: FILE, text: SHIPPED, faults: &FAULTS }),
     ladders: &LADDERS,
     details: &DETAILS,
     lamps: &[],
@@ -65,6 +67,7 @@ const LADDERS: [ErrorLadder; 3] = [
 ];
 
 fn configure(root: &Reader) -> Option<Arc<dyn Generator>> {
-    let parameters = Parameters::read(&root.table_or_empty(TABLE))?;
-    Some(Arc::new(LodMesh { parameters }))
+    let parameters = Parameters::read(&root.table_or_empty(TABLE));
+    let hardware = Hardware::read(root);
+    Some(Arc::new(LodMesh { parameters: parameters?, hardware: hardware? }))
 }

@@ -5,24 +5,47 @@ use generator::{
     Stage, Weight, check_free_eye, face_lists_beside, photographs_beside,
 };
 use glam::DVec3;
-use lod_tiles::State;
+use lod_tiles::{State, Tile};
 use raster::Screen;
 use scenario::Pose;
-use scene_sampler::{Camera, Filled, Scene, judged_faces};
+use scene_sampler::{Camera, Field, Fields, Filled, Scene, Shown, expect_course, judged_faces};
 use serde_json::Value;
 use signal::Probe;
 
 use crate::ground::{self, Mesh};
 use crate::name::NAME;
-use crate::parameters::Parameters;
-use crate::place::Seen;
+use crate::parameters::{Clock, Parameters};
+use crate::place::{Seen, distance};
 use crate::prepared::Prepared;
+use crate::slots;
 use crate::sounding::sounding;
+use crate::time::{Hardware, SECOND, Work, frame_time};
 
 /// The generator made ready for one stage.
 pub(crate) struct Session {
     prepared: Prepared,
+    hardware: Hardware,
     screen: Screen,
+    /// What the viewer does in each field, under a clock of real time.
+    fields: Fields,
+}
+
+/// Levels of a frame, beside those of the frame that was begun before it.
+pub(crate) struct Looked {
+    camera: Camera,
+    /// Eye of the frame: north, east, up (m).
+    pub eye: DVec3,
+    /// Levels and fractions of its tiles.
+    pub state: State,
+    /// Those of the frame before; none where there is none.
+    before: Option<State>,
+}
+
+impl Looked {
+    /// Tiles that take another level: number, level before, level now.
+    pub fn changes(&self) -> impl Iterator<Item = (usize, usize, usize)> {
+        self.before.iter().flat_map(|before| self.state.changes(before))
+    }
 }
 
 /// A frame ready to be drawn.
@@ -36,10 +59,90 @@ impl Session {
     /// Makes ready for `stage`: posts, levels, slopes.
     ///
     /// # Errors
-    /// If its raster or its ground is too large, or ranges do not rise.
-    pub fn new(stage: Stage, run: Parameters) -> Result<Self, PrepareError> {
+    /// If its raster or its ground is too large, ranges do not rise, tiles have no slots, or a clock of real time lacks the course of the mission.
+    pub fn new(stage: Stage, run: Parameters, hardware: Hardware) -> Result<Self, PrepareError> {
         let screen = scene_sampler::screen(&stage, NAME)?;
-        Ok(Self { prepared: Prepared::new(stage, run)?, screen })
+        if run.clock == Clock::RealTime {
+            expect_course(&stage, NAME, "a clock of real time")?;
+        }
+        let prepared = Prepared::new(stage, run, &hardware)?;
+        Ok(Self { prepared, hardware, screen, fields: Fields::default() })
+    }
+
+    /// What frames share.
+    pub fn prepared(&self) -> &Prepared {
+        &self.prepared
+    }
+
+    /// What the viewer runs on.
+    pub fn hardware(&self) -> &Hardware {
+        &self.hardware
+    }
+
+    /// Name of a tile in records, as `explain` tells its column and row.
+    pub fn tile_name(&self, number: usize) -> String {
+        let columns = self.prepared.posts.terrain.counts()[0];
+        format!("tile.{}.{}", number % columns, number / columns)
+    }
+
+    /// Distance (m) of a tile's middle from an eye.
+    pub fn tile_distance(&self, number: usize, eye: DVec3) -> f64 {
+        let terrain = &self.prepared.posts.terrain;
+        let columns = terrain.counts()[0];
+        distance(terrain, Tile { column: number % columns, row: number / columns }, eye)
+    }
+
+    /// Levels of frame `frame` from `pose`, and those of the frame that the viewer has begun before it, as far as the stage knows its pose.
+    ///
+    /// # Errors
+    /// If a pose cannot be drawn.
+    pub fn look(&self, frame: u64, pose: &Pose) -> Result<Looked, FrameError> {
+        let before = match self.prepared.run.clock {
+            Clock::Stepped => frame.checked_sub(1),
+            Clock::RealTime => self.field(frame)?.before,
+        };
+        self.look_after(frame, pose, before)
+    }
+
+    fn look_after(&self, frame: u64, pose: &Pose, before: Option<u64>) -> Result<Looked, FrameError> {
+        self.check(frame, pose)?;
+        let camera = Camera::new(pose, &self.prepared.stage.view);
+        let eye = camera.eye;
+        let course = self.prepared.stage.scenery.course();
+        let earlier = before.and_then(|frame| course.get(frame as usize));
+        let before = earlier.map(|pose| ground::state(&self.prepared, DVec3::from_array(pose.eye)));
+        Ok(Looked { camera, eye, state: ground::state(&self.prepared, eye), before })
+    }
+
+    /// The work of a frame.
+    pub fn work(&self, looked: &Looked) -> Work {
+        let Prepared { posts, run, slots, stage, .. } = &self.prepared;
+        let words = slots::words(&posts.terrain, run, *slots);
+        let tiles = ground::in_view(&self.prepared, &looked.camera);
+        let surface = ground::surface(&self.prepared, &looked.state);
+        Work::of(&surface, looked.before.as_ref(), &tiles, words).captured(&stage.view, &self.hardware)
+    }
+
+    /// What the viewer does in field `number` of a mission under a clock of real time: a frame takes as many fields as it needs, and the next one
+    /// begins with the pose of the time that was reached.
+    ///
+    /// # Errors
+    /// If a frame before cannot be drawn.
+    pub fn field(&self, number: u64) -> Result<Field, FrameError> {
+        let Stage { view, scenery, .. } = &self.prepared.stage;
+        let ticks = view.update.period_ticks(SECOND);
+        self.fields.field(number, |frame, before| {
+            let looked = self.look_after(frame, &scene_sampler::pose(scenery.course(), frame)?, before)?;
+            Ok(frame_time(&self.work(&looked).tasks(&self.hardware)).div_ceil(ticks))
+        })
+    }
+
+    /// What the picture of frame `frame` shows: itself from `pose`, or under a clock of real time the last picture that was complete.
+    fn shown(&self, frame: u64, pose: &Pose) -> Result<Shown, FrameError> {
+        match self.prepared.run.clock {
+            Clock::Stepped => Ok(Shown::own(frame, pose)),
+            Clock::RealTime => Shown::of(self.field(frame)?, self.prepared.stage.scenery.course()),
+        }
     }
 
     fn gather(&self, frame: u64, pose: &Pose) -> Result<Gathered, FrameError> {
@@ -47,7 +150,7 @@ impl Session {
         let camera = Camera::new(pose, &self.prepared.stage.view);
         let state = ground::state(&self.prepared, camera.eye);
         let surface = ground::surface(&self.prepared, &state);
-        let mesh = ground::mesh(&self.prepared, &surface, &camera);
+        let mesh = ground::mesh(&surface, &ground::in_view(&self.prepared, &camera), &camera);
         let faces = ground::faces(&self.prepared, &surface, &mesh, &camera, pose.time);
         let run = &self.prepared.run.sampling;
         let scene = Scene::new(&self.prepared.stage, run, &self.screen, camera, faces, (frame, pose.time))?;
@@ -75,16 +178,23 @@ impl GeneratorSession for Session {
         planes: &mut Planes,
         _: &mut Probe,
     ) -> Result<FrameCounts, FrameError> {
-        let gathered = self.gather(frame, pose)?;
+        let shown = self.shown(frame, pose)?;
+        let gathered = self.gather(shown.frame, &shown.pose)?;
         let (scene, run) = (&gathered.scene, &self.prepared.run.sampling);
         let view = &self.prepared.stage.view;
-        let picture = scene_sampler::draw_untimed(scene, &self.screen, run, (view, frame), planes)?;
+        let picture = scene_sampler::draw_untimed(scene, &self.screen, run, (view, shown.frame), planes)?;
+        if shown.is_dark {
+            planes.fill_sky();
+        }
+        let surface = ground::surface(&self.prepared, &gathered.state);
         Ok(FrameCounts::of([
             ("tiles", gathered.mesh.tile_count()),
             ("visits", gathered.state.visits()),
             ("vertices", gathered.mesh.vertices.len() as u64),
             ("morphing", gathered.mesh.morphing),
             ("ground_triangles", gathered.mesh.triangles.len() as u64),
+            ("cracked_edges", surface.cracked_edges()),
+            ("repeated", u64::from(!shown.is_new)),
             ("faces", scene.faces.work.faces),
             ("triangles", scene.faces.work.triangles),
             ("entries", picture.entries),
@@ -131,7 +241,8 @@ impl GeneratorSession for Session {
 
     /// Tile, level, fraction, heights before and after morphing of the ground in a pixel; then the stack of every sampling point.
     fn explain(&self, frame: u64, pose: &Pose, pixel: [usize; 2]) -> Result<Vec<Fact>, FrameError> {
-        let gathered = self.gather(frame, pose)?;
+        let Shown { frame, pose, .. } = self.shown(frame, pose)?;
+        let gathered = self.gather(frame, &pose)?;
         let surface = ground::surface(&self.prepared, &gathered.state);
         let camera = &gathered.scene.camera;
         self.filled(frame, &gathered, pixel, |filled| {
@@ -153,7 +264,8 @@ impl GeneratorSession for Session {
         pixel: [usize; 2],
         number: usize,
     ) -> Result<Option<Value>, FrameError> {
-        let gathered = self.gather(frame, pose)?;
+        let Shown { frame, pose, .. } = self.shown(frame, pose)?;
+        let gathered = self.gather(frame, &pose)?;
         self.filled(frame, &gathered, pixel, |filled| filled.document(number, &[]))
     }
 
@@ -167,6 +279,7 @@ impl GeneratorSession for Session {
     }
 
     fn faces(&self, frame: u64, pose: &Pose) -> Result<Option<FaceScene>, FrameError> {
-        Ok(Some(judged_faces(self.gather(frame, pose)?.scene, &self.prepared.run.sampling)))
+        let Shown { frame, pose, .. } = self.shown(frame, pose)?;
+        Ok(Some(judged_faces(self.gather(frame, &pose)?.scene, &self.prepared.run.sampling)))
     }
 }

@@ -46,18 +46,7 @@ impl Posts {
         let [rows, columns] = &stored.places;
         let axes = [even(rows)?, even(columns)?];
         let height = |row: usize, column: usize| stored.heights[row * columns.len() + column];
-        let slope = |places: &[f64], at: usize, height: &dyn Fn(usize) -> f64| {
-            let (before, behind) = (at.saturating_sub(1), (at + 1).min(places.len() - 1));
-            ((height(behind) - height(before)) / (places[behind] - places[before])) as f32
-        };
-        let slopes = |post: usize| {
-            let (row, column) = (post / columns.len(), post % columns.len());
-            [
-                slope(rows, row, &|row| height(row, column)),
-                slope(columns, column, &|column| height(row, column)),
-            ]
-        };
-        let slopes = (0..stored.heights.len()).into_par_iter().map(slopes).collect();
+        let slopes = slopes_between([rows, columns], &height);
         Self::cut(stored.order, [rows.clone(), columns.clone()], axes, (stored.heights.clone(), slopes))
     }
 
@@ -77,6 +66,25 @@ impl Posts {
         }
     }
 
+    /// Takes the slopes of the posts that level `level` has, with their places: its own where that is 0, else those to the posts of the level around each.
+    ///
+    /// # Errors
+    /// If the level has no two posts along an axis.
+    pub fn take_slopes(&mut self, level: u32) -> Result<([Axis; 2], Vec<[f32; 2]>), PrepareError> {
+        let slopes = std::mem::take(&mut self.slopes);
+        if level == 0 {
+            return Ok((self.axes, slopes));
+        }
+        let step = 1_usize << level;
+        let [rows, columns] =
+            self.axes.map(|axis| places(&axis).into_iter().step_by(step).collect::<Vec<f64>>());
+        let height = |row: usize, column: usize| {
+            let (tile, within) = self.terrain.locate([columns[column], rows[row]]);
+            self.terrain.height(tile, 0, within.map(|cell| cell.round() as usize))
+        };
+        Ok(([even(&rows)?, even(&columns)?], slopes_between([&rows, &columns], &height)))
+    }
+
     /// Cuts posts into tiles.
     fn cut(
         order: u32,
@@ -93,6 +101,22 @@ impl Posts {
 
 fn refused(what: String, remedy: &str) -> PrepareError {
     PrepareError::Unsupported { generator: NAME, what, remedy: remedy.into() }
+}
+
+/// Slopes to the north and to the east (m/m) at posts in rows and columns, each by the posts around it.
+fn slopes_between(
+    [rows, columns]: [&[f64]; 2],
+    height: &(impl Fn(usize, usize) -> f64 + Sync),
+) -> Vec<[f32; 2]> {
+    let around = |places: &[f64], at: usize| (at.saturating_sub(1), (at + 1).min(places.len() - 1));
+    let slopes = |post: usize| {
+        let (row, column) = (post / columns.len(), post % columns.len());
+        let ((south, north), (west, east)) = (around(rows, row), around(columns, column));
+        let to_north = (height(north, column) - height(south, column)) / (rows[north] - rows[south]);
+        let to_east = (height(row, east) - height(row, west)) / (columns[east] - columns[west]);
+        [to_north as f32, to_east as f32]
+    };
+    (0..rows.len() * columns.len()).into_par_iter().map(slopes).collect()
 }
 
 /// The axis of stored places: evenly spaced, but for those of a last tile.

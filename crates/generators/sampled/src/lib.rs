@@ -120,7 +120,6 @@
 mod deadlines;
 mod drawn;
 mod faults;
-mod fields;
 mod ground;
 mod hardware;
 mod inputs;

@@ -9,13 +9,12 @@ use generator::{
 use ground_mesh::{GroundMesh, Rings};
 use raster::{Lists, Screen};
 use scenario::Pose;
-use scene_sampler::{Camera, Filled, Scene, judged_faces};
+use scene_sampler::{Camera, Fields, Filled, Scene, expect_course, judged_faces};
 use serde_json::Value;
 use signal::{Probe, Wire};
 use translucency::Losses;
 
 use crate::drawn::Drawn;
-use crate::fields::Fields;
 use crate::hardware::Hardware;
 use crate::overload::LostEntry;
 use crate::parameters::Parameters;
@@ -49,12 +48,8 @@ impl Session {
     /// If its raster is too large.
     pub fn new(stage: Stage, parameters: Parameters, hardware: Hardware) -> Result<Self, PrepareError> {
         let screen = scene_sampler::screen(&stage, NAME)?;
-        if parameters.overload.shows_earlier_frames() && stage.scenery.course().is_empty() {
-            return Err(PrepareError::Unsupported {
-                generator: NAME,
-                what: format!("overload `{}` without the frames before", parameters.overload.word()),
-                remedy: "give the stage the course of its mission".into(),
-            });
+        if parameters.overload.shows_earlier_frames() {
+            expect_course(&stage, NAME, &format!("overload `{}`", parameters.overload.word()))?;
         }
         let rings = ground::rings(&stage, &parameters);
         let (fields, meshes) = (Fields::default(), Mutex::default());

@@ -2,26 +2,12 @@
 
 use generator::FrameError;
 use scenario::Pose;
-use scene_sampler::{Picture, Reading, Scene};
+use scene_sampler::{Field, Picture, Reading, Scene, Shown};
 
-use crate::fields::Field;
 use crate::overload;
 use crate::policy::Overload;
 use crate::session::Session;
 use crate::work::{self, Course};
-
-/// The frame that a picture shows.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Shown {
-    /// Number of the frame.
-    pub frame: u64,
-    /// Pose of that frame.
-    pub pose: Pose,
-    /// Whether no picture has shown it before.
-    pub is_new: bool,
-    /// Whether nothing is complete yet: the picture is dark.
-    pub is_dark: bool,
-}
 
 impl Session {
     /// What the picture of field `frame` shows: its own frame from `pose`, or an earlier one where frames take several fields.
@@ -30,13 +16,9 @@ impl Session {
     /// If a frame before cannot be drawn.
     pub fn shown(&self, frame: u64, pose: &Pose) -> Result<Shown, FrameError> {
         if self.parameters.overload != Overload::Extend {
-            return Ok(Shown { frame, pose: *pose, is_new: true, is_dark: false });
+            return Ok(Shown::own(frame, pose));
         }
-        let field = self.field(frame)?;
-        let shown = field.shown();
-        let frame = shown.unwrap_or(field.frame);
-        let (is_new, is_dark) = (field.is_complete, shown.is_none());
-        Ok(Shown { frame, pose: self.pose(frame)?, is_new, is_dark })
+        Shown::of(self.field(frame)?, self.stage.scenery.course())
     }
 
     /// What the machine does in field `number` where frames may take several.
@@ -44,7 +26,7 @@ impl Session {
     /// # Errors
     /// If a frame before cannot be drawn.
     pub fn field(&self, number: u64) -> Result<Field, FrameError> {
-        self.fields.field(number, |frame| {
+        self.fields.field(number, |frame, _| {
             let scene = self.gather(frame, &self.pose(frame)?)?.scene;
             Ok(work::fields(self.course(&scene, frame)?.end(), self.field_ticks()))
         })
@@ -73,9 +55,7 @@ impl Session {
 
     /// Pose of a frame of the mission.
     fn pose(&self, frame: u64) -> Result<Pose, FrameError> {
-        let pose = self.stage.scenery.course().get(frame as usize).copied();
-        let reason = || "it is not among the frames of the mission; choose one of those".to_owned();
-        pose.ok_or_else(|| FrameError::Refused { frame, reason: reason() })
+        scene_sampler::pose(self.stage.scenery.course(), frame)
     }
 
     /// Puts the frame before into each sub-area of `picture`, drawn from `scene`, that is not read out in time; black, where `frame`

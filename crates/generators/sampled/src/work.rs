@@ -23,9 +23,7 @@ const SECOND: u128 = 1_000_000_000;
 
 /// Ticks of a frame at `update` frames a second: whole ones, at least 1.
 pub fn frame_ticks(hardware: &Hardware, update: Rate) -> u64 {
-    let [frames, seconds] = update.fraction().map(u128::from);
-    let ticks = u128::from(hardware.sampler_hz) * seconds / frames;
-    u64::try_from(ticks).unwrap_or(u64::MAX).max(1)
+    update.period_ticks(hardware.sampler_hz)
 }
 
 /// Ticks in which the beam draws so many points: whole ones.

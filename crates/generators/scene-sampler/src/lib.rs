@@ -38,6 +38,7 @@ mod beam;
 mod camera;
 
 mod faces;
+mod fields;
 mod filled;
 mod ground;
 mod ground_map;
@@ -56,6 +57,7 @@ mod wedge;
 pub use beam::Beam;
 pub use camera::Camera;
 pub use faces::{Corner, FaceError, Faces, Look, Mapped, NEAR, Surface, Work};
+pub use fields::{Field, Fields, Shown, expect_course, pose};
 pub use filled::Filled;
 pub use ground::Ground;
 pub use ground_map::{Axis, GroundMap};

@@ -6,8 +6,7 @@ use timing::{Deadline, FrameTiming, Task};
 use crate::hardware::Kind;
 use crate::prepared::Prepared;
 use crate::schedule::When;
-use crate::timed::frame_ns;
-use crate::work::{EDGES, GEOMETRY, RT, TRANSFER, VIDEO};
+use crate::work::{EDGES, GEOMETRY, RT, SECOND, TRANSFER, VIDEO};
 
 /// Nanoseconds in a microsecond, and microseconds in a second.
 const THOUSAND: f64 = 1e3;
@@ -22,7 +21,7 @@ pub fn figures(prepared: &Prepared, frames: &[FrameTiming]) -> Vec<SizedFigure> 
     let most =
         |of: &dyn Fn(&FrameTiming) -> u64| frames.iter().map(|frame| of(frame) as f64).reduce(f64::max);
     let microseconds = |unit: &'static str| mean(&move |frame| ticks(frame, unit)).map(|ns| ns / THOUSAND);
-    let frame_us = frame_ns(prepared.stage.view.update) as f64 / THOUSAND;
+    let frame_us = prepared.stage.view.update.period_ticks(SECOND) as f64 / THOUSAND;
     let update_hz = prepared.stage.view.update.hertz();
     let figure = |key, meaning, measured, formula, law| SizedFigure { key, meaning, measured, formula, law };
     let queue = |frame: &FrameTiming| {

@@ -47,13 +47,6 @@ impl Clocked {
     }
 }
 
-/// Length of a frame (ns): whole ones, at least 1.
-pub fn frame_ns(update: Rate) -> u64 {
-    let [frames, seconds] = update.fraction().map(u128::from);
-    let ticks = u128::from(SECOND) * seconds / frames;
-    u64::try_from(ticks).unwrap_or(u64::MAX).max(1)
-}
-
 impl Timed for Clocked {
     fn master(&self) -> Rate {
         Rate::new(SECOND, 1).expect("a whole number above 0")
@@ -73,7 +66,7 @@ impl Timed for Clocked {
         let scene = Scene::new(prepared, frame, pose)?;
         let (seen, _) = prepared.seen(frame, pose)?;
         let lines = planes::timed_lines(&scene, &prepared.run, prepared.size());
-        let ticks = frame_ns(prepared.stage.view.update);
+        let ticks = prepared.stage.view.update.period_ticks(SECOND);
         let mut judged = Judged::none_of(prepared);
         judged.frame_tasks();
         judged.updates(seen, ticks);

@@ -88,7 +88,7 @@ impl Opened {
     }
 
     fn with_course(&self, stage: MachineStage) -> Result<MachineStage, StageError> {
-        match self.generator.remembers_frames() {
+        match self.generator.remembers_frames() || self.generator.timing_remembers_frames() {
             true => with_course(stage, &self.scenario),
             false => Ok(stage),
         }

@@ -61,8 +61,22 @@ impl State {
 
     /// The same without morphing: every tile is whole.
     pub fn switched(&self) -> Self {
-        let tiles = self.tiles.iter().map(|tile| TileState { fraction: 0.0, ..*tile });
-        Self { tiles: tiles.collect(), visits: self.visits }
+        self.with_fractions(|_, _| 0.0)
+    }
+
+    /// The same with other fractions, 0 to 1, of the tiles with a number and a state.
+    pub fn with_fractions(&self, fraction: impl Fn(usize, TileState) -> f64) -> Self {
+        let with =
+            |(number, tile): (usize, &TileState)| TileState { fraction: fraction(number, *tile), ..*tile };
+        Self { tiles: self.tiles.iter().enumerate().map(with).collect(), visits: self.visits }
+    }
+
+    /// Tiles that have another level than in the state before: number, level before, level now.
+    pub fn changes(&self, before: &Self) -> impl Iterator<Item = (usize, usize, usize)> {
+        let pairs = before.tiles.iter().zip(&self.tiles).enumerate();
+        pairs
+            .filter(|(_, (old, new))| old.level != new.level)
+            .map(|(at, (old, new))| (at, old.level, new.level))
     }
 
     /// State of the tile with a number.

@@ -70,6 +70,11 @@ impl Terrain {
         [0, 1].map(|end| [0, 1].map(|axis| self.places[axis][end * (self.places[axis].len() - 1)]))
     }
 
+    /// How many posts there are.
+    pub fn posts(&self) -> u64 {
+        self.heights.len() as u64
+    }
+
     /// Cells of a side of a tile at a level.
     pub fn cells(&self, level: usize) -> usize {
         1 << (self.order as usize - level)

@@ -95,6 +95,12 @@ impl Body {
         Self { centre, radius, ..body }
     }
 
+    /// The same body so far (m) higher up.
+    pub fn lifted(&self, by: f64) -> Self {
+        let up = DVec3::Z * by;
+        Self { foot: self.foot + up, centre: self.centre + up, ..self.clone() }
+    }
+
     /// Vertices of the solid in terrain axes.
     pub fn vertices(&self) -> impl ExactSizeIterator<Item = DVec3> + Clone {
         let place = self.place_of();

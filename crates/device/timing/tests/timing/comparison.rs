@@ -93,6 +93,7 @@ fn expect_change_is_found(record: &TimingRecord, way: &str) {
         "unit" | "task" if way.starts_with("/before_mission") => "before_mission.",
         "unit" | "task" if way.contains("/tasks/") => "tasks.",
         "unit" => "units.",
+        "tile" => "level_changes.",
         "deadline" | "sweep" | "crossing" | "colour" | "register" | "part" | "crater" => "miss (",
         key => key,
     };

@@ -7,8 +7,8 @@ use proptest::option;
 use proptest::prelude::{Just, Strategy, any, prop_oneof};
 use proptest::sample::select;
 use timing::{
-    Cause, Deadline, EventHash, FORMAT, FrameTiming, Missed, Sets, Slack, Task, TimingRecord, UnitUse,
-    Vertices,
+    Cause, Deadline, EventHash, FORMAT, FrameTiming, LevelChange, Missed, Sets, Slack, Task, TimingRecord,
+    UnitUse, Vertices,
 };
 
 fn slack_of(ticks: impl IntoIterator<Item = i64>) -> Slack {
@@ -61,6 +61,10 @@ fn task(unit: &str, task: &str, pieces: u64, ticks: u64) -> Task {
     Task { unit: unit.into(), task: task.into(), pieces, ticks }
 }
 
+fn level_change(tile: &str, from: u32, to: u32) -> LevelChange {
+    LevelChange { tile: tile.into(), from, to, distance_m: 15_000.25, fraction: 0.998 }
+}
+
 /// Two frames: a clean one, and one with two misses.
 pub fn small() -> TimingRecord {
     let mut events = EventHash::new();
@@ -79,6 +83,7 @@ pub fn small() -> TimingRecord {
         ]),
         units: vec![unit("cpu", 340_000, 2), unit("loader.red", 33_000, 3)],
         tasks: Vec::new(),
+        level_changes: Vec::new(),
         misses: Vec::new(),
         events,
         events_blake3,
@@ -174,13 +179,27 @@ fn tasks() -> impl Strategy<Value = Vec<Task>> {
     })
 }
 
+fn level_changes() -> impl Strategy<Value = Vec<LevelChange>> {
+    let change = (any::<u32>(), 1..u32::MAX, 0.0..1e9, 0.0..=1.0);
+    btree_map(text(), change, 0..4).prop_map(|changes| {
+        let of = |(tile, (from, more, distance_m, fraction))| LevelChange {
+            tile,
+            from,
+            to: from.wrapping_add(more),
+            distance_m,
+            fraction,
+        };
+        changes.into_iter().map(of).collect()
+    })
+}
+
 fn frame() -> impl Strategy<Value = FrameTiming> {
     let vertices = any::<[u64; 2]>().prop_map(|[a, b]| Vertices { asked: a.max(b), ready: a.min(b) });
     let counters = (1u64.., any::<u64>(), sets(), any::<u64>(), vertices);
-    let lists = (deadlines(), units(), tasks(), vec(missed(), 0..4));
+    let lists = (deadlines(), units(), tasks(), level_changes(), vec(missed(), 0..4));
     (counters, lists, any::<u64>(), "[0-9a-f]{64}").prop_map(|(counters, lists, events, events_blake3)| {
         let (ticks, folds, sets, late_words, vertices) = counters;
-        let (deadlines, units, tasks, misses) = lists;
+        let (deadlines, units, tasks, level_changes, misses) = lists;
         FrameTiming {
             frame: 0,
             ticks,
@@ -191,6 +210,7 @@ fn frame() -> impl Strategy<Value = FrameTiming> {
             deadlines,
             units,
             tasks,
+            level_changes,
             misses,
             events,
             events_blake3,
@@ -209,6 +229,7 @@ pub fn program() -> TimingRecord {
             vec![task("cpu", "slopes", pieces, 8 * pieces), task("recorder", "plotting", pieces, 2 * pieces)];
         frame.units = vec![unit("cpu", 8 * pieces, 0), unit("recorder", 2 * pieces, 0)];
     }
+    record.frames[1].level_changes = vec![level_change("tile.3.7", 2, 1), level_change("tile.4.7", 1, 2)];
     record
 }
 

@@ -1,10 +1,9 @@
 //! Where the eye may stand.
 
 use generator::{Generator, PlaneKind, Planes};
-use lod_mesh::LodMesh;
 use signal::Probe;
 
-use crate::shots::{SIDE, draw, pose, run, session, sky, stage};
+use crate::shots::{SIDE, draw, generator, pose, run, session, sky, stage};
 
 #[test]
 fn beside_the_ground_there_is_nothing_and_the_rest_is_drawn() {
@@ -50,6 +49,6 @@ fn an_eye_above_the_landscape_and_under_its_triangles_is_refused() {
 #[test]
 fn too_many_posts_are_refused_with_their_number() {
     let run = lod_mesh::Parameters { spacing: Some(0.1), ..run() };
-    let error = LodMesh { parameters: run }.prepare(stage(32)).err().unwrap().to_string();
+    let error = generator(run).prepare(stage(32)).err().unwrap().to_string();
     assert!(error.contains("256032001 posts") && error.contains("lod.spacing_m"), "{error}");
 }

@@ -2,9 +2,11 @@
 
 mod cracks;
 mod eye;
+mod faults;
 mod order;
 mod parameters;
 mod pops;
 mod shots;
 mod stored;
+mod time;
 mod told;

@@ -1,13 +1,23 @@
 //! The table `[lod]`, and what is wrong with it.
 
-use diagnostics::{Problems, TomlFile};
+use std::sync::Arc;
+
+use diagnostics::{Layers, ProblemList, Problems, TomlFile};
+use generator::Generator;
 use lod_mesh::ROW;
 
-fn fault(table: &str) -> String {
+/// The generator of a table `[lod]` on the computer that ships, with overlays.
+pub fn configured(table: &str, overlay: Option<&str>) -> Result<Arc<dyn Generator>, ProblemList> {
     let problems = Problems::new();
-    let file = TomlFile::parse("mine.toml", &format!("[lod]\n{table}\n"), &problems).unwrap();
-    assert!((ROW.configure)(&file.root(&problems)).is_none(), "{table}");
-    problems.into_result().unwrap_err().to_string()
+    let table = format!("[lod]\n{table}\n");
+    let layers = [ROW.gear.unwrap().text, &table].into_iter().chain(overlay);
+    let files = layers.filter_map(|text| TomlFile::parse("mine.toml", text, &problems));
+    let configured = (ROW.configure)(&Layers::new(files).root(&problems));
+    problems.resolve(configured)
+}
+
+fn fault(table: &str) -> String {
+    configured(table, None).err().unwrap().to_string()
 }
 
 #[test]
@@ -22,6 +32,12 @@ fn faults_are_told_with_what_is_expected() {
         ("morph_percent = [10, 20]", ["2 shares for 6 levels", "one for each"]),
         ("transition = \"jump\"", ["transition", "switch"]),
         ("pattern = \"5\"", ["pattern", "lattice32"]),
+        ("light_level = 6", ["level 6 of tiles of order 5", "at most 5"]),
+        ("light_level = 1\nlight = \"live\"", ["level 1, where light is live", "light = \"map\""]),
+        ("percent_bits = 25", ["percent_bits", "24"]),
+        ("slots = \"many\"", ["slots", "share"]),
+        ("clock = \"fast\"", ["clock", "real-time"]),
+        ("boulders = \"air\"", ["boulders", "mean-radius"]),
     ] {
         let fault = fault(table);
         assert!(told.iter().all(|word| fault.contains(word)), "{table}: {fault}");
@@ -30,10 +46,8 @@ fn faults_are_told_with_what_is_expected() {
 
 #[test]
 fn a_whole_table_is_read() {
-    let problems = Problems::new();
-    let text = "[lod]\norder = 4\nlevels = 2\nranges_m = [100, 250]\nmorph_percent = [50, 0]\nstitch = \"none\"\nlight = \"live\"\n";
-    let file = TomlFile::parse("mine.toml", text, &problems).unwrap();
-    let generator = (ROW.configure)(&file.root(&problems)).unwrap();
+    let text = "order = 4\nlevels = 2\nranges_m = [100, 250]\nmorph_percent = [50, 0]\nstitch = \"none\"\nlight = \"live\"\n";
+    let generator = configured(text, None).unwrap();
     let record = generator.record();
     assert_eq!(record["ranges_m"], serde_json::json!([100.0, 250.0]));
     assert_eq!(record["morph_percent"], serde_json::json!([50.0, 0.0]));

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use generator::{Generator, PlaneKind, Planes, Session, Stage};
 use landscape::relief::{Relief, Undulation};
 use landscape::{Attitude, Bank, Landscape, Sun};
-use lod_mesh::{LodMesh, Parameters};
+use lod_mesh::{Hardware, LodMesh, Parameters};
 use quantities::{Rate, radians};
 use scenario::{Curvature, Display, FieldOfView, Laws, Pose, Scenery, View};
 use signal::Probe;
@@ -50,8 +50,13 @@ pub fn run() -> Parameters {
     }
 }
 
+/// The generator on the computer that ships.
+pub fn generator(run: Parameters) -> LodMesh {
+    LodMesh { parameters: run, hardware: Hardware::shipped().unwrap() }
+}
+
 pub fn session(stage: Stage, run: Parameters) -> Box<dyn Session> {
-    LodMesh { parameters: run }.prepare(stage).unwrap()
+    generator(run).prepare(stage).unwrap()
 }
 
 /// An eye at a place (north, east, up; m), with heading and pitch (deg).

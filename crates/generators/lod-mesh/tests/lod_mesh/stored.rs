@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use generator::{Generator, PlaneKind, Stage};
 use landscape::Posts;
-use lod_mesh::{LodMesh, Parameters};
+use lod_mesh::Parameters;
 
-use crate::shots::{draw, pose, run, session, stage};
+use crate::shots::{draw, generator, pose, run, session, stage};
 
 /// The stage with posts whose heights rise by 0.3 m a metre to the east.
 fn stored(places: [Vec<f64>; 2], ranges: Vec<[f64; 2]>) -> Stage {
@@ -53,9 +53,8 @@ fn ranges_of_a_database_hold_where_the_scenario_gives_none() {
 fn a_last_tile_may_be_narrower_and_other_posts_are_refused() {
     let mut narrow = every(100.0, 5);
     narrow.extend([450.0, 500.0, 550.0, 600.0]);
-    let of = |east: Vec<f64>| {
-        LodMesh { parameters: Parameters::default() }.prepare(stored([every(100.0, 9), east], vec![]))
-    };
+    let of =
+        |east: Vec<f64>| generator(Parameters::default()).prepare(stored([every(100.0, 9), east], vec![]));
     assert!(of(narrow.clone()).is_ok());
     narrow[6] = 490.0;
     let error = of(narrow).err().unwrap().to_string();

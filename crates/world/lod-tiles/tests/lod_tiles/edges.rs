@@ -4,7 +4,8 @@ use crate::flight::{levels, moving, terrain};
 use lod_tiles::{Edges, State, Stitch, Surface, Terrain, Tile, TileState};
 
 /// Heights along a side of a tile as it is drawn: the broken line through the corners of its triangles there, at every post of the finest level.
-fn line(surface: &Surface<'_>, tile: Tile, (axis, at): (usize, f64)) -> Vec<f64> {
+pub fn line(surface: &Surface<'_>, tile: Tile, (axis, at): (usize, f64)) -> Vec<f64> {
+    let cells = surface.terrain.cells(0);
     let mut corners: Vec<[f64; 2]> = surface
         .triangles(tile)
         .iter()
@@ -15,9 +16,9 @@ fn line(surface: &Surface<'_>, tile: Tile, (axis, at): (usize, f64)) -> Vec<f64>
     corners.sort_by(|a, b| a[0].total_cmp(&b[0]));
     corners.dedup_by(|a, b| a[0] == b[0]);
     let (first, last) = (corners[0][0], corners[corners.len() - 1][0]);
-    (0..=32)
+    (0..=cells)
         .map(|k| {
-            let place = first + (last - first) * f64::from(k) / 32.0;
+            let place = first + (last - first) * k as f64 / cells as f64;
             let next =
                 corners.iter().position(|corner| corner[0] >= place).unwrap_or(corners.len() - 1).max(1);
             let ([a, low], [b, high]) = (corners[next - 1], corners[next]);
@@ -76,7 +77,7 @@ impl Dice {
 }
 
 /// 3 x 3 tiles of 9 x 9 posts with random heights.
-fn rough(dice: &mut Dice) -> Terrain {
+pub fn rough(dice: &mut Dice) -> Terrain {
     let places: Vec<f64> = (0..25).map(f64::from).collect();
     let heights = (0..625).map(|_| 100.0 * dice.next()).collect();
     Terrain::new(3, [places.clone(), places], heights).unwrap()

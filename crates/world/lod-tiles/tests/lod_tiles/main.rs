@@ -4,3 +4,4 @@ mod counts;
 mod edges;
 mod flight;
 mod morphing;
+mod pieces;
