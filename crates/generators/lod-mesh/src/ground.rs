@@ -13,6 +13,7 @@ use crate::live;
 use crate::parameters::{GroundLight, Show, Transition};
 use crate::prepared::Prepared;
 use crate::slots::on_board;
+use crate::wires::FILL;
 
 /// The tiles of a frame as a mesh, in the axes of the map.
 #[derive(Debug, Default)]
@@ -118,6 +119,18 @@ impl Mesh {
         self.tiles.len() as u64
     }
 
+    /// Numbers of the corners of the triangles of each tile, tile after tile.
+    pub fn triangles_of_tiles(&self) -> impl Iterator<Item = (&[[u32; 3]], Tile)> {
+        let mut begin = 0;
+        self.tiles().map(move |(tile, vertices)| {
+            let rest = &self.triangles[begin..];
+            // Triangles come in the order of their tiles, and no tile has vertices of another.
+            let many = rest.partition_point(|[corner, ..]| (*corner as usize) < vertices.end);
+            begin += many;
+            (&rest[..many], tile)
+        })
+    }
+
     /// Its tiles with the numbers of their vertices.
     pub fn tiles(&self) -> impl Iterator<Item = (Tile, Range<usize>)> {
         let next = self.tiles.iter().skip(1).map(|(_, first)| *first as usize);
@@ -146,11 +159,15 @@ pub fn faces<'a>(
     let stage = &prepared.stage;
     let sun = stage.scenery.sun(time).direction();
     let triangles = &mesh.triangles;
+    let fill = if prepared.run.show == Show::Wires { FILL } else { 0.0 };
+    let corner = |place: &DVec3| Corner { place: *place, colour: [fill; 3] };
+    if prepared.run.show == Show::Wires {
+        return Ground { corners: mesh.places.iter().map(corner).collect(), triangles, map: None };
+    }
     let map = match prepared.run.light {
         GroundLight::Map => prepared.map(sun),
         GroundLight::Live => None,
     };
-    let corner = |place: &DVec3| Corner { place: *place, colour: [0.0; 3] };
     let mut corners: Vec<Corner> = mesh.places.iter().map(corner).collect();
     match &map {
         Some(_) if prepared.run.show == Show::Light => return Ground { corners, triangles, map },
@@ -190,12 +207,16 @@ const COLOURS: [[f64; 3]; 6] = [
     [0.80, 0.35, 0.85],
 ];
 
-/// Gives every corner the colour of its tile's level, as far on the way to the next level's as the tile has morphed, under its light.
+/// Colour of a level, as far on the way to the next level's as a tile has morphed.
+pub fn level_colour(TileState { level, fraction }: TileState) -> [f64; 3] {
+    let [own, next] = [level, level + 1].map(|level| COLOURS[level % COLOURS.len()]);
+    [0, 1, 2].map(|k| (1.0 - fraction) * own[k] + fraction * next[k])
+}
+
+/// Gives every corner the colour of its tile's level, under its light.
 fn tint(surface: &Surface<'_>, mesh: &Mesh, corners: &mut [Corner]) {
     for (tile, vertices) in mesh.tiles() {
-        let TileState { level, fraction } = surface.tile_state(tile);
-        let [own, next] = [level, level + 1].map(|level| COLOURS[level % COLOURS.len()]);
-        let colour = [0, 1, 2].map(|k| (1.0 - fraction) * own[k] + fraction * next[k]);
+        let colour = level_colour(surface.tile_state(tile));
         for corner in &mut corners[vertices] {
             let light = corner.colour.into_iter().fold(0.0, f64::max);
             corner.colour = colour.map(|channel| light * channel);

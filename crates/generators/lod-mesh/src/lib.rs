@@ -57,6 +57,7 @@
 //!
 //! Remote shadow, texture, far silhouettes and vehicle tracks are listed as omissions.
 
+mod boulders;
 mod faults;
 mod frustum;
 mod ground;
@@ -69,10 +70,12 @@ mod place;
 mod prepared;
 mod row;
 mod session;
+mod signals;
 mod slots;
 mod sounding;
 mod terrain;
 mod time;
+mod wires;
 
 pub use lod_mesh::LodMesh;
 pub use parameters::{Boulders, Clock, GroundLight, Parameters, Show, Slots, Transition};

@@ -1,14 +1,17 @@
 //! The generator: what it is called, what it counts, and what its pictures follow from.
 
 use generator::{
-    Counter, Generator, Joined, PlaneKind, PrepareError, Session as GeneratorSession, Stage, Timed,
+    Counter, Generator, Joined, PlaneKind, PrepareError, Scan, Session as GeneratorSession, Stage, Timed,
 };
-use scene_sampler::PLANES;
+use scenario::View;
+use scene_sampler::{PLANES, pixel_scan};
 use serde_json::Value;
+use signal::Signal;
 
 use crate::name::NAME;
 use crate::parameters::{Clock, Parameters};
 use crate::session::Session;
+use crate::signals::{COLUMN, SIGNALS};
 use crate::time::{Hardware, Job};
 
 /// The generator of tiles; see the crate's data sheet.
@@ -54,8 +57,16 @@ impl Generator for LodMesh {
         &PLANES
     }
 
+    fn signals(&self) -> &'static [Signal] {
+        &SIGNALS
+    }
+
+    fn scan(&self, view: &View) -> Option<Scan> {
+        pixel_scan(view, COLUMN)
+    }
+
     fn draws_colour(&self, stage: &Stage) -> bool {
-        stage.is_colourful() || self.parameters.show == crate::Show::Levels
+        stage.is_colourful() || self.parameters.show != crate::Show::Light
     }
 
     fn remembers_frames(&self) -> bool {

@@ -40,6 +40,8 @@ pub struct Parameters {
     pub clock: Clock,
     /// Where boulders stand.
     pub boulders: Boulders,
+    /// Least diameter (pixels) of a boulder that is drawn; 0 draws all, with all faces.
+    pub boulder_px: f64,
 }
 
 /// How a level becomes the next one.
@@ -67,6 +69,8 @@ pub enum Show {
     Light,
     /// Levels and fractions as colours, under its light.
     Levels,
+    /// The edges of its triangles in those colours, over dark ground.
+    Wires,
 }
 
 /// What becomes of more tiles than the board has slots for.
@@ -119,6 +123,7 @@ impl Default for Parameters {
             slots: Slots::Unlimited,
             clock: Clock::Stepped,
             boulders: Boulders::OnGround,
+            boulder_px: 1.0,
         }
     }
 }
@@ -129,7 +134,7 @@ const EDGES: [(&str, Edges); 2] = [("shared", Edges::Shared), ("per-tile", Edges
 const STITCHES: [(&str, Stitch); 3] =
     [("coarse-side", Stitch::CoarseSide), ("fine-side", Stitch::FineSide), ("none", Stitch::None)];
 const LIGHTS: [(&str, GroundLight); 2] = [("map", GroundLight::Map), ("live", GroundLight::Live)];
-const SHOWS: [(&str, Show); 2] = [("light", Show::Light), ("levels", Show::Levels)];
+const SHOWS: [(&str, Show); 3] = [("light", Show::Light), ("levels", Show::Levels), ("wires", Show::Wires)];
 const SLOTS: [(&str, Slots); 3] =
     [("unlimited", Slots::Unlimited), ("refuse", Slots::Refuse), ("share", Slots::Share)];
 const CLOCKS: [(&str, Clock); 2] = [("stepped", Clock::Stepped), ("real-time", Clock::RealTime)];
@@ -159,6 +164,7 @@ impl Parameters {
         let slots = table.one_of("slots", &SLOTS).default(usual.slots);
         let clock = table.one_of("clock", &CLOCKS).default(usual.clock);
         let boulders = table.one_of("boulders", &BOULDERS).default(usual.boulders);
+        let boulder_px = table.f64("boulder_px").between(0.0, 1e4).unit("pixels").default(usual.boulder_px);
         let read = Self {
             sampling: sampling?,
             order: order?,
@@ -177,6 +183,7 @@ impl Parameters {
             slots: slots?,
             clock: clock?,
             boulders: boulders?,
+            boulder_px: boulder_px?,
         };
         read.check(table)
     }
@@ -262,6 +269,7 @@ impl Parameters {
             ("slots", word(&SLOTS, &self.slots).into()),
             ("clock", word(&CLOCKS, &self.clock).into()),
             ("boulders", word(&BOULDERS, &self.boulders).into()),
+            ("boulder_px", self.boulder_px.into()),
         ];
         own.into_iter().for_each(|(key, value)| record[key] = value);
         record

@@ -27,6 +27,11 @@ impl Seen {
         Self { place: seen + DVec3::Z * camera.drop_at(seen) }
     }
 
+    /// The tile under the place.
+    pub fn tile(&self, terrain: &Terrain) -> Tile {
+        terrain.locate([self.place.y, self.place.x]).0
+    }
+
     /// Tile, level, fraction and heights (m) under the place.
     pub fn facts(&self, prepared: &Prepared, surface: &Surface<'_>, eye: DVec3) -> Vec<Fact> {
         let DVec3 { x: north, y: east, .. } = self.place;

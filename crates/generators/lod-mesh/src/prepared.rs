@@ -1,13 +1,15 @@
 //! A stage made ready: posts, levels, slopes.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use generator::{PrepareError, Stage};
 use lod_tiles::{State, TileState};
 use scenario::Standing;
-use scene_sampler::{Axis, GroundMap};
+use scene_sampler::{Axis, Camera, GroundMap};
 use solids::Kind;
 
+use crate::boulders::FewFaces;
 use crate::levels::LevelTable;
 use crate::name::NAME;
 use crate::parameters::{Boulders, Parameters, Slots};
@@ -23,6 +25,8 @@ pub struct Prepared {
     pub table: LevelTable,
     /// All tiles at the finest level.
     pub finest: State,
+    /// Shapes of small boulders, where they are drawn by distance.
+    pub few_faces: Option<FewFaces>,
     /// Slots of the board's uniform array; `None` is without limit.
     pub slots: Option<u32>,
     /// Places of the posts whose slopes light looks up: north, then east.
@@ -46,8 +50,17 @@ impl Prepared {
         let table = LevelTable::new(&posts.terrain, &run, focal(&stage))?;
         let tiles = vec![TileState { level: 0, fraction: 0.0 }; posts.heights.len()];
         let finest = State::of(&posts.terrain, tiles);
+        let few_faces = if run.boulder_px > 0.0 { Some(FewFaces::of(&stage)?) } else { None };
         let slopes = slopes.into();
-        Ok(Self { stage, run, posts, table, finest, slots, light_axes, slopes })
+        Ok(Self { few_faces, stage, run, posts, table, finest, slots, light_axes, slopes })
+    }
+
+    /// The stage as a camera sees its boulders.
+    pub fn seen(&self, camera: &Camera) -> Cow<'_, Stage> {
+        match &self.few_faces {
+            Some(few) => Cow::Owned(few.seen(&self.stage, camera, self.run.boulder_px)),
+            None => Cow::Borrowed(&self.stage),
+        }
     }
 
     /// The map of the ground's slopes under a sun (unit vector to it: north, east, up).

@@ -7,6 +7,7 @@ use generator::{Against, DetailWay, ErrorLadder, Gear, Generator, Role, Row};
 
 use crate::faults::FAULTS;
 use crate::name::NAME;
+use crate::signals::SIGNALS;
 use crate::time::{FILE, SHIPPED, TABLES};
 use crate::{Hardware, LodMesh, Parameters};
 
@@ -18,7 +19,7 @@ pub static ROW: Row = Row {
     name: NAME,
     about: "tiles of ground at levels of detail that morph into one another (a thesis on tests of navigation)",
     role: Role::Guest,
-    signals: &[],
+    signals: &SIGNALS,
     timed: true,
     parameters: Some(TABLE),
     gear: Some(Gear { tables: &TABLES, file: FILE, text: SHIPPED, faults: &FAULTS }),

@@ -1,25 +1,28 @@
 //! The generator made ready for a stage.
 
 use generator::{
-    FaceScene, Fact, FrameCounts, FrameError, Omission, Planes, PrepareError, Session as GeneratorSession,
-    Stage, Weight, check_free_eye, face_lists_beside, photographs_beside,
+    FaceScene, Fact, FrameCounts, FrameError, Label, Omission, Planes, PrepareError,
+    Session as GeneratorSession, Stage, Weight, check_free_eye, face_lists_beside, photographs_beside,
 };
 use glam::DVec3;
 use lod_tiles::{State, Tile};
 use raster::Screen;
 use scenario::Pose;
-use scene_sampler::{Camera, Field, Fields, Filled, Scene, Shown, expect_course, judged_faces};
+use scene_sampler::{
+    Camera, Field, Fields, Filled, Scene, Shown, expect_course, judged_faces, record_pixel_rows,
+};
 use serde_json::Value;
-use signal::Probe;
+use signal::{Probe, Wire};
 
 use crate::ground::{self, Mesh};
 use crate::name::NAME;
-use crate::parameters::{Clock, Parameters};
+use crate::parameters::{Clock, Parameters, Show};
 use crate::place::{Seen, distance};
 use crate::prepared::Prepared;
-use crate::slots;
+use crate::signals::{COLUMN, SIGNALS, Samples};
 use crate::sounding::sounding;
 use crate::time::{Hardware, SECOND, Work, frame_time};
+use crate::{signals, slots, wires};
 
 /// The generator made ready for one stage.
 pub(crate) struct Session {
@@ -145,6 +148,22 @@ impl Session {
         }
     }
 
+    /// Records the rows that `probe` wants of a picture with these surfaces.
+    fn record(&self, frame: u64, gathered: &Gathered, surfaces: &[(f32, Label)], probe: &mut Probe) {
+        let view = &self.prepared.stage.view;
+        let (camera, terrain) = (&gathered.scene.camera, &self.prepared.posts.terrain);
+        let samples = Samples::of(ground::surface(&self.prepared, &gathered.state));
+        let sample = |pixel: [usize; 2]| {
+            let (q, label) = surfaces[pixel[1] * view.columns as usize + pixel[0]];
+            let is_ground = q > 0.0 && label == Label::Terrain;
+            is_ground.then(|| {
+                let tile = Seen::new(camera, pixel, f64::from(q)).tile(terrain);
+                samples.tile(tile, distance(terrain, tile, camera.eye))
+            })
+        };
+        record_pixel_rows((frame, view), SIGNALS.iter(), COLUMN, probe, sample, signals::value);
+    }
+
     fn gather(&self, frame: u64, pose: &Pose) -> Result<Gathered, FrameError> {
         self.check(frame, pose)?;
         let camera = Camera::new(pose, &self.prepared.stage.view);
@@ -153,7 +172,8 @@ impl Session {
         let mesh = ground::mesh(&surface, &ground::in_view(&self.prepared, &camera), &camera);
         let faces = ground::faces(&self.prepared, &surface, &mesh, &camera, pose.time);
         let run = &self.prepared.run.sampling;
-        let scene = Scene::new(&self.prepared.stage, run, &self.screen, camera, faces, (frame, pose.time))?;
+        let stage = self.prepared.seen(&camera);
+        let scene = Scene::new(&stage, run, &self.screen, camera, faces, (frame, pose.time))?;
         Ok(Gathered { scene, state, mesh })
     }
 
@@ -176,7 +196,7 @@ impl GeneratorSession for Session {
         frame: u64,
         pose: &Pose,
         planes: &mut Planes,
-        _: &mut Probe,
+        probe: &mut Probe,
     ) -> Result<FrameCounts, FrameError> {
         let shown = self.shown(frame, pose)?;
         let gathered = self.gather(shown.frame, &shown.pose)?;
@@ -187,6 +207,10 @@ impl GeneratorSession for Session {
             planes.fill_sky();
         }
         let surface = ground::surface(&self.prepared, &gathered.state);
+        if self.prepared.run.show == Show::Wires && !shown.is_dark {
+            wires::draw(&gathered.mesh, &surface, &scene.camera, &picture.surfaces, planes);
+        }
+        self.record(frame, &gathered, &picture.surfaces, probe);
         Ok(FrameCounts::of([
             ("tiles", gathered.mesh.tile_count()),
             ("visits", gathered.state.visits()),
@@ -224,6 +248,12 @@ impl GeneratorSession for Session {
             }),
             None => Ok(()),
         }
+    }
+
+    fn wires(&self) -> Vec<Wire> {
+        let Prepared { stage, table, posts, .. } = &self.prepared;
+        let cells = posts.terrain.cells(0);
+        signals::wires(&stage.view, table.levels.count(), 2 * cells * cells)
     }
 
     fn omissions(&self) -> Vec<Omission> {

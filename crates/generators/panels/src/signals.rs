@@ -1,9 +1,9 @@
 //! Waveforms along a row of the picture: panel, depth, grey, source, writes, voids.
 
-use generator::{Along, Scan};
-use quantities::Timebase;
+use generator::Scan;
 use scenario::View;
-use signal::{Probe, Signal, Unit, Waveform, Wire};
+use scene_sampler::{pixel_scan, record_pixel_rows};
+use signal::{Probe, Signal, Unit, Wire};
 
 const SOURCE: &str = "none: ours, of the thesis's program";
 
@@ -81,8 +81,7 @@ impl Sample {
 
 /// How the signals run: row by row from the top.
 pub fn scan(view: &View) -> Option<Scan> {
-    let timebase = Timebase::new(view.update, view.update, view.lines, view.columns, 0).ok()?;
-    Some(Scan { line: "row", timebase, place: COLUMN, along: Along::Raster })
+    pixel_scan(view, COLUMN)
 }
 
 /// The wires of a view. `is_program` says that the program of the thesis draws. Numbers of a program have no voltage.
@@ -104,24 +103,7 @@ fn recorded(is_program: bool) -> impl Iterator<Item = &'static Signal> {
 }
 
 /// Records the rows that `probe` wants. `sample` tells what pixel `[column, line]` shows.
-pub fn record(
-    (frame, view): (u64, &View),
-    is_program: bool,
-    probe: &mut Probe,
-    sample: impl Fn([usize; 2]) -> Sample,
-) {
-    for line in (0..view.lines).filter(|line| probe.wants_sweep(*line)).collect::<Vec<_>>() {
-        let samples: Vec<Sample> =
-            (0..view.columns as usize).map(|column| sample([column, line as usize])).collect();
-        for signal in recorded(is_program).copied() {
-            if probe.wants(&signal) {
-                let value = |(column, sample): (usize, &Sample)| match signal.name {
-                    COLUMN => column as f64,
-                    name => sample.value(name),
-                };
-                let values = samples.iter().enumerate().map(value).collect();
-                probe.waveforms.push(Waveform { signal, frame, sweep: line, times: Vec::new(), values });
-            }
-        }
-    }
+pub fn record(of: (u64, &View), is_program: bool, probe: &mut Probe, sample: impl Fn([usize; 2]) -> Sample) {
+    let signals: Vec<_> = recorded(is_program).collect();
+    record_pixel_rows(of, signals.into_iter(), COLUMN, probe, sample, |sample, name| sample.value(name));
 }

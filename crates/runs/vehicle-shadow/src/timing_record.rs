@@ -64,6 +64,7 @@ fn frame_timing(frame: &FrameWork, method: &Method, period: f64) -> FrameTiming 
             .flatten()
             .collect(),
         tasks: tasks(frame, method),
+        level_changes: Vec::new(),
         misses: (slack_ticks < 0).then(|| Missed::of(Deadline::FRAME_TASKS, 0, cause)).into_iter().collect(),
         events: frame.blanking.events,
         events_blake3: frame.blanking.events_blake3.clone(),

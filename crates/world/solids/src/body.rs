@@ -101,6 +101,19 @@ impl Body {
         Self { foot: self.foot + up, centre: self.centre + up, ..self.clone() }
     }
 
+    /// The same body so many times as large, about its foot point.
+    pub fn scaled(&self, by: f64) -> Self {
+        let centre = self.foot + (self.centre - self.foot) * by;
+        Self { scale: self.scale * by, radius: self.radius * by, centre, ..self.clone() }
+    }
+
+    /// The same body in the shape of another solid.
+    pub fn shaped(&self, solid: &Arc<Solid>) -> Self {
+        let (turn, scale) = self.to_ground();
+        let placed = Self::place(self.object, self.kind, solid, self.foot, &turn, scale);
+        Self { priority: self.priority, group: self.group, ..placed }
+    }
+
     /// Vertices of the solid in terrain axes.
     pub fn vertices(&self) -> impl ExactSizeIterator<Item = DVec3> + Clone {
         let place = self.place_of();

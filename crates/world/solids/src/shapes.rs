@@ -23,6 +23,21 @@ impl Solid {
         Self::hull(&(0..8).map(corner).collect::<Vec<_>>(), albedo)
     }
 
+    /// The octahedron with a corner in the middle of each side of the box between two corners (m).
+    ///
+    /// # Errors
+    /// If it has no volume.
+    pub fn octahedron(low: DVec3, high: DVec3, albedo: f64) -> Result<Self, SolidError> {
+        let middle = (low + high) / 2.0;
+        let at = |axis: usize, end: DVec3| {
+            let mut corner = middle;
+            corner[axis] = end[axis];
+            corner
+        };
+        let corners: Vec<DVec3> = (0..3).flat_map(|axis| [at(axis, low), at(axis, high)]).collect();
+        Self::hull(&corners, albedo)
+    }
+
     /// A prism or frustum of `sides` sides about the axis between two points; radii (m) at the corners there. A
     /// radius of 0 makes a point. One side's corner lies towards the part of `up` that is square to the axis.
     ///

@@ -93,7 +93,7 @@ fn no_stitch_leaves_holes_where_levels_differ() {
 }
 
 /// The ground with a boulder of 20 m on it.
-fn with_boulder(foot: DVec3) -> Stage {
+pub fn with_boulder(foot: DVec3) -> Stage {
     let stage = stage(PIXELS as u32);
     let solid = Arc::new(solids::rocks::shapes(1).unwrap().remove(0));
     let body = Body::place(0, Kind::Rock, &solid, foot, &DMat3::IDENTITY, 20.0);

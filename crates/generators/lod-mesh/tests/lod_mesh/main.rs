@@ -1,5 +1,6 @@
 //! Pictures of tiles: without cracks, without pops, in any order, by any number of threads, and near the judge.
 
+mod boulders;
 mod cracks;
 mod eye;
 mod faults;

@@ -37,6 +37,7 @@ fn faults_are_told_with_what_is_expected() {
         ("percent_bits = 25", ["percent_bits", "24"]),
         ("slots = \"many\"", ["slots", "share"]),
         ("clock = \"fast\"", ["clock", "real-time"]),
+        ("boulder_px = -1", ["boulder_px", "10000"]),
         ("boulders = \"air\"", ["boulders", "mean-radius"]),
     ] {
         let fault = fault(table);

@@ -57,3 +57,45 @@ fn distances_are_those_of_the_drawn_ground() {
     assert!((drawn - light).abs() < 0.03, "{drawn} {light}");
     assert!((f64::from(middle) - (300.0 - ground)).abs() < 1.5, "{middle} {ground}");
 }
+
+/// Rows above the middle of a tile: level, fraction and distance are those of the tiles that pixels show.
+#[test]
+fn rows_tell_the_tiles_that_they_show() {
+    let session = session(stage(64), run());
+    let ground = stage(64).landscape.at_spacing(760.0, 760.0, 10.0).unwrap().height;
+    let eye = pose([760.0, 760.0, ground + 400.0], 0.0, -90.0);
+    let mut planes = generator::Planes::new(64, 64, &[PlaneKind::Intensity]);
+    let mut probe = Probe::new(vec!["*".into()], 32..33);
+    session.frame(0, &eye, &mut planes, &mut probe).unwrap();
+    let wave = |name: &str| &probe.waveforms.iter().find(|wave| wave.signal.name == name).unwrap().values;
+    assert_eq!(probe.waveforms.len(), session.wires().len());
+    assert_eq!((wave("lod.column")[32], wave("lod.level")[32]), (32.0, 0.0));
+    let (distance, fraction) = (wave("lod.distance")[32], wave("lod.fraction")[32]);
+    assert!((distance - 400.0).abs() < 1e-9, "{distance}");
+    // Of the zone from 270 to 450 m, 130 m are behind it.
+    assert!((fraction - 130.0 / 180.0).abs() < 1e-9, "{fraction}");
+    // A tile of 8 x 8 cells; a vertex has at most what the tile loses to the next level still to go.
+    assert_eq!(wave("lod.triangles")[32], 128.0);
+    let lost = 0.7 * wave("lod.delta")[32] / (1.0 - fraction);
+    assert!(lost > 1.0 && lost < 60.0, "{lost}");
+    // All of the row is ground, and levels are those of distances.
+    for (level, distance) in wave("lod.level").iter().zip(wave("lod.distance")) {
+        assert_eq!(*level, if *distance < 450.0 { 0.0 } else { 1.0 }, "{distance}");
+    }
+}
+
+/// From straight above, an edge runs along every row of vertices: the picture has as many bright lines as the ground has.
+#[test]
+fn wires_are_the_edges_of_the_triangles() {
+    let wires =
+        lod_mesh::Parameters { show: lod_mesh::Show::Wires, levels: Some(1), ranges: vec![450.0], ..run() };
+    let session = session(stage(200), wires);
+    let planes = draw(&*session, 200, &pose([755.0, 755.0, 200.0], 0.0, -90.0));
+    let light = planes.get(PlaneKind::Intensity).unwrap();
+    let edges = light.iter().filter(|light| **light > 0.1).count();
+    let fill = light.iter().filter(|light| (0.01..0.03).contains(*light)).count();
+    assert_eq!(edges + fill, 200 * 200);
+    // 200 m of ground in 200 pixels: in a row that crosses 20 cells, 20 upright edges and 20 slanting ones, and rows along edges.
+    let share = edges as f64 / f64::from(200 * 200);
+    assert!((0.22..0.40).contains(&share), "{share}");
+}
