@@ -116,7 +116,8 @@ const AT_SEA: [&str; 2] = ["sea-wakes", "ship-landing"];
 fn scenarios_of_generators_hold_their_baselines() {
     let mut failed = Vec::new();
     let sampled = SAMPLED.map(|name| (name, "sampled"));
-    for (name, generator) in sampled.into_iter().chain(AT_SEA.map(|name| (name, "smooth-faces"))) {
+    let at_sea = AT_SEA.map(|name| (name, "smooth-faces"));
+    for (name, generator) in sampled.into_iter().chain(at_sea).chain([("lod-descent", "lod-mesh")]) {
         let baseline = timing::read(path(name, generator)).unwrap_or_else(|e| panic!("{e}"));
         let comparison = compare(&baseline, &of_generator(name, &baseline, &[]), &Tolerance::default());
         if !comparison.is_met() {
@@ -133,6 +134,19 @@ fn a_slower_word_of_smooth_faces_is_named() {
     let slower = of_generator("sea-wakes", &baseline, &[("rt.word_us", "4.001")]);
     let text = compare(&baseline, &slower, &Tolerance::default()).text(1000);
     assert!(text.contains("sun-vectors") && text.contains("inputs"), "{text}");
+}
+
+/// A vertex more a second of the board changes the time of a frame, and no level.
+#[test]
+fn a_quicker_board_of_tiles_is_named() {
+    let baseline = timing::read(path("lod-descent", "lod-mesh")).unwrap_or_else(|e| panic!("{e}"));
+    assert!(baseline.level_changes().count() > 0, "tiles take other levels");
+    let quicker = of_generator("lod-descent", &baseline, &[("board.triangles_s", "182e6")]);
+    let text = compare(&baseline, &quicker, &Tolerance::default()).text(1000);
+    assert!(
+        text.contains("gpu.triangle") && text.contains("inputs") && !text.contains("level_changes"),
+        "{text}"
+    );
 }
 
 /// One tick more for a corner is told as such, and as other inputs.

@@ -129,7 +129,7 @@ fn check_slack(slack: &Slack) -> Checked {
 
 fn check_level_changes(changes: &[LevelChange]) -> Checked {
     let mut tiles = BTreeSet::new();
-    changes.iter().try_for_each(|LevelChange { tile, from, to, distance_m, fraction }| {
+    changes.iter().try_for_each(|LevelChange { tile, from, to, distance_m, fraction, borders_m }| {
         let place = |key: &str| format!("level_changes, {tile}{key}");
         if !tiles.insert(tile) {
             return Err(Fault::new(place(""), "it twice", "every tile once"));
@@ -139,6 +139,11 @@ fn check_level_changes(changes: &[LevelChange]) -> Checked {
         }
         if !(distance_m.is_finite() && *distance_m >= 0.0) {
             return Err(Fault::new(place(", distance_m"), distance_m, "metres, 0 or more"));
+        }
+        let [south, west, north, east] = borders_m;
+        if !(borders_m.iter().all(|border| border.is_finite()) && south < north && west < east) {
+            let found = format!("{borders_m:?}");
+            return Err(Fault::new(place(", borders_m"), found, "south, west, north, east in metres"));
         }
         match (0.0..=1.0).contains(fraction) {
             true => Ok(()),

@@ -141,12 +141,15 @@ impl Differences {
         found: &LevelChange,
         tolerance: &Tolerance,
     ) {
-        let LevelChange { tile: _, from, to, distance_m, fraction } = *baseline;
+        let LevelChange { tile: _, from, to, distance_m, fraction, borders_m } = *baseline;
         self.exact(format!("{place}.from"), from, found.from);
         self.exact(format!("{place}.to"), to, found.to);
         let distances = [distance_m, found.distance_m].map(Some);
         self.near(format!("{place}.distance_m"), distances[0], distances[1], tolerance.metres);
         self.exact(format!("{place}.fraction"), fraction, found.fraction);
+        for (side, (own, other)) in borders_m.into_iter().zip(found.borders_m).enumerate() {
+            self.near(format!("{place}.borders_m[{side}]"), Some(own), Some(other), tolerance.metres);
+        }
     }
 
     fn misses(&mut self, baseline: &[Missed], found: &[Missed], tolerance: &Tolerance) {

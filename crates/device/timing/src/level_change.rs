@@ -18,6 +18,8 @@ pub struct LevelChange {
     pub distance_m: f64,
     /// How far the tile has become the next coarser level in this frame, 0 to 1.
     pub fraction: f64,
+    /// South, west, north and east border of the tile on the map (m).
+    pub borders_m: [f64; 4],
 }
 
 impl TimingRecord {

@@ -186,7 +186,7 @@ fn write_level_changes(out: &mut String, record: &TimingRecord) -> fmt::Result {
         "\n{:<16} {:>8} {:>6} {:>4} {:>14} {:>10}",
         "level", "frame", "from", "to", "m away", "fraction"
     )?;
-    for (frame, LevelChange { tile, from, to, distance_m, fraction }) in
+    for (frame, LevelChange { tile, from, to, distance_m, fraction, .. }) in
         record.level_changes().take(LEVELS_SHOWN)
     {
         writeln!(out, "{tile:<16} {frame:>8} {from:>6} {to:>4} {distance_m:>14.1} {fraction:>10.6}")?;

@@ -84,15 +84,27 @@ impl Session {
 
     /// Name of a tile in records, as `explain` tells its column and row.
     pub fn tile_name(&self, number: usize) -> String {
-        let columns = self.prepared.posts.terrain.counts()[0];
-        format!("tile.{}.{}", number % columns, number / columns)
+        let Tile { column, row } = self.tile(number);
+        format!("tile.{column}.{row}")
     }
 
     /// Distance (m) of a tile's middle from an eye.
     pub fn tile_distance(&self, number: usize, eye: DVec3) -> f64 {
+        distance(&self.prepared.posts.terrain, self.tile(number), eye)
+    }
+
+    /// South, west, north and east border (m) of a tile on the map.
+    pub fn tile_borders(&self, number: usize) -> [f64; 4] {
         let terrain = &self.prepared.posts.terrain;
-        let columns = terrain.counts()[0];
-        distance(terrain, Tile { column: number % columns, row: number / columns }, eye)
+        let cells = terrain.cells(0);
+        let [[west, south], [east, north]] =
+            [[0, 0], [cells, cells]].map(|at| terrain.place(self.tile(number), 0, at));
+        [south, west, north, east]
+    }
+
+    fn tile(&self, number: usize) -> Tile {
+        let columns = self.prepared.posts.terrain.counts()[0];
+        Tile { column: number % columns, row: number / columns }
     }
 
     /// Levels of frame `frame` from `pose`, and those of the frame that the viewer has begun before it, as far as the stage knows its pose.

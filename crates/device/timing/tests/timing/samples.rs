@@ -62,7 +62,8 @@ fn task(unit: &str, task: &str, pieces: u64, ticks: u64) -> Task {
 }
 
 fn level_change(tile: &str, from: u32, to: u32) -> LevelChange {
-    LevelChange { tile: tile.into(), from, to, distance_m: 15_000.25, fraction: 0.998 }
+    let borders_m = [100.0, 200.0, 150.5, 250.5];
+    LevelChange { tile: tile.into(), from, to, distance_m: 15_000.25, fraction: 0.998, borders_m }
 }
 
 /// Two frames: a clean one, and one with two misses.
@@ -188,6 +189,7 @@ fn level_changes() -> impl Strategy<Value = Vec<LevelChange>> {
             to: from.wrapping_add(more),
             distance_m,
             fraction,
+            borders_m: [-10.0, 20.0, 30.0, 40.5],
         };
         changes.into_iter().map(of).collect()
     })

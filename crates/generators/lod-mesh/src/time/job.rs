@@ -64,6 +64,7 @@ impl Job {
             to: to as u32,
             distance_m: self.session.tile_distance(number, looked.eye),
             fraction: looked.state.tile(number).fraction,
+            borders_m: self.session.tile_borders(number),
         };
         looked.changes().map(told).collect()
     }

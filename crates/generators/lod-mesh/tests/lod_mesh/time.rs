@@ -81,6 +81,7 @@ fn a_tile_that_takes_another_level_is_told() {
     let LevelChange { from, to, distance_m, fraction, .. } = own;
     assert_eq!((*from, *to), (1, 0));
     assert!((distance_m - 445.0).abs() < 1e-9 && (fraction - 175.0 / 180.0).abs() < 1e-9, "{own:?}");
+    assert_eq!(own.borders_m, [720.0, 720.0, 800.0, 800.0]);
     // Nothing is set where nothing changes; a tile that changes sets nine nodes, and its neighbours some of theirs.
     assert_eq!(pieces(&third, "bus", "switches"), 0);
     assert!(pieces(&second, "bus", "switches") >= 9 * second.level_changes.len() as u64);
