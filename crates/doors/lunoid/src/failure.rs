@@ -332,6 +332,7 @@ impl From<ReportError> for Failure {
     fn from(error: ReportError) -> Self {
         match error {
             ReportError::File(error) => error.into(),
+            ReportError::Folder(error) => error.into(),
             ReportError::Run(error) => error.into(),
             ReportError::PictureFile(error) => error.into(),
             ReportError::Content { .. } | ReportError::Strip { .. } | ReportError::Compare { .. } => {

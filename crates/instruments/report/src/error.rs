@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use compare::CompareError;
-use files::FileError;
+use files::{FileError, FolderError};
 use picture::{PictureError, PictureFileError};
 use replay::ReplayError;
 
@@ -13,6 +13,9 @@ pub enum ReportError {
     /// A file that cannot be read or written.
     #[error(transparent)]
     File(#[from] FileError),
+    /// A folder that cannot be made.
+    #[error(transparent)]
+    Folder(#[from] FolderError),
     /// The folder holds no run, or one whose record cannot be read.
     #[error(transparent)]
     Run(#[from] ReplayError),

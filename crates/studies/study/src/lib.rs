@@ -18,6 +18,7 @@
 //! ([`regions()`]): region size of a survey against the ground. **Shadow** ([`shadow`]): the vehicle's, on flat
 //! ground and on true, by every law and method.
 //! **Pops** ([`pops`]): distances along the view axis, frame by frame, and what levels of detail do to them.
+//! **Descents** ([`descent`]): pictures of the ways beside those curves, for a page.
 //! **Lights** ([`lights`]): the light of a lamp over a mission, in each way that a generator has to draw it.
 //! **Reports** ([`report`]): what came of a study as text, as a document, and as tables and plots in a folder.
 //! **Not in the time.** Reading, elaboration, shadow boundaries that are found once, encoding.
@@ -26,6 +27,7 @@
 
 mod advice;
 mod change;
+pub mod descent;
 pub mod economy;
 mod figures;
 mod fronts;

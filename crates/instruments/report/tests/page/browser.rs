@@ -91,7 +91,7 @@ fn keys_step_frames() {
 }
 
 /// No complaint, and no request but for files.
-fn quiet(browser: &Browser) {
+pub fn quiet(browser: &Browser) {
     let (complaints, asked) = browser.logs();
     assert!(complaints.is_empty(), "{complaints:?}");
     assert!(!asked.is_empty(), "the log of requests is kept");

@@ -1,5 +1,6 @@
 //! Distances along the view axis and their pops: as text, document, tables and a plot.
 
+use std::ops::Range;
 use std::path::Path;
 
 use ::plots::{Axis, Panel, Trace, TraceLook, trace_picture};
@@ -58,9 +59,15 @@ impl PopReport {
         format!("{}\n\n{}", self.facts(), text::table(&self.table()))
     }
 
-    fn facts(&self) -> String {
-        let last = self.first + self.times.len() as u64;
-        format!("{}, {}, frames {}..{last}, commit {}", self.title, self.machine, self.first, self.commit)
+    /// Frames of its curves.
+    pub fn frames(&self) -> Range<u64> {
+        self.first..self.first + self.times.len() as u64
+    }
+
+    /// What was drawn by whom, in one line.
+    pub fn facts(&self) -> String {
+        let Range { start, end } = self.frames();
+        format!("{}, {}, frames {start}..{end}, commit {}", self.title, self.machine, self.commit)
     }
 
     fn page(&self) -> String {

@@ -2,7 +2,9 @@
 
 use clap::Args;
 use front_door::Opened;
+use report::{DetailPage, DetailWay};
 use scenario::Pose;
+use study::descent::{DescentWays, shot_frames};
 use study::pops::{PopCurve, curve, curve_of_pictures};
 use study::report::{PopReport, is_of};
 
@@ -16,12 +18,14 @@ const AFTER: &str = "Examples:
   lunoid study pops scenarios/lod-descent.toml
   lunoid study pops scenarios/lod-descent.toml --frames 0..300 --out studies/pops --set lod.morph_percent=[20]
   lunoid study pops scenarios/lod-landing.toml --at-most 1e-9 --json
+  lunoid study pops scenarios/lod-descent.toml --out studies/pops --pictures 24
   lunoid study pops scenarios/lod-descent.toml --machine sampled --frames 0..30
 
 A curve is the distance along the view axis to the ground as it is drawn, frame by frame. A pop is what it changes by for a camera that
 stands while the levels of detail go on to the next frame. Curves are held against the finest ground alone; those of a generator without
 levels against exact, and they have no pops.
---out gets pops.json, pops.csv with every frame, pops.md and a plot.";
+--out gets pops.json, pops.csv with every frame, pops.md and a plot. With --pictures it gets a page too, index.html: all ways but the
+first side by side, curves below. A click on a jump leads to the tiles that made it, a click on the ground to its place.";
 
 /// Distances frame by frame, and what levels of detail do to them.
 #[derive(Debug, Args)]
@@ -37,6 +41,9 @@ pub struct PopStudy {
     /// Exit with status 1 if a pop of the way that the scenario has is above this.
     #[arg(long, value_name = "METRES", value_parser = least)]
     at_most: Option<f64>,
+    /// Draw so many pictures of each way but the first, spread evenly, and those at jumps; leaves a page.
+    #[arg(long, value_name = "COUNT", requires = "out", value_parser = clap::value_parser!(u16).range(2..=1000))]
+    pictures: Option<u16>,
     #[command(flatten)]
     outputs: Outputs,
 }
@@ -49,7 +56,8 @@ fn least(text: &str) -> Result<f64, String> {
 impl PopStudy {
     /// Runs the study and prints its result.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        self.outputs.expect_apart(|file| is_of("pops", file), &self.stage.sources())?;
+        let leaves = |file: &str| is_of("pops", file) || DetailPage::leaves(file);
+        self.outputs.expect_apart(leaves, &self.stage.sources())?;
         let opened = self.stage.load()?;
         let frames = choose_frames(&opened, self.frames)?;
         let pool = self.threads.pool()?;
@@ -71,6 +79,11 @@ impl PopStudy {
         }
         if let Some(folder) = &self.outputs.out {
             report.leave(folder)?;
+            if let Some(pictures) = self.pictures {
+                let page = pool.install(|| self.page(&opened, &report, pictures.into()))?;
+                let path = page.leave(folder)?;
+                self.outputs.say(&format!("open {}", path.display()));
+            }
         }
         self.outputs.print(&report.json(), &report.text())?;
         let own = self.own(&opened, &report);
@@ -97,6 +110,45 @@ impl PopStudy {
             curves.extend(curve(way.name, &*session, first, poses).map_err(Failure::input)?);
         }
         Ok(curves)
+    }
+
+    /// The page of all ways but the first.
+    fn page(&self, opened: &Opened, report: &PopReport, pictures: usize) -> Result<DetailPage, Failure> {
+        let details = opened.row.map_or(&[][..], |row| row.details);
+        let Some((_, details)) = details.split_first() else {
+            return Err(Failure::usage(
+                "--pictures: this generator has no ways with levels of detail; leave it out",
+            ));
+        };
+        let stage = opened.stage()?;
+        let generators: Vec<_> =
+            details.iter().map(|way| opened.configure_with(way.sets)).collect::<Result<_, _>>()?;
+        let ways =
+            DescentWays::new(&stage, &generators.iter().map(|generator| &**generator).collect::<Vec<_>>());
+        let ways = ways.map_err(Failure::input)?;
+        let curves = &report.curves[1..];
+        let frames = shot_frames(curves, report.first, pictures);
+        let table = opened.poses(&stage, report.frames()).map_err(Failure::input)?;
+        let mut shots = Vec::with_capacity(frames.len());
+        for frame in frames {
+            self.outputs.say(&format!("frame {frame}"));
+            let pose = &table.rows()[(frame - report.first) as usize].pose;
+            shots.push(ways.shot(frame, pose).map_err(Failure::input)?);
+        }
+        let way = |curve: &PopCurve| DetailWay {
+            name: curve.name.clone(),
+            off: curve.off(&report.curves[0]),
+            pops: curve.pops.clone(),
+        };
+        Ok(DetailPage {
+            title: report.title.clone(),
+            facts: report.facts(),
+            raster: [stage.view.columns, stage.view.lines].map(|pixels| pixels as usize),
+            first: report.first,
+            times: report.times.clone(),
+            ways: curves.iter().map(way).collect(),
+            shots,
+        })
     }
 
     /// Largest pop (m) of the way that the scenario has.
