@@ -25,6 +25,7 @@ mod models;
 mod netlist;
 mod overlays;
 mod photo;
+mod pops;
 mod refusals;
 mod replays;
 mod robot_logs;
