@@ -166,6 +166,7 @@ pub fn faces<'a>(
     }
     let map = match prepared.run.light {
         GroundLight::Map => prepared.map(sun),
+        GroundLight::Stored => prepared.stored.clone(),
         GroundLight::Live => None,
     };
     let mut corners: Vec<Corner> = mesh.places.iter().map(corner).collect();

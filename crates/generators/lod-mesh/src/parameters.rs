@@ -60,6 +60,8 @@ pub enum GroundLight {
     Map,
     /// The slopes of the vertices as they are drawn.
     Live,
+    /// The light map and the albedo of the terrain database, for the sun that it was made under.
+    Stored,
 }
 
 /// What the ground shows.
@@ -133,7 +135,8 @@ const TRANSITIONS: [(&str, Transition); 2] = [("morph", Transition::Morph), ("sw
 const EDGES: [(&str, Edges); 2] = [("shared", Edges::Shared), ("per-tile", Edges::PerTile)];
 const STITCHES: [(&str, Stitch); 3] =
     [("coarse-side", Stitch::CoarseSide), ("fine-side", Stitch::FineSide), ("none", Stitch::None)];
-const LIGHTS: [(&str, GroundLight); 2] = [("map", GroundLight::Map), ("live", GroundLight::Live)];
+const LIGHTS: [(&str, GroundLight); 3] =
+    [("map", GroundLight::Map), ("live", GroundLight::Live), ("stored", GroundLight::Stored)];
 const SHOWS: [(&str, Show); 3] = [("light", Show::Light), ("levels", Show::Levels), ("wires", Show::Wires)];
 const SLOTS: [(&str, Slots); 3] =
     [("unlimited", Slots::Unlimited), ("refuse", Slots::Refuse), ("share", Slots::Share)];
@@ -222,8 +225,9 @@ impl Parameters {
         } else if self.light_level > self.order {
             let words = format!("level {} of tiles of order {}", self.light_level, self.order);
             Some(("light_level", words, format!("at most {}, the coarsest", self.order)))
-        } else if self.light_level > 0 && self.light == GroundLight::Live {
-            let words = format!("level {}, where light is live", self.light_level);
+        } else if self.light_level > 0 && self.light != GroundLight::Map {
+            let light = word(&LIGHTS, &self.light);
+            let words = format!("level {}, where light is {light}", self.light_level);
             Some(("light_level", words, "0, or light = \"map\"".to_owned()))
         } else {
             None

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use generator::{PrepareError, Stage};
 use lod_tiles::{State, TileState};
+use rayon::prelude::*;
 use scenario::Standing;
 use scene_sampler::{Axis, Camera, GroundMap};
 use solids::Kind;
@@ -12,7 +13,7 @@ use solids::Kind;
 use crate::boulders::FewFaces;
 use crate::levels::LevelTable;
 use crate::name::NAME;
-use crate::parameters::{Boulders, Parameters, Slots};
+use crate::parameters::{Boulders, GroundLight, Parameters, Slots};
 use crate::slots::fitting_order;
 use crate::terrain::Posts;
 use crate::time::Hardware;
@@ -29,6 +30,8 @@ pub struct Prepared {
     pub few_faces: Option<FewFaces>,
     /// Slots of the board's uniform array; `None` is without limit.
     pub slots: Option<u32>,
+    /// Light and albedo of the terrain database, where they are drawn.
+    pub stored: Option<GroundMap>,
     /// Places of the posts whose slopes light looks up: north, then east.
     light_axes: [Axis; 2],
     /// Slopes of those posts, as the map of the ground shares them.
@@ -50,9 +53,11 @@ impl Prepared {
         let table = LevelTable::new(&posts.terrain, &run, focal(&stage))?;
         let tiles = vec![TileState { level: 0, fraction: 0.0 }; posts.heights.len()];
         let finest = State::of(&posts.terrain, tiles);
+        let stored =
+            if run.light == GroundLight::Stored { Some(stored_light(&stage, &posts)?) } else { None };
         let few_faces = if run.boulder_px > 0.0 { Some(FewFaces::of(&stage)?) } else { None };
         let slopes = slopes.into();
-        Ok(Self { few_faces, stage, run, posts, table, finest, slots, light_axes, slopes })
+        Ok(Self { few_faces, stored, stage, run, posts, table, finest, slots, light_axes, slopes })
     }
 
     /// The stage as a camera sees its boulders.
@@ -110,6 +115,39 @@ fn placed(stage: Stage, boulders: Boulders) -> Stage {
     let standing = stage.scenery.standing().iter().map(at_zero).collect();
     let scenery = (*stage.scenery).clone().with_bodies(standing);
     Stage { scenery: Arc::new(scenery), ..stage }
+}
+
+/// The map of light and albedo that a terrain database stores; where it has no albedo, that of the landscape.
+fn stored_light(stage: &Stage, posts: &Posts) -> Result<GroundMap, PrepareError> {
+    let database = stage.landscape.posts();
+    let Some((stored, light)) = database.and_then(|stored| Some((stored, stored.light.as_ref()?))) else {
+        return Err(PrepareError::Unsupported {
+            generator: NAME,
+            what: match database {
+                Some(_) => "stored light with a terrain database that has none".to_owned(),
+                None => "stored light without a terrain database".to_owned(),
+            },
+            remedy: "export the terrain with [light] and name it as landscape.database, or choose lod.light = \"map\""
+                .into(),
+        });
+    };
+    let [rows, columns] = &stored.places;
+    let colour = |post: usize| {
+        let albedo = match &stored.albedo {
+            Some(albedo) => [albedo[post]; 3],
+            None => {
+                let place = [rows[post / columns.len()], columns[post % columns.len()]];
+                stage.landscape.albedo_at(place[0], place[1]).map(|albedo| albedo as f32)
+            }
+        };
+        albedo.map(|albedo| albedo * light[post])
+    };
+    let colours: Vec<[f32; 3]> = (0..light.len()).into_par_iter().map(colour).collect();
+    GroundMap::of_colours(posts.axes, colours.into()).ok_or_else(|| PrepareError::Unsupported {
+        generator: NAME,
+        what: format!("a light map of {} posts for {}", light.len(), stored.heights.len()),
+        remedy: "export the terrain again".into(),
+    })
 }
 
 /// Pixels in a tangent of 1, the larger of both directions.

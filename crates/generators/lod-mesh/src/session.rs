@@ -16,7 +16,7 @@ use signal::{Probe, Wire};
 
 use crate::ground::{self, Mesh};
 use crate::name::NAME;
-use crate::parameters::{Clock, Parameters, Show};
+use crate::parameters::{Clock, GroundLight, Parameters, Show};
 use crate::place::{Seen, distance};
 use crate::prepared::Prepared;
 use crate::signals::{COLUMN, SIGNALS, Samples};
@@ -272,6 +272,15 @@ impl GeneratorSession for Session {
         let mut omissions = scene_sampler::omissions(&self.prepared.stage, NAME);
         omissions.extend(photographs_beside(&self.prepared.stage.landscape, NAME));
         omissions.extend(face_lists_beside(&self.prepared.stage.scenery, NAME));
+        let has_albedo = self.prepared.stage.landscape.posts().is_some_and(|posts| posts.albedo.is_some());
+        if has_albedo && self.prepared.run.light != GroundLight::Stored {
+            omissions.push(Omission {
+                block: NAME,
+                what: "the albedo of the terrain database".into(),
+                why: "the ground has that of the landscape; lod.light = \"stored\" draws it".into(),
+                weight: Weight::NotModelled,
+            });
+        }
         omissions.extend(self.prepared.table.short_zone.map(|(level, zone, tile)| Omission {
             block: NAME,
             what: format!("continuity of edges in time at level {level}"),

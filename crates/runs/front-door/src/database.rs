@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use landscape::{LUNOID_RADIUS, Posts};
-use terrain_database::{Contents, Database};
+use terrain_database::{Contents, Database, Map};
 
 use crate::StageError;
 
@@ -16,20 +16,25 @@ const SAME_BODY: f64 = 1e-3;
 /// If the file is no sound database, is of another body, or has no ground in common with the bank.
 pub(crate) fn posts(file: &Path, bank: [f64; 4]) -> Result<Posts, StageError> {
     let database = Database::open(file).map_err(Box::new)?;
-    let Contents { frame, order, places, heights, ranges, .. } = database.into_contents();
+    let Contents { frame, order, places, heights, ranges, light, albedo, .. } = database.into_contents();
     if (frame.radius - LUNOID_RADIUS).abs() > SAME_BODY * LUNOID_RADIUS {
         return Err(StageError::OtherBody { file: file.into(), radius: frame.radius });
     }
     let [east, north] =
         [0, 1].map(|axis| places[axis].iter().map(|place| place - frame.origin[axis]).collect::<Vec<f64>>());
     let ranges = ranges.into_iter().map(|range| [range.end, range.share]).collect();
-    let posts = Posts { order, places: [north, east], heights, ranges };
+    let [light, albedo] = [light, albedo].map(|map| map.map(|map| shares(&map)));
+    let posts = Posts { order, places: [north, east], heights, ranges, light, albedo };
     let [south, west, north, east] = posts.extent();
     let is_apart = south >= bank[2] || north <= bank[0] || west >= bank[3] || east <= bank[1];
     match is_apart {
         true => Err(StageError::ApartDatabase { file: file.into(), posts: posts.extent(), bank }),
         false => Ok(posts),
     }
+}
+
+fn shares(map: &Map) -> Vec<f32> {
+    (0..map.len()).map(|post| map.share(post) as f32).collect()
 }
 
 #[cfg(test)]
@@ -45,7 +50,8 @@ mod tests {
         let frame = Frame { radius, latitude: 0.4, longitude: 0.1, origin: [50.0, 20.0] };
         let places = |count: u32| (0..count).map(|post| 100.0 * f64::from(post)).collect::<Vec<_>>();
         let heights = (0..15).map(|post| 100.0 * f64::from(post % 5)).collect();
-        let contents = Contents::new(frame, 1, [places(5), places(3)], heights);
+        let light = Some(Map::U8((0..15).map(|post| 17 * post).collect()));
+        let contents = Contents { light, ..Contents::new(frame, 1, [places(5), places(3)], heights) };
         Database::new(contents).unwrap().write(&file).unwrap();
         posts(&file, bank)
     }
@@ -56,6 +62,9 @@ mod tests {
         assert_eq!(posts.places[0], [-20.0, 80.0, 180.0]);
         assert_eq!(posts.extent(), [-20.0, -50.0, 180.0, 350.0]);
         assert_eq!(posts.heights[..6], [0.0, 100.0, 200.0, 300.0, 400.0, 0.0]);
+        let light = posts.light.unwrap();
+        assert!((light[3] - 0.2).abs() < 1e-7 && (light[14] - 14.0 / 15.0).abs() < 1e-7, "{light:?}");
+        assert!(posts.albedo.is_none());
     }
 
     #[test]

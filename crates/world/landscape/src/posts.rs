@@ -11,6 +11,10 @@ pub struct Posts {
     pub heights: Vec<f64>,
     /// Ends of the ranges of levels (m) with the shares (0 to 1) over which they morph, the finest first; empty where none are stored.
     pub ranges: Vec<[f64; 2]>,
+    /// Share of full light on each post, 0 to 1, as it was worked out once for one sun; none where it is not stored.
+    pub light: Option<Vec<f32>>,
+    /// Albedo of each post, 0 to 1; none where it is not stored.
+    pub albedo: Option<Vec<f32>>,
 }
 
 impl Posts {

@@ -38,6 +38,7 @@ columns = 80
 lines = 60
 field_of_view_deg = [40, 30]
 update_hz = 20
+refresh_hz = 20
 "#;
 
 fn scene() -> Scene {
@@ -119,4 +120,10 @@ fn what_makes_no_page_is_refused() {
         ],
     );
     assert!(told.contains("no ways with levels of detail"), "{told}");
+    // Without pictures such a generator is held against the judge, and has no pops.
+    scene.expect(
+        0,
+        &["study", "pops", "down.toml", "--machine", "sampled", "--frames", "0..2", "--out", "pops"],
+    );
+    assert!(read(&scene, "pops/pops.svg").contains("off the finest ground"));
 }

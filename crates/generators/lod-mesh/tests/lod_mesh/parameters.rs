@@ -34,6 +34,7 @@ fn faults_are_told_with_what_is_expected() {
         ("pattern = \"5\"", ["pattern", "lattice32"]),
         ("light_level = 6", ["level 6 of tiles of order 5", "at most 5"]),
         ("light_level = 1\nlight = \"live\"", ["level 1, where light is live", "light = \"map\""]),
+        ("light_level = 1\nlight = \"stored\"", ["level 1, where light is stored", "light = \"map\""]),
         ("percent_bits = 25", ["percent_bits", "24"]),
         ("slots = \"many\"", ["slots", "share"]),
         ("clock = \"fast\"", ["clock", "real-time"]),

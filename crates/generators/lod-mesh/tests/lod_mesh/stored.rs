@@ -4,14 +4,18 @@ use std::sync::Arc;
 
 use generator::{Generator, PlaneKind, Stage};
 use landscape::Posts;
-use lod_mesh::Parameters;
+use lod_mesh::{GroundLight, Parameters};
 
 use crate::shots::{draw, generator, pose, run, session, stage};
 
 /// The stage with posts whose heights rise by 0.3 m a metre to the east.
 fn stored(places: [Vec<f64>; 2], ranges: Vec<[f64; 2]>) -> Stage {
     let heights = places[0].iter().flat_map(|_| places[1].iter().map(|east| 0.3 * east)).collect();
-    let posts = Posts { order: 2, places, heights, ranges };
+    let posts = Posts { order: 2, places, heights, ranges, light: None, albedo: None };
+    over(posts)
+}
+
+fn over(posts: Posts) -> Stage {
     let stage = stage(32);
     let landscape = Arc::new((*stage.landscape).clone().with_posts(Some(posts)));
     Stage { landscape, ..stage }
@@ -59,4 +63,33 @@ fn a_last_tile_may_be_narrower_and_other_posts_are_refused() {
     narrow[6] = 490.0;
     let error = of(narrow).err().unwrap().to_string();
     assert!(error.contains("uneven distances"), "{error}");
+}
+
+/// A light map that falls from all to none to the east is drawn as it is, whatever the sun; where there is none it is refused.
+#[test]
+fn stored_light_is_drawn_with_stored_albedo() {
+    let stored = |light: Option<Vec<f32>>, albedo: Option<Vec<f32>>| {
+        let (places, heights) = ([every(100.0, 17), every(100.0, 9)], vec![0.0; 17 * 9]);
+        over(Posts { order: 2, places, heights, ranges: Vec::new(), light, albedo })
+    };
+    let run = Parameters { light: GroundLight::Stored, ..Parameters::default() };
+    let light: Vec<f32> = (0..17 * 9).map(|post| 1.0 - (post % 9) as f32 / 8.0).collect();
+    let shown = |albedo: Option<Vec<f32>>| {
+        let session = session(stored(Some(light.clone()), albedo), run.clone());
+        let planes = draw(&*session, 32, &pose([700.0, 310.0, 900.0], 0.0, -90.0));
+        f64::from(planes.get(PlaneKind::Intensity).unwrap()[16 * 32 + 16])
+    };
+    // The middle of the pixel lies half a pixel of 28 m to the east.
+    let share = 1.0 - (310.0 + 900.0 / 32.0 / 2.0) / 800.0;
+    assert!((shown(None) - 0.8 * share).abs() < 1e-4, "{} {share}", shown(None));
+    assert!((shown(Some(vec![0.5; 17 * 9])) - 0.5 * share).abs() < 1e-4);
+    for (stage, told) in
+        [(stored(None, None), "database that has none"), (stage(32), "without a terrain database")]
+    {
+        let error = generator(run.clone()).prepare(stage).err().unwrap().to_string();
+        assert!(error.contains(told) && error.contains("lod.light"), "{error}");
+    }
+    // What is stored and not drawn is told.
+    let omissions = session(stored(None, Some(vec![0.5; 17 * 9])), Parameters::default()).omissions();
+    assert!(omissions.iter().any(|omission| omission.what.contains("albedo of the terrain database")));
 }

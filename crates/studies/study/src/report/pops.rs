@@ -117,19 +117,19 @@ impl PopReport {
         let off: Vec<Vec<f64>> = self.curves[1..].iter().map(|curve| curve.off(&self.curves[0])).collect();
         let trace = |name, y| Trace { name, x: &self.times, y };
         let named = || self.curves[1..].iter().map(|curve| curve.name.as_str());
-        let panels = [
-            Panel {
-                axis: Axis::new("off the finest ground (m)"),
-                traces: named().zip(&off).map(|(name, y)| trace(name, y)).collect(),
-            },
-            Panel {
+        let mut panels = vec![Panel {
+            axis: Axis::new("off the finest ground (m)"),
+            traces: named().zip(&off).map(|(name, y)| trace(name, y)).collect(),
+        }];
+        // A generator without levels has no pops.
+        let has_pops = |curve: &&PopCurve| curve.pops.iter().any(|pop| pop.is_finite());
+        let popping: Vec<&PopCurve> = self.curves[1..].iter().filter(has_pops).collect();
+        if !popping.is_empty() {
+            panels.push(Panel {
                 axis: Axis::new("pop (m)"),
-                traces: named()
-                    .zip(&self.curves[1..])
-                    .map(|(name, curve)| trace(name, &curve.pops))
-                    .collect(),
-            },
-        ];
+                traces: popping.into_iter().map(|curve| trace(&curve.name, &curve.pops)).collect(),
+            });
+        }
         let x = Axis::new("time (s)");
         let look =
             TraceLook { facts: vec![self.facts()], ..TraceLook::titled("Distance along the view axis") };

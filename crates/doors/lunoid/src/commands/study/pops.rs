@@ -59,6 +59,10 @@ impl PopStudy {
         let leaves = |file: &str| is_of("pops", file) || DetailPage::leaves(file);
         self.outputs.expect_apart(leaves, &self.stage.sources())?;
         let opened = self.stage.load()?;
+        if self.pictures.is_some() && opened.row.is_none_or(|row| row.details.is_empty()) {
+            let told = "this generator has no ways with levels of detail; leave it out";
+            return Err(Failure::usage(format!("--pictures: {told}")));
+        }
         let frames = choose_frames(&opened, self.frames)?;
         let pool = self.threads.pool()?;
         let report = pool.install(|| -> Result<PopReport, Failure> {
@@ -115,14 +119,9 @@ impl PopStudy {
     /// The page of all ways but the first.
     fn page(&self, opened: &Opened, report: &PopReport, pictures: usize) -> Result<DetailPage, Failure> {
         let details = opened.row.map_or(&[][..], |row| row.details);
-        let Some((_, details)) = details.split_first() else {
-            return Err(Failure::usage(
-                "--pictures: this generator has no ways with levels of detail; leave it out",
-            ));
-        };
         let stage = opened.stage()?;
         let generators: Vec<_> =
-            details.iter().map(|way| opened.configure_with(way.sets)).collect::<Result<_, _>>()?;
+            details.iter().skip(1).map(|way| opened.configure_with(way.sets)).collect::<Result<_, _>>()?;
         let ways =
             DescentWays::new(&stage, &generators.iter().map(|generator| &**generator).collect::<Vec<_>>());
         let ways = ways.map_err(Failure::input)?;
