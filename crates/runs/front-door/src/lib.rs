@@ -39,5 +39,5 @@ pub use keys::{Decides, decides};
 pub use kind::{KNOWN, Kind, read_model, read_scenario};
 pub use open::{base_model, open};
 pub use opened::Opened;
-pub use stage::{bank, build, over, settings, under};
+pub use stage::{bank, build, over, settings, under, with_course};
 pub use wishes::Wishes;

@@ -98,7 +98,7 @@ fn joined(
 ///
 /// # Errors
 /// If the vehicle cannot take the path.
-pub(crate) fn with_course(stage: MachineStage, scenario: &Scenario) -> Result<MachineStage, StageError> {
+pub fn with_course(stage: MachineStage, scenario: &Scenario) -> Result<MachineStage, StageError> {
     if !stage.scenery.course().is_empty() {
         return Ok(stage);
     }

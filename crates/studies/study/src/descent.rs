@@ -129,6 +129,50 @@ fn places(planes: &Planes, camera: &Camera, map: Option<&MapFrame>) -> Vec<Optio
 mod tests {
     use super::*;
 
+    /// Straight from above, 100 m up: a pixel is a metre wide, the picture has north at the top.
+    #[test]
+    fn places_are_where_pixels_look() {
+        let rate = quantities::Rate::new(10, 1).unwrap();
+        let view = View {
+            columns: 100,
+            lines: 100,
+            field: scenario::FieldOfView { tan_half_width: 0.5, tan_half_height: 0.5 },
+            update: rate,
+            refresh: rate,
+            display: scenario::Display { white: 1.0, gamma: 1.0 },
+            laws: scenario::Laws { curvature: scenario::Curvature::None, ..scenario::Laws::default() },
+            ranges: [1.0, 1000.0],
+            yoke: None,
+            levels: None,
+            shadows: None,
+        };
+        let attitude = landscape::Attitude { roll: 0.0, pitch: quantities::radians(-90.0), heading: 0.0 };
+        let camera = Camera::new(&Pose { time: 0.0, eye: [500.0, 300.0, 100.0], attitude, yoke: 0.0 }, &view);
+        let mut planes = Planes::new(100, 100, &[PlaneKind::Label, PlaneKind::Distance]);
+        planes.get_mut(PlaneKind::Label).unwrap().fill(f32::from(Label::Terrain.code()));
+        planes.get_mut(PlaneKind::Label).unwrap()[0] = f32::from(Label::Sky.code());
+        let [columns, lines] = place_pixels([100, 100]);
+        let distance = |at: usize| {
+            let across = |pixel: usize| pixel as f64 + 0.5 - 50.0;
+            (1e4 + across(at % 100).powi(2) + across(at / 100).powi(2)).sqrt() as f32
+        };
+        let plane = planes.get_mut(PlaneKind::Distance).unwrap();
+        (0..100 * 100).for_each(|at| plane[at] = distance(at));
+        let found = places(&planes, &camera, None);
+        assert_eq!(found.len(), columns.len() * lines.len());
+        for (number, place) in found.iter().enumerate() {
+            let (column, line) = (columns[number % columns.len()], lines[number / columns.len()]);
+            let expected = [500.0 + 50.0 - line as f64 - 0.5, 300.0 - 50.0 + column as f64 + 0.5];
+            match place {
+                None => assert_eq!((column, line), (0, 0), "sky"),
+                Some(DetailPlace { map, degrees }) => {
+                    assert!((0..2).all(|axis| (map[axis] - expected[axis]).abs() < 1e-3), "{map:?}");
+                    assert!(degrees.is_none(), "the map has no place");
+                }
+            }
+        }
+    }
+
     #[test]
     fn pictures_are_even_and_at_the_largest_jumps() {
         let mut pops = vec![0.0; 101];

@@ -40,7 +40,7 @@ const MOST_FRAMES: usize = 1000;
 pub struct ScenarioCase {
     /// The vehicle's pose in each frame that is drawn, with the number of the frame.
     pub poses: Vec<(u64, Pose)>,
-    title: String,
+    scenario: Scenario,
     stage: MachineStage,
     texts: [String; 2],
 }
@@ -74,7 +74,7 @@ impl ScenarioScene {
         let table = table.map_err(|problems| problems.to_string())?;
         let pose = |&frame: &u64| (frame, table.rows()[(frame - first) as usize].pose);
         let poses = self.frames.iter().map(pose).collect();
-        Ok(ScenarioCase { poses, title: scenario.title.clone(), stage, texts })
+        Ok(ScenarioCase { poses, scenario, stage, texts })
     }
 
     fn expect_frames(&self) -> Result<(), String> {
@@ -122,7 +122,7 @@ fn model(scenario: &Scenario) -> Result<HardwareModel, String> {
 
 impl ScenarioCase {
     pub(super) fn what(&self) -> String {
-        self.title.clone()
+        self.scenario.title.clone()
     }
 
     /// Columns and lines of the picture.
@@ -163,7 +163,12 @@ impl ScenarioCase {
             }
         };
         let kinds = generator.planes().iter().copied().filter(|kind| PlaneKind::ALL.contains(kind)).collect();
-        let session = generator.prepare(self.stage.stage()).map_err(|error| error.to_string())?;
+        let stage = match generator.remembers_frames() {
+            true => front_door::with_course(self.stage.clone(), &self.scenario)
+                .map_err(|error| error.to_string())?,
+            false => self.stage.clone(),
+        };
+        let session = generator.prepare(stage.stage()).map_err(|error| error.to_string())?;
         let lacking = session.omissions().into_iter().find(|omission| omission.weight == Weight::NotModelled);
         if let Some(lacking) = lacking {
             return Err(format!(
