@@ -5,7 +5,7 @@ use lod_tiles::{Level, Levels, Terrain};
 use rayon::prelude::*;
 
 use crate::name::NAME;
-use crate::parameters::Parameters;
+use crate::parameters::{Parameters, Transition};
 
 /// By how much a morph zone is longer than a tile, so that neighbours are never a whole zone apart. Chosen.
 const ROOM: f64 = 1.01;
@@ -44,7 +44,9 @@ impl LevelTable {
                 what: error.to_string(),
                 remedy: "choose other lod.ranges_m or lod.morph_percent".into(),
             })?;
-        let is_short = |level: &usize| share(*level) > 0.0 && levels.zone(*level) < side;
+        // Levels that switch have no zones.
+        let morphs = run.transition == Transition::Morph;
+        let is_short = |level: &usize| morphs && share(*level) > 0.0 && levels.zone(*level) < side;
         let short = (0..count - 1).find(is_short).map(|level| (level, levels.zone(level), side));
         Ok(Self { levels, ends, errors, short_zone: short })
     }

@@ -37,9 +37,11 @@ fn counters_are_of_the_tiles_in_view() {
 #[test]
 fn a_zone_shorter_than_a_tile_is_warned_of_with_its_number() {
     let short = lod_mesh::Parameters { shares: vec![0.1], ..run() };
-    let omissions = session(stage(32), short).omissions();
+    let omissions = session(stage(32), short.clone()).omissions();
     let why = omissions.iter().map(|omission| omission.why.clone()).collect::<String>();
     assert!(why.contains("45 m is shorter than a tile of 80 m"), "{why}");
+    let switched = lod_mesh::Parameters { transition: lod_mesh::Transition::Switch, ..short };
+    assert!(session(stage(32), switched).omissions().is_empty(), "levels that switch have no zones");
     assert!(session(stage(32), run()).omissions().is_empty());
 }
 
