@@ -1,11 +1,11 @@
-//! Scenarios over an export by places of the sphere: a descent from 100 km, and the sun of the landscape.
+//! Scenarios over an export by places of the sphere: a descent from 100 km, and the sun of the landscape. The export that ships.
 
 use landscape::{Landscape, bank_file};
 use quantities::{Rate, degrees, radians};
 use scenario::{Pose, PoseTable, Scenario, Scenery};
-use terrain_export::write_folder;
+use terrain_export::{Exported, Wishes, write_folder};
 
-use crate::{USUAL, exported};
+use crate::{USUAL, exported, ground};
 
 /// Time (s), latitude and longitude (deg), altitude (m), heading, pitch and roll (deg).
 const DESCENT: [(f64, [f64; 2], f64, [f64; 3]); 4] = [
@@ -73,4 +73,24 @@ fn a_descent_by_latitude_longitude_and_altitude_is_the_same_in_the_axes_of_the_b
     // The bank's own place is the middle of its stored regions, a part of a region beside the centre of the area.
     assert!((degrees(sun.elevation) - elevation).abs() < 0.002, "{sun:?}, {elevation}");
     assert!((degrees(sun.azimuth) - azimuth).abs() < 0.002, "{sun:?}, {azimuth}");
+}
+
+/// Files of the scenario `built-ground`, which ship beside their landscape.
+const SHIPPED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../scenarios/built-ground");
+
+#[test]
+fn the_files_of_built_ground_are_the_export_of_its_landscape() {
+    let text = std::fs::read_to_string(format!("{SHIPPED}/landscape.toml")).unwrap();
+    let wishes = Wishes { step: Some(0.001), ..USUAL };
+    let exported = Exported::new(&ground(&text), &text, wishes, &mut |_| {}).unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("built");
+    write_folder(&exported, &out).unwrap();
+    let boulders = (0..9).map(|number| format!("boulders/{number}.obj"));
+    let files = ["craters.csv", "ground.bank", "ground.bank.toml", "terrain.lod"].map(str::to_owned);
+    for file in files.into_iter().chain(boulders) {
+        let [made, shipped] =
+            [out.join(&file), std::path::Path::new(SHIPPED).join(&file)].map(|path| std::fs::read(path).unwrap());
+        assert!(made == shipped, "{file} is not what `lunoid terrain export` makes of landscape.toml");
+    }
 }
