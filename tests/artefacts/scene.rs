@@ -9,8 +9,8 @@ use landscape::{Attitude, Bank, Landscape, Level, Sun};
 use lunoid_tests::{level_of, plane};
 use quantities::{Rate, radians};
 use scenario::{
-    Curvature, Display, FieldOfView, LawWishes, LevelSwitch, Occlusion, Pose, RangeLaw, RangeProgramme, RasterWishes,
-    Scalar, Scenery, ShadowFineness, Standing, TrackPatch,
+    Curvature, Display, FieldOfView, LawWishes, LevelSwitch, Occlusion, Pose, RangeLaw, RangeProgramme,
+    RasterWishes, Scalar, Scenery, ShadowFineness, Standing, TrackPatch,
 };
 
 /// How the pictures of a scene are turned by the yoke.
@@ -105,7 +105,12 @@ impl Scene {
         let settings =
             Settings::resolve(model, self.field, self.raster, self.range, self.laws, Scalar::F64, display);
         let yoke = (self.turn == Turn::ByOneDegree).then_some(model.yoke);
-        Settings { yoke, levels: self.levels, shadows: self.shadows, ..settings.unwrap_or_else(|e| panic!("{e}")) }
+        Settings {
+            yoke,
+            levels: self.levels,
+            shadows: self.shadows,
+            ..settings.unwrap_or_else(|e| panic!("{e}"))
+        }
     }
 
     /// The stage of a run, and the pose of every frame of the mission.

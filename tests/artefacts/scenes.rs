@@ -9,7 +9,8 @@ use landscape::{Bank, Landscape, Level};
 use lunoid_tests::{Dice, level_of, plane};
 use quantities::{Rate, radians};
 use scenario::{
-    LevelSwitch, Pose, PoseTable, RangeLaw, RangeProgramme, RasterWishes, Scenario, ShadowFineness, Standing, TrackPatch,
+    LevelSwitch, Pose, PoseTable, RangeLaw, RangeProgramme, RasterWishes, Scenario, ShadowFineness, Standing,
+    TrackPatch,
 };
 use solids::{Body, Kind, Solid};
 

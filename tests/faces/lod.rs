@@ -51,7 +51,8 @@ fn built_ground_has_its_features_on_every_generator() {
     let judged = shipped.exact(0);
     let mesh = shipped.draw(&*session(&shipped, &[]), 0, &mut Probe::off());
     let bare = Shipped::changed("built-ground", Some(250), |scenario| scenario.features.list = None);
-    let [machine, mesh, bare] = [shipped.machine(0), mesh, bare.machine(0)].map(|shown| rmse(&shown, &judged));
+    let [machine, mesh, bare] =
+        [shipped.machine(0), mesh, bare.machine(0)].map(|shown| rmse(&shown, &judged));
     println!("from exact: machine {machine}, mesh {mesh}, machine without the list of craters {bare}");
     for (found, table) in [(machine, 0.0095), (mesh, 0.099), (bare, 0.226)] {
         assert!((found - table).abs() <= 0.0005, "found {found}, the table says {table}");

@@ -52,9 +52,11 @@ impl Rings {
 
     /// The largest figure of the rings that begin in `span` (m).
     fn largest(&self, span: Range<f64>) -> f64 {
-        let rings = self.0.iter().enumerate().filter(|(ring, (_, count))| {
-            *count >= FEW && span.contains(&(*ring as f64 * RING))
-        });
+        let rings = self
+            .0
+            .iter()
+            .enumerate()
+            .filter(|(ring, (_, count))| *count >= FEW && span.contains(&(*ring as f64 * RING)));
         rings.map(|(_, (sum, count))| (sum / f64::from(*count)).sqrt()).fold(0.0, f64::max)
     }
 }

@@ -457,8 +457,7 @@ fn a_descent_has_places_of_the_sphere_and_altitudes() {
         let text = format!("{head}\n{}", rows.map(row).concat());
         read_over(Some(&ground), "p.csv", text.as_bytes(), "").unwrap_or_else(|e| panic!("{text}: {e:?}"))
     };
-    let sphere =
-        file("t_s,lat_deg,lon_deg,altitude_m,heading_deg,pitch_deg,roll_deg", &|place| place);
+    let sphere = file("t_s,lat_deg,lon_deg,altitude_m,heading_deg,pitch_deg,roll_deg", &|place| place);
     let plane = file("t_s,x_m,y_m,z_m,heading_deg,pitch_deg,roll_deg", &|[latitude, longitude]| {
         [(latitude - 1.0) * degree, (longitude - 2.0) * degree]
     });
@@ -480,7 +479,10 @@ fn a_descent_has_places_of_the_sphere_and_altitudes() {
         for other in [plane, keyed] {
             let apart = [0, 1].map(|axis| (sphere.at[axis] - other.at[axis]).abs());
             assert!(apart.iter().all(|apart| *apart < 1e-6), "{step} s: {apart:?} m");
-            assert_eq!((sphere.eye_height, sphere.pitch, sphere.roll), (other.eye_height, other.pitch, other.roll));
+            assert_eq!(
+                (sphere.eye_height, sphere.pitch, sphere.roll),
+                (other.eye_height, other.pitch, other.roll)
+            );
             assert!((sphere.heading - other.heading).abs() < 1e-12);
         }
     }

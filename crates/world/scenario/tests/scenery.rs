@@ -320,7 +320,9 @@ fn a_sub_solar_point_has_the_sun_of_the_place() {
     let said = |keys: &str, ground: &Landscape| of(keys, ground).err().expect(keys).to_string();
     let down = said("sub_solar_deg = [1.5, -80]", &valley(Some(0.0)));
     assert!(
-        down.contains("over latitude 20.1900, longitude 30.7700 deg the sun of `sub_solar_deg` = [1.5000, -80.0000]"),
+        down.contains(
+            "over latitude 20.1900, longitude 30.7700 deg the sun of `sub_solar_deg` = [1.5000, -80.0000]"
+        ),
         "{down}"
     );
     assert!(down.contains("expected above 0; choose a sub-solar point less than 90 deg away"), "{down}");

@@ -2,9 +2,9 @@
 
 use super::{
     AmplifierParts, AnalogParts, ComparatorParts, FeatureChainParts, FoldDetect, FunctionGeneratorParts,
-    LevelBlendParts, LoopParts, MemoryParts, MultiplierParts, MultiplyingDacParts, PictureTubeParts, ProjectionParts,
-    ReflectivityParts, SampleHoldParts, ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts,
-    WriteCompensation,
+    LevelBlendParts, LoopParts, MemoryParts, MultiplierParts, MultiplyingDacParts, PictureTubeParts,
+    ProjectionParts, ReflectivityParts, SampleHoldParts, ShadowLineParts, SweepParts, TextureParts,
+    VideoSwitchParts, WriteCompensation,
 };
 
 impl SweepParts {

@@ -4,9 +4,9 @@ use diagnostics::{Field, Reader};
 
 use crate::{
     AmplifierParts, AnalogParts, ComparatorParts, FeatureChainParts, FoldDetect, FunctionGeneratorParts,
-    LevelBlendParts, LoopParts, MAIN_WIRES, MemoryParts, MultiplierParts, MultiplyingDacParts, PictureTubeParts,
-    ProjectionParts, ReflectivityParts, SampleHoldParts, ShadowLineParts, SweepParts, TextureParts,
-    VideoSwitchParts, WireParts, WriteCompensation,
+    LevelBlendParts, LoopParts, MAIN_WIRES, MemoryParts, MultiplierParts, MultiplyingDacParts,
+    PictureTubeParts, ProjectionParts, ReflectivityParts, SampleHoldParts, ShadowLineParts, SweepParts,
+    TextureParts, VideoSwitchParts, WireParts, WriteCompensation,
 };
 
 /// Tables that hold analog keys beside others.

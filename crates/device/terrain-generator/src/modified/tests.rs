@@ -207,8 +207,7 @@ fn blended_planes(planes: [[f64; 2]; 2], range: f64, slope_term: bool) -> [f64; 
     };
     let levels = [plane(planes[0], 100.0, 13), plane(planes[1], 400.0, 4)];
     let ranges: Vec<f64> = (1..=1000).map(f64::from).collect();
-    let light =
-        std::array::from_fn(|_| SweepLight::new(&SUN, 0.8, Photometry::Lambert, [1.0, 0.0]));
+    let light = std::array::from_fn(|_| SweepLight::new(&SUN, 0.8, Photometry::Lambert, [1.0, 0.0]));
     let programs = levels
         .each_ref()
         .map(|level| std::array::from_fn(|_| program(level, [FOOT, 600.0], [1.0, 0.0], &ranges)));
@@ -246,7 +245,9 @@ fn a_blend_has_the_heights_and_slopes_of_its_law() {
 /// Slopes mixed as heights are: what is missing is `s' (h_coarse - h_fine)`, 15/8 of the mean rate in the middle.
 #[test]
 fn without_its_slope_term_a_blend_has_the_slope_of_neither_ground() {
-    for (range, rate) in [(400.0, 0.0), (450.0, 30.0 / 256.0 * 9.0 / 200.0), (500.0, 1.875 / 200.0), (600.0, 0.0)] {
+    for (range, rate) in
+        [(400.0, 0.0), (450.0, 30.0 / 256.0 * 9.0 / 200.0), (500.0, 1.875 / 200.0), (600.0, 0.0)]
+    {
         let planes = [[12.4, 0.031], [11.6, 0.027]];
         let [with, without] = [true, false].map(|term| blended_planes(planes, range, term));
         assert_eq!(with[0], without[0], "{range} m: heights are blended either way");

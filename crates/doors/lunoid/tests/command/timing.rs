@@ -364,11 +364,27 @@ fn sizing_counts_the_words_of_a_blend() {
     let scene = Scene::new();
     let scenario = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../scenarios/two-levels-blended.toml");
     let command = [
-        "sizing", scenario, "--machine", "pra-nominal", "--sweeps", "105", "--frames", "0..1", "--no-search", "--json",
+        "sizing",
+        scenario,
+        "--machine",
+        "pra-nominal",
+        "--sweeps",
+        "105",
+        "--frames",
+        "0..1",
+        "--no-search",
+        "--json",
     ];
     let sized = json(&scene.expect(0, &command).0);
-    let found = |key: &str| rows(&sized).find(|row| row["key"] == key).unwrap_or_else(|| panic!("{key}: {sized:#}"));
-    for key in ["blend_crossings_fine", "blend_crossings_coarse", "blend_words_fine", "blend_words_coarse", "blend_words_nearer"] {
+    let found =
+        |key: &str| rows(&sized).find(|row| row["key"] == key).unwrap_or_else(|| panic!("{key}: {sized:#}"));
+    for key in [
+        "blend_crossings_fine",
+        "blend_crossings_coarse",
+        "blend_words_fine",
+        "blend_words_coarse",
+        "blend_words_nearer",
+    ] {
         let ratio = found(key)["ratio"].as_f64().unwrap();
         assert!((ratio - 1.0).abs() < 0.05, "{}", found(key));
     }

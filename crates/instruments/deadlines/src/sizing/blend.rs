@@ -133,7 +133,8 @@ impl SweepLoads {
                 crossings(program).filter(|(range, _)| is_inside(*range)).count() as f64;
             loads.at_azimuth[number] = (end - begin) * a_metre;
             sets_of(program, wired, &mut sets);
-            let words = |is: &dyn Fn(&AskedSet) -> bool| SET * sets.iter().filter(|set| is(set)).count() as f64;
+            let words =
+                |is: &dyn Fn(&AskedSet) -> bool| SET * sets.iter().filter(|set| is(set)).count() as f64;
             loads.inside[number] = words(&|set| is_inside(set.asked.range));
             if number == 1 {
                 loads.nearer = words(&|set| set.asked.range < begin);

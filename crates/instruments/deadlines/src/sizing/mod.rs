@@ -48,7 +48,10 @@ impl<'a> Sizing<'a> {
         let sweeps = |row: &PoseRow| rehearsal.control.sweeps(row.frame, &row.pose);
         let (levels, blend) = rehearsal.pool.install(|| -> Result<_, FrameError> {
             let frames = self.poses.iter().map(sweeps).collect::<Result<Vec<FrameSweeps<'_>>, _>>()?;
-            Ok((LevelFigures::measure(rehearsal, &frames, &self.law), BlendFigures::measure(rehearsal, &frames)))
+            Ok((
+                LevelFigures::measure(rehearsal, &frames, &self.law),
+                BlendFigures::measure(rehearsal, &frames),
+            ))
         })?;
         Ok(Report::new(rehearsal, record, (&levels, blend.as_ref()), &self.poses, self.shows))
     }

@@ -129,7 +129,10 @@ fn coordinates(table: &mut Table, wished: Option<Coordinates>) -> Coordinates {
 /// Columns that say the same must not stand side by side, and a quaternion has four.
 fn check_columns(table: &mut Table) {
     if let (Some(datum), Some(ground)) = (table.name(Z), table.name(HEIGHT)) {
-        table.refuse_header(format!("`{datum}` and `{ground}` both say how high the eye is"), "one of the two");
+        table.refuse_header(
+            format!("`{datum}` and `{ground}` both say how high the eye is"),
+            "one of the two",
+        );
     }
     let parts = QUATERNION.iter().filter(|column| table.has(**column)).count();
     let has_angles = [HEADING, PITCH, ROLL].iter().any(|column| table.has(*column));

@@ -42,8 +42,7 @@ fn dated(table: &Reader, is_generated: bool) -> Option<SunDate> {
 /// The sun of `sun.sub_solar_deg`, which stands still.
 fn under(table: &Reader, is_generated: bool) -> Option<SubSolarPoint> {
     let expected = "latitude -90 to 90 and longitude -360 to 360, in degrees";
-    let is_place =
-        |[latitude, longitude]: &[f64; 2]| latitude.abs() <= 90.0 && longitude.abs() <= 360.0;
+    let is_place = |[latitude, longitude]: &[f64; 2]| latitude.abs() <= 90.0 && longitude.abs() <= 360.0;
     let point = table.f64_array::<2>(SUB_SOLAR).unit("degrees").must(expected, is_place).required();
     let place = ground_place(table, SUB_SOLAR, is_generated);
     let others = ["azimuth_deg", "elevation_deg", "drift", "step_s"];

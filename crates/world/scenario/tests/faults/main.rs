@@ -282,8 +282,7 @@ const UNDER: &str = "sub_solar_deg = [1.5, 80]";
 
 #[test]
 fn a_sun_has_angles_a_date_or_a_place_under_it() {
-    for good in
-        [format!("{AT}\n{PLACE}"), format!("{AT}\n{PLACE}\nstep_s = 5"), format!("{UNDER}\n{PLACE}")]
+    for good in [format!("{AT}\n{PLACE}"), format!("{AT}\n{PLACE}\nstep_s = 5"), format!("{UNDER}\n{PLACE}")]
     {
         assert_eq!(faults(&sun(&good)), [], "{good}");
     }

@@ -46,8 +46,8 @@ fn a_descent_by_latitude_longitude_and_altitude_is_the_same_in_the_axes_of_the_b
         );
         let scenario = Scenario::parse(out.join("s.toml").to_str().unwrap(), &text)
             .unwrap_or_else(|list| panic!("{list}"));
-        let table = PoseTable::resolve(&scenario, &landscape, rate(), None, 0..601)
-            .unwrap_or_else(|e| panic!("{e}"));
+        let table =
+            PoseTable::resolve(&scenario, &landscape, rate(), None, 0..601).unwrap_or_else(|e| panic!("{e}"));
         let poses: Vec<Pose> = table.rows().iter().map(|row| row.pose).collect();
         (scenario, poses)
     };
@@ -55,7 +55,8 @@ fn a_descent_by_latitude_longitude_and_altitude_is_the_same_in_the_axes_of_the_b
     let (scenario, sphere) = poses("a.csv", &format!("t_s,lat_deg,lon_deg,altitude_m,{angles}"), &|at| at);
     let (_, plane) = poses("b.csv", &format!("t_s,x_m,y_m,z_m,{angles}"), &in_bank);
     assert_eq!((sphere.len(), sphere[0].eye[2], sphere[600].eye[2]), (601, 100_000.0, 12.0));
-    let apart = |(a, b): (&Pose, &Pose)| (0..3).map(|axis| (a.eye[axis] - b.eye[axis]).abs()).fold(0.0, f64::max);
+    let apart =
+        |(a, b): (&Pose, &Pose)| (0..3).map(|axis| (a.eye[axis] - b.eye[axis]).abs()).fold(0.0, f64::max);
     let worst = sphere.iter().zip(&plane).map(apart).fold(0.0, f64::max);
     println!("{worst:.1e} m apart at most");
     assert!(worst < 1e-3, "{worst} m");
@@ -89,8 +90,8 @@ fn the_files_of_built_ground_are_the_export_of_its_landscape() {
     let boulders = (0..9).map(|number| format!("boulders/{number}.obj"));
     let files = ["craters.csv", "ground.bank", "ground.bank.toml", "terrain.lod"].map(str::to_owned);
     for file in files.into_iter().chain(boulders) {
-        let [made, shipped] =
-            [out.join(&file), std::path::Path::new(SHIPPED).join(&file)].map(|path| std::fs::read(path).unwrap());
+        let [made, shipped] = [out.join(&file), std::path::Path::new(SHIPPED).join(&file)]
+            .map(|path| std::fs::read(path).unwrap());
         assert!(made == shipped, "{file} is not what `lunoid terrain export` makes of landscape.toml");
     }
 }
