@@ -1,4 +1,4 @@
-//! The boundary of two levels (specification of the terrain builder, sections 7 and 11, test 11): what a switch, a blend, and a blend
+//! The boundary of two levels (test 11 of the terrain builder's specification): what a switch, a blend, and a blend
 //! without its slope term change there, in `two-levels-blended`.
 //!
 //! Pixels are taken together by their ground range, in rings of 25 m; a figure is the root mean square of a ring, in levels of 255.
@@ -24,7 +24,7 @@ const WAY: f64 = 2.0;
 const RING: f64 = 25.0;
 /// Rings with fewer pixels say nothing.
 const FEW: u32 = 100;
-/// Sweeps a frame.
+/// Number of sweeps a frame.
 const SWEEPS: u32 = 300;
 /// Where the scenario goes over; the documented rings are around it.
 const BOUNDARY: LevelSwitch = LevelSwitch { range: 900.0, blend: 450.0 };

@@ -29,7 +29,7 @@ mod tests {
 
     use super::*;
 
-    /// Specification of the terrain builder, section 9.1.
+    /// Check values of the terrain builder's specification (its table 9.1).
     #[test]
     fn the_sun_of_the_check_table_comes_out() {
         let place = [26.13222, 3.63386].map(radians);

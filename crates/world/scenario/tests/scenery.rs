@@ -301,7 +301,7 @@ fn dates_without_a_sun_are_refused() {
     assert_eq!(Scenery::of(&placed, &plain, rate()).unwrap().sky().unwrap().true_north, 0.0);
 }
 
-/// Specification of the terrain builder, section 9.1; the same from the bank's own place, and turned with true north.
+/// Check values of the terrain builder's specification (its table 9.1); the same from the bank's own place, and turned with true north.
 #[test]
 fn a_sub_solar_point_has_the_sun_of_the_place() {
     let under = "sub_solar_deg = [1.5, 80]";

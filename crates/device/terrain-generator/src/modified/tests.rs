@@ -227,7 +227,7 @@ fn blended_planes(planes: [[f64; 2]; 2], range: f64, slope_term: bool) -> [f64; 
     [profile.height[sample][3], profile.along[sample][3]]
 }
 
-/// Specification of the terrain builder, section 9.5, by the quintic weight.
+/// Check values of the terrain builder's specification (its table 9.5), by the quintic weight.
 #[test]
 fn a_blend_has_the_heights_and_slopes_of_its_law() {
     for (range, height, slope) in [

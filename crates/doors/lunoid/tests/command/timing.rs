@@ -378,15 +378,16 @@ fn sizing_counts_the_words_of_a_blend() {
     let sized = json(&scene.expect(0, &command).0);
     let found =
         |key: &str| rows(&sized).find(|row| row["key"] == key).unwrap_or_else(|| panic!("{key}: {sized:#}"));
-    for key in [
-        "blend_crossings_fine",
-        "blend_crossings_coarse",
-        "blend_words_fine",
-        "blend_words_coarse",
-        "blend_words_nearer",
+    for (key, by) in [
+        ("blend_crossings_fine", 0.05),
+        ("blend_crossings_coarse", 0.05),
+        ("blend_words_fine", 0.05),
+        ("blend_words_coarse", 0.05),
+        // Three or four crossings, from wherever in its region the eye stands.
+        ("blend_words_nearer", 0.15),
     ] {
         let ratio = found(key)["ratio"].as_f64().unwrap();
-        assert!((ratio - 1.0).abs() < 0.05, "{}", found(key));
+        assert!((ratio - 1.0).abs() < by, "{}", found(key));
     }
     // Four sets of nine words a crossing, but for those that the next crossing of the same axis overtakes.
     let measured = |key: &str| found(key)["measured"].as_f64().unwrap();

@@ -112,7 +112,9 @@ fn each_cross_check() {
         ("t_s = 3", "t_s = 0", "times must ascend"),
         ("t_s = 0", "t_s = -1", "from 0 to"),
         ("x_m = 51", "x_m = nan", "not nan"),
-        ("y_m = 80 }]", "y_m = 80, z_m = 3 }]", "unknown key `path.keyframes[1].z_m`"),
+        ("y_m = 80 }]", "y_m = 80, h_m = 3 }]", "unknown key `path.keyframes[1].h_m`"),
+        ("y_m = 80 }]", "y_m = 80, z_m = 3 }]", "z_m is given for some waypoints only"),
+        ("y_m = 80 }]", "y_m = 80, pitch_deg = 361 }]", "from -360 to 360"),
         ("[sun]", "[range]\nprogramme = 'geometric'\nstart_m = 5\nend_m = 5\n[sun]", "must be more than"),
         (
             "[sun]",
