@@ -7,14 +7,14 @@ use hardware_model::{HardwareModel, ModelSource};
 /// An artefact and the overlay on the ideal machine that puts its cause in.
 #[derive(Debug, Clone, Copy)]
 pub struct Cause {
-    /// Number in the hardware report: 1 is A1.
+    /// Number in the list of artefacts: 1 is A1.
     pub number: usize,
     /// Name of its file in `hardware-models/faults/`.
     pub overlay: &'static str,
 }
 
 /// All, A1 first. A1 and A4, and A13 and A14, are two signatures of one cause.
-pub const CAUSES: [Cause; 26] = {
+pub const CAUSES: [Cause; 27] = {
     const fn cause(number: usize, overlay: &'static str) -> Cause {
         Cause { number, overlay }
     }
@@ -45,6 +45,7 @@ pub const CAUSES: [Cause; 26] = {
         cause(24, "jerk"),
         cause(25, "clip"),
         cause(26, "stripe"),
+        cause(27, "band"),
     ]
 };
 

@@ -10,7 +10,7 @@ use crate::artefacts::look::{Look, Run};
 use crate::artefacts::scenes::Place;
 
 /// What the detectors measure, in units of their thresholds: by cause, then by detector.
-type Strengths = [[f64; 26]; 26];
+type Strengths = [[f64; 27]; 27];
 
 /// Off the diagonal: cause, detector, and why.
 const EXPLAINED: [(usize, usize, &str); 4] = [
@@ -21,7 +21,7 @@ const EXPLAINED: [(usize, usize, &str); 4] = [
 ];
 
 static STRENGTHS: LazyLock<Strengths> = LazyLock::new(|| {
-    let mut strengths = [[0.0; 26]; 26];
+    let mut strengths = [[0.0; 27]; 27];
     for place in Place::ALL {
         for (row, found) in strengths.iter_mut().zip(at(place)) {
             found.into_iter().for_each(|(detector, strength)| row[detector - 1] = strength);
@@ -46,7 +46,7 @@ fn at(place: Place) -> Vec<Vec<(usize, f64)>> {
 /// The matrix, each cell `width` characters.
 fn text(width: usize, cell: impl Fn(f64) -> String) -> String {
     let mut text = format!("{:14}", "");
-    (1..=26).for_each(|number| text += &format!("{:>width$}", format!("A{number}")));
+    (1..=27).for_each(|number| text += &format!("{:>width$}", format!("A{number}")));
     for (cause, row) in CAUSES.iter().zip(STRENGTHS.iter()) {
         text += &format!("\n{:14}", format!("A{} {}", cause.number, cause.overlay));
         row.iter().for_each(|&strength| text += &format!("{:>width$}", cell(strength)));
@@ -86,7 +86,7 @@ fn every_cause_sets_off_its_own_detector_alone() {
 
 #[test]
 fn the_tables_are_in_order() {
-    let numbers: Vec<usize> = (1..=26).collect();
+    let numbers: Vec<usize> = (1..=27).collect();
     assert_eq!(CAUSES.map(|cause| cause.number).to_vec(), numbers);
     assert_eq!(DETECTORS.map(|detector| detector.number).to_vec(), numbers);
 }

@@ -1,4 +1,4 @@
-//! The artefacts A1 to A26 (hardware section 5): a cause and a detector each, and the matrix of all by all.
+//! The artefacts A1 to A26 (hardware section 5) and A27 (section 8): a cause and a detector each, and the matrix of all by all.
 //!
 //! - [`causes`]: the overlay that puts each in.
 //! - [`scene`], [`scenes`]: where it is looked for; [`look`]: what a run shows, beside the clean one.

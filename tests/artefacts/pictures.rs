@@ -24,12 +24,13 @@ struct Show {
     change: fn(&mut Scenario),
 }
 
-const SHOWS: [Show; 5] = [
+const SHOWS: [Show; 6] = [
     Show { overlay: "starve", scenario: "first-light", frames: [&[24]; 2], change: turn },
     Show { overlay: "slew", scenario: "lunar-horizon", frames: [&[0]; 2], change: hurry },
     Show { overlay: "blur", scenario: "range-programmes", frames: [&[0]; 2], change: |_| {} },
     Show { overlay: "roll", scenario: "rough-ride", frames: [&[21]; 2], change: lean },
     Show { overlay: "jerk", scenario: "craters", frames: [&[36, 37, 38, 39], &[12, 13]], change: look_round },
+    Show { overlay: "band", scenario: "two-levels-blended", frames: [&[0]; 2], change: |_| {} },
 ];
 
 /// A turn on the spot of 50 degrees a second.

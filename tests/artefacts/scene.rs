@@ -9,8 +9,8 @@ use landscape::{Attitude, Bank, Landscape, Level, Sun};
 use lunoid_tests::{level_of, plane};
 use quantities::{Rate, radians};
 use scenario::{
-    Curvature, Display, FieldOfView, LawWishes, Occlusion, Pose, RangeLaw, RangeProgramme, RasterWishes,
-    Scalar, Scenery, ShadowFineness, Standing, TrackPatch,
+    Curvature, Display, FieldOfView, LawWishes, LevelSwitch, Occlusion, Pose, RangeLaw, RangeProgramme,
+    RasterWishes, Scalar, Scenery, ShadowFineness, Standing, TrackPatch,
 };
 
 /// How the pictures of a scene are turned by the yoke.
@@ -40,6 +40,8 @@ pub struct Scene {
     /// At the start (rad).
     pub heading: f64,
     pub turn: Turn,
+    /// Where the sweeps go over to a second level of ground, if there is one.
+    pub levels: Option<LevelSwitch>,
     /// How finely remote shadow is worked out, if it is.
     pub shadows: Option<ShadowFineness>,
     /// Frames of the mission.
@@ -87,6 +89,7 @@ impl Scene {
             eye: [foot[0], foot[1], 10.0],
             heading: 0.0,
             turn: Turn::Never,
+            levels: None,
             shadows: None,
             course: 1,
             frames: vec![0],
@@ -102,7 +105,12 @@ impl Scene {
         let settings =
             Settings::resolve(model, self.field, self.raster, self.range, self.laws, Scalar::F64, display);
         let yoke = (self.turn == Turn::ByOneDegree).then_some(model.yoke);
-        Settings { yoke, shadows: self.shadows, ..settings.unwrap_or_else(|e| panic!("{e}")) }
+        Settings {
+            yoke,
+            levels: self.levels,
+            shadows: self.shadows,
+            ..settings.unwrap_or_else(|e| panic!("{e}"))
+        }
     }
 
     /// The stage of a run, and the pose of every frame of the mission.

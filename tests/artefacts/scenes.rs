@@ -5,11 +5,12 @@ use std::sync::Arc;
 use features::{Crater, Features, Shape};
 use glam::{DMat3, DVec3};
 use hardware_model::Settings;
-use landscape::Level;
+use landscape::{Bank, Landscape, Level};
 use lunoid_tests::{Dice, level_of, plane};
 use quantities::{Rate, radians};
 use scenario::{
-    Pose, PoseTable, RangeLaw, RangeProgramme, RasterWishes, Scenario, ShadowFineness, Standing, TrackPatch,
+    LevelSwitch, Pose, PoseTable, RangeLaw, RangeProgramme, RasterWishes, Scenario, ShadowFineness, Standing,
+    TrackPatch,
 };
 use solids::{Body, Kind, Solid};
 
@@ -23,6 +24,7 @@ pub enum Place {
     Rows,
     Plateau,
     Waves,
+    Levels,
     Strips,
     Bowls,
     Flat,
@@ -34,12 +36,13 @@ pub enum Place {
 
 impl Place {
     /// Those that a detector looks at.
-    pub const ALL: [Self; 11] = [
+    pub const ALL: [Self; 12] = [
         Self::Plane,
         Self::Relief,
         Self::Rows,
         Self::Plateau,
         Self::Waves,
+        Self::Levels,
         Self::Strips,
         Self::Flat,
         Self::Pictures,
@@ -55,6 +58,7 @@ impl Place {
             Self::Rows => rows(),
             Self::Plateau => plateau(),
             Self::Waves => waves(),
+            Self::Levels => levels(),
             Self::Strips => strips(),
             Self::Bowls => bowls(),
             Self::Flat => flat(),
@@ -167,6 +171,24 @@ fn waves() -> Scene {
         "dpp.hold",
         "dpp.blank",
     ];
+    scene
+}
+
+/// Height of the coarse level of [`Place::Levels`] over the fine one (m), and where the sweeps go over.
+pub const LIFT: f64 = 20.0;
+pub const OVER: LevelSwitch = LevelSwitch { range: 2000.0, blend: 400.0 };
+
+/// Level ground on a fine level, and the same [`LIFT`] higher on a coarse one: 100 m/µs.
+fn levels() -> Scene {
+    let fine = level_ground(200.0, 34);
+    let mut scene = Scene::over(fine.clone(), [210.0, 3310.0], [8, 2000], 3200.0);
+    let coarse = heights(400.0, [17, 17], |_, _| LIFT);
+    let bank = Bank::new("artefacts", vec![fine, coarse], None).expect("two levels are a bank");
+    scene.landscape = Landscape::new(bank, 1.0);
+    scene.levels = Some(OVER);
+    scene.eye[2] = 40.0;
+    scene.field = field(10.0, 15.0);
+    scene.signals = &["sweep.fold.x", "sweep.fold.y", "tg.height", "tg.slope.u", "tg.slope.v"];
     scene
 }
 

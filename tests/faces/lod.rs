@@ -2,6 +2,7 @@
 
 use generator::Session;
 use lunoid_tests::Shipped;
+use lunoid_tests::shipped::Shown;
 use signal::Probe;
 
 fn session(shipped: &Shipped, sets: &[(&str, &str)]) -> Box<dyn Session> {
@@ -36,4 +37,24 @@ fn levels_save_triangles_of_the_landing() {
     let spacing = ("lod.spacing_m", "2");
     assert_eq!(triangles(&[spacing]), 1_696_488);
     assert_eq!(triangles(&[spacing, ("lod.levels", "1")]), 7_862_272);
+}
+
+/// RMSE over displayed grey, 0 to 1.
+fn rmse(a: &Shown, b: &Shown) -> f64 {
+    compare::compare(&a.picture, &b.picture, None, &[]).unwrap().rmse
+}
+
+/// One landscape of features: coefficients, craters and bodies on the machine, posts on the mesh.
+#[test]
+fn built_ground_has_its_features_on_every_generator() {
+    let shipped = Shipped::changed("built-ground", Some(250), |_| ());
+    let judged = shipped.exact(0);
+    let mesh = shipped.draw(&*session(&shipped, &[]), 0, &mut Probe::off());
+    let bare = Shipped::changed("built-ground", Some(250), |scenario| scenario.features.list = None);
+    let [machine, mesh, bare] =
+        [shipped.machine(0), mesh, bare.machine(0)].map(|shown| rmse(&shown, &judged));
+    println!("from exact: machine {machine}, mesh {mesh}, machine without the list of craters {bare}");
+    for (found, table) in [(machine, 0.0095), (mesh, 0.099), (bare, 0.226)] {
+        assert!((found - table).abs() <= 0.0005, "found {found}, the table says {table}");
+    }
 }

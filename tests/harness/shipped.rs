@@ -21,7 +21,7 @@ pub const TERRAIN: [&str; 6] =
     ["first-light", "ridge-crossing", "lunar-horizon", "low-sun", "descent", "range-programmes"];
 
 /// Scenarios of the full landscape.
-pub const FULL_LANDSCAPE: [&str; 11] = [
+pub const FULL_LANDSCAPE: [&str; 12] = [
     "rough-ride",
     "craters",
     "long-shadows",
@@ -33,6 +33,7 @@ pub const FULL_LANDSCAPE: [&str; 11] = [
     "lunar-light",
     "showpiece",
     "full-drive",
+    "two-levels-blended",
 ];
 
 /// A shipped scenario, ready to be drawn under the ideal model.

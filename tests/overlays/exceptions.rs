@@ -18,6 +18,7 @@ pub const EXCEPTIONS: &[(&str, &[&str], &str)] = &[
     ("late-words", &["fg.reflectivity", "pg.*"], "words are late beyond the craters and bodies in view"),
     ("slow-drum", FINE_LEVEL, "at a walking pace every corner of the fine level is in its buffer"),
     ("slew", &["dpp.blank"], "only the steepest rises are bounded, and they hide what they hid"),
+    ("band", &["fg.reflectivity"], "the craters in view lie nearer than the blend"),
     ("slow-crater-loads", &["pg.*"], "craters that are drawn late hide nothing of the bodies"),
     ("starve", &["*"], "at a walking pace every record has come before it is asked for; slow-drum is slower"),
     ("stripe", &["*"], "of 96 sweeps each has more time than a set-up takes; slow-set-up is slower"),

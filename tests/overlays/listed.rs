@@ -53,6 +53,7 @@ pub static OVERLAYS: &[Overlay] = &[
     shipped("jerk", &[]),
     shipped("clip", SUMS),
     shipped("stripe", ACCUMULATORS),
+    shipped("band", &["tg.slope.*"]),
     own("late-words", "[loader]\naccess_ns = 3000\n", WORDS),
     own(
         "slow-drum",

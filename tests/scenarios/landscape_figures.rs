@@ -76,6 +76,14 @@ fn far_mountains_sink_behind_the_lunoid() {
 }
 
 #[test]
+fn two_levels_fade_into_one_another() {
+    let switched = |scenario: &mut Scenario| scenario.levels.as_mut().expect("two levels").blend = 0.0;
+    assert_figure(off_by("two-levels-blended", 0, switched), 0.055, 0.001);
+    let shipped = small("two-levels-blended", as_it_stands);
+    assert_figure(shipped.machine(0).counts["level_step_mm"] as f64 / 1000.0, 9.1, 0.1);
+}
+
+#[test]
 fn the_full_drive_is_of_the_reports_measure() {
     let counts = small("full-drive", as_it_stands).machine(0).counts;
     let a_sweep = |count: u64| count as f64 / counts["sweeps"] as f64;

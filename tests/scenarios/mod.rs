@@ -3,3 +3,4 @@
 mod agreement_with_exact;
 mod figures;
 mod landscape_figures;
+mod two_levels;

@@ -109,4 +109,5 @@ scenarios! {
     lunar_light = "lunar-light",
     showpiece = "showpiece",
     full_drive = "full-drive",
+    two_levels_blended = "two-levels-blended",
 }

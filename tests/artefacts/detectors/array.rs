@@ -1,11 +1,11 @@
-//! What the array bends (A6 to A12, A25).
+//! What the array bends (A6 to A12, A25), and what two of them make of one another (A27).
 
 use std::f64::consts::PI;
 use std::ops::Range;
 
 use crate::artefacts::detectors::late::of_rows;
 use crate::artefacts::look::{Look, between, largest, mean, median};
-use crate::artefacts::scenes::{SLOPE, WAVE, row_height};
+use crate::artefacts::scenes::{LIFT, OVER, SLOPE, WAVE, row_height};
 
 /// Full scale of the machine (V).
 const VOLTS: f64 = 10.0;
@@ -243,4 +243,32 @@ pub fn saturation(look: &Look<'_>) -> f64 {
         if top < right - 0.05 * FULL_SCALE { length - usual } else { 0.0 }
     });
     median(&beyond.collect::<Vec<_>>()).max(0.0)
+}
+
+/// Slope along the sweep that a blend of both levels adds to theirs (m/m) at a share of its way, by the rate of the quintic weight.
+pub fn slope_of_blend(share: f64) -> f64 {
+    30.0 * share * share * (1.0 - share) * (1.0 - share) * LIFT / OVER.blend
+}
+
+/// A27: what the slope along the sweep lacks of the rise of the height in the middle of the blend (% of slope): the part of the
+/// difference, over the whole blend, that goes as the slope that a blend adds.
+pub fn blend_band(look: &Look<'_>) -> f64 {
+    let lacks = look.own().map(|sweep| {
+        let [height, north, east] =
+            ["tg.height", "tg.slope.u", "tg.slope.v"].map(|name| look.run.wave(sweep, name));
+        let [cos, sin] = look.direction(sweep);
+        let (mut lacking, mut whole) = (0.0, 0.0);
+        for sample in 1..height.len() - 1 {
+            let share = (look.range_at(sample as f64) - (OVER.range - OVER.blend)) / OVER.blend;
+            if !(0.0..=1.0).contains(&share) {
+                continue;
+            }
+            let rise = (height[sample + 1] - height[sample - 1]) / (2.0 * look.pace());
+            let added = slope_of_blend(share);
+            lacking += (rise - north[sample] * cos - east[sample] * sin) * added;
+            whole += added * added;
+        }
+        lacking / whole
+    });
+    100.0 * slope_of_blend(0.5) * median(&lacks.collect::<Vec<_>>()).abs()
 }

@@ -11,7 +11,7 @@ use crate::artefacts::scenes::Place;
 /// A detector of one artefact.
 #[derive(Debug, Clone, Copy)]
 pub struct Detector {
-    /// Number in the hardware report: 1 is A1.
+    /// Number in the list of artefacts: 1 is A1.
     pub number: usize,
     pub name: &'static str,
     /// The scene that it looks at.
@@ -24,7 +24,7 @@ pub struct Detector {
 }
 
 /// Detectors of all artefacts, A1 first.
-pub const DETECTORS: [Detector; 26] = {
+pub const DETECTORS: [Detector; 27] = {
     const fn detector(
         number: usize,
         name: &'static str,
@@ -61,5 +61,6 @@ pub const DETECTORS: [Detector; 26] = {
         detector(24, "lag of update", Place::Motion, (1.5, "showings"), picture::lag_of_update),
         detector(25, "saturation", Place::Rows, (20.0, "m"), array::saturation),
         detector(26, "queue jitter", Place::Relief, (0.05, "of the sweeps"), late::queue_jitter),
+        detector(27, "blend band", Place::Levels, (2.0, "% of slope"), array::blend_band),
     ]
 };

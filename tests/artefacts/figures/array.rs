@@ -1,4 +1,4 @@
-//! What the array bends (A6 to A12, A25).
+//! What the array bends (A6 to A12, A25), and what two of them make of one another (A27).
 
 use std::f64::consts::{LN_2, PI};
 
@@ -7,7 +7,7 @@ use parts::Spread;
 use crate::artefacts::detectors::{array, late};
 use crate::artefacts::figures::{Figure, figure, looked};
 use crate::artefacts::look::{Look, largest, mean, median};
-use crate::artefacts::scenes::{PLATEAU, WAVE};
+use crate::artefacts::scenes::{LIFT, OVER, PLATEAU, WAVE};
 
 /// Time constant of a bandwidth (µs).
 fn tau(megahertz: f64) -> f64 {
@@ -181,4 +181,15 @@ pub fn a25() -> Figure {
         let volts = mean(&tops.collect::<Vec<_>>()) / array::FULL_SCALE * 10.0;
         figure(25, "height of the flat tops", [volts, 5.0, 1e-3], "V", "`V_sat`")
     })
+}
+
+pub fn a27() -> Figure {
+    let predicted = 100.0 * 1.875 * LIFT / OVER.blend;
+    figure(
+        27,
+        "slope that the light lacks in the middle of the blend",
+        [looked(27, array::blend_band), predicted, 0.01],
+        "%",
+        "`15/8 (h_coarse - h_fine)/(z2 - z1)`",
+    )
 }

@@ -35,6 +35,9 @@ pub struct AnalogParts {
     pub sample_hold: SampleHoldParts,
     /// From slopes to reflectivity.
     pub reflectivity: ReflectivityParts,
+    /// The blend between two levels of terrain. A record without a fault of it does not name it.
+    #[serde(skip_serializing_if = "LevelBlendParts::is_ideal")]
+    pub level_blend: LevelBlendParts,
     /// The three video switches.
     pub video_switch: VideoSwitchParts,
     /// Sub-generators of the feature generator.
@@ -88,6 +91,15 @@ pub enum FoldDetect {
     Digital,
     /// By a comparator on the analog ramp.
     Comparator,
+}
+
+/// Blend of the modified terrain generator (section 8), for which two products a signal are enough in height and in the slope across;
+/// the slope along the sweep needs a third.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct LevelBlendParts {
+    /// Whether the slope along the sweep has its third product, the rate of the weight times the difference of the heights; where the
+    /// designer left it out, the light of the blended stretch is that of other slopes.
+    pub slope_term: bool,
 }
 
 /// Function generators (hardware section 3.3).
@@ -324,6 +336,7 @@ impl AnalogParts {
             comparator: ComparatorParts::IDEAL,
             sample_hold: SampleHoldParts::IDEAL,
             reflectivity: ReflectivityParts::IDEAL,
+            level_blend: LevelBlendParts::IDEAL,
             video_switch: VideoSwitchParts::IDEAL,
             feature: FeatureChainParts::IDEAL,
             shadow_line: ShadowLineParts::IDEAL,

@@ -30,6 +30,7 @@ const TERRAIN: &[&str] = &[
     "multiplier",
     "multiplying_dac",
     "summer",
+    "level_blend",
     "reflectivity",
     "spread",
     "wires",

@@ -1,7 +1,7 @@
 //! Overlays of one fault each, that the program carries.
 
 /// Overlays with one fault each, in the order of the artefacts that they prove (hardware section 5), with their text.
-pub const FAULTS: [(&str, &str); 24] = [
+pub const FAULTS: [(&str, &str); 25] = [
     ("tear", include_str!("../../../../hardware-models/faults/tear.toml")),
     ("stale", include_str!("../../../../hardware-models/faults/stale.toml")),
     ("mirror", include_str!("../../../../hardware-models/faults/mirror.toml")),
@@ -26,6 +26,7 @@ pub const FAULTS: [(&str, &str); 24] = [
     ("jerk", include_str!("../../../../hardware-models/faults/jerk.toml")),
     ("clip", include_str!("../../../../hardware-models/faults/clip.toml")),
     ("stripe", include_str!("../../../../hardware-models/faults/stripe.toml")),
+    ("band", include_str!("../../../../hardware-models/faults/band.toml")),
 ];
 
 /// What the head of an overlay of one fault says that it proves, without the place of its source; nothing where it says nothing.

@@ -27,8 +27,8 @@ mod written;
 
 pub use analog::{
     AmplifierParts, AnalogParts, CROSSTALK_FREQUENCY, ComparatorParts, FEEDTHROUGH_FREQUENCY,
-    FeatureChainParts, FoldDetect, FunctionGeneratorParts, LoopParts, MAIN_WIRES, MemoryParts,
-    MultiplierParts, MultiplyingDacParts, PictureTubeParts, ProjectionParts, ReflectivityParts,
+    FeatureChainParts, FoldDetect, FunctionGeneratorParts, LevelBlendParts, LoopParts, MAIN_WIRES,
+    MemoryParts, MultiplierParts, MultiplyingDacParts, PictureTubeParts, ProjectionParts, ReflectivityParts,
     SMOOTHER_DAMPING, SampleHoldParts, ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts,
     WireParts, WriteCompensation,
 };

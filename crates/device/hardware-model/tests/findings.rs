@@ -106,6 +106,7 @@ fn thresholds_are_where_the_reference_has_them() {
         ("sweep_memory.write_compensation", "20", "19", "A19"),
         ("sample_hold.pedestal_mv", "9", "11", "A15"),
         ("raster.refresh_hz", "90", "120", "A24"),
+        ("level_blend.slope_term", "on", "off", "A27"),
     ];
     for (key, within, beyond, artefact) in cases {
         assert_eq!(with(&[(key, within)]).check(), [], "{key} = {within}");

@@ -29,6 +29,8 @@ pub struct ModifiedTerrainGenerator<'a> {
     pub coarse: TerrainGenerator<'a>,
     /// Length of the blend before the switch (m); 0: a video switch within one sample.
     pub blend: f64,
+    /// Whether the slope along the sweep takes the rate of the weight; without it the light of the blend is that of other slopes.
+    pub slope_term: bool,
 }
 
 /// Heights and slopes of the coarse level under the blend; reused from group to group.
@@ -115,6 +117,8 @@ impl ModifiedTerrainGenerator<'_> {
         let beyond = eight(simd, &switches.each_ref().map(|switch| switch.beyond as f64));
         let blended = switches.each_ref().map(|switch| S::from_f64(switch.blended as f64));
         let blended = S::Vector::<L>::from_slice(simd, &blended);
+        // A product that is not there is one with a weight that does not change.
+        let rises_over = if self.slope_term { self.blend } else { f64::INFINITY };
         let Profile { height, along, across, .. } = profile;
         let fine: [&mut [Lanes<S>]; 3] = [height, along, across];
         let coarse = [&overlap.height, &overlap.along, &overlap.across];
@@ -125,7 +129,7 @@ impl ModifiedTerrainGenerator<'_> {
             let (is_fine, none) =
                 (f64x8::simd_from(simd, number).simd_lt(beyond), f64x8::simd_from(simd, 0.0));
             let weight = S::narrow(is_fine.select(values(way)[0], none));
-            let rate = S::narrow(is_fine.select(derivatives(way)[0] / self.blend, none));
+            let rate = S::narrow(is_fine.select(derivatives(way)[0] / rises_over, none));
             let is_blended = weight.like(number).simd_ge(blended);
             let [mut near, mut far] = [[weight; 3]; 2];
             for signal in 0..3 {

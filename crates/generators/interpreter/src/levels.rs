@@ -97,15 +97,16 @@ pub fn terrain(scene: &SceneData<'_>, sweep: u32, direction: [f64; 2], given: &G
     let until = f64::INFINITY;
     let course = Course { level, missing: &missing[1], number: 1, loader: &plain, until, parts, ..course };
     let coarse = walk(scene, &course, ranges);
-    let ground = both(&fine, &coarse, switch, direction, ranges);
+    let slope_term = scene.settings.analog.level_blend.slope_term;
+    let ground = both([&fine, &coarse], (switch, slope_term), direction, ranges);
     Terrain { fine, coarse: Some(coarse), ground }
 }
 
 /// The fine level up to the switch, or to its own edge; over the last stretch before it fades into the coarse one.
+/// Without its slope term the blend mixes slopes as it mixes heights.
 fn both(
-    fine: &Walk,
-    coarse: &Walk,
-    LevelSwitch { range: switch, blend }: LevelSwitch,
+    [fine, coarse]: [&Walk; 2],
+    (LevelSwitch { range: switch, blend }, slope_term): (LevelSwitch, bool),
     [cos, sin]: [f64; 2],
     ranges: &[f64],
 ) -> Vec<GroundSample> {
@@ -122,7 +123,7 @@ fn both(
                 let part = (range - (switch - blend)) / blend;
                 let (p2, p3) = (part * part, part * part * part);
                 let w = 1.0 - 10.0 * p3 + 15.0 * p3 * part - 6.0 * p3 * p2;
-                let rate = -30.0 * p2 * (1.0 - part) * (1.0 - part) / blend;
+                let rate = if slope_term { -30.0 * p2 * (1.0 - part) * (1.0 - part) / blend } else { 0.0 };
                 let step = near.height - far.height;
                 let slope = |axis: usize, c: f64| {
                     w * near.slopes[axis] + (1.0 - w) * far.slopes[axis] + rate * step * c

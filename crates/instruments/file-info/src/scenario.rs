@@ -4,7 +4,7 @@ use std::path::Path;
 
 use front_door::read_scenario;
 use quantities::degrees;
-use scenario::{GroundSource, Length, Scenario, Sunlight};
+use scenario::{GroundSource, Length, Scenario, SubSolarPoint, Sunlight};
 use serde_json::{Value, json};
 
 use crate::{Held, InfoError};
@@ -54,6 +54,11 @@ fn sun(light: &Sunlight) -> (String, Option<[f64; 2]>) {
             (format!("sun at azimuth {azimuth:.1}, elevation {elevation:.1} deg"), Some([azimuth, elevation]))
         }
         Sunlight::Dated(date) => (format!("sun of {}", date.at), None),
+        Sunlight::SubSolar(SubSolarPoint { point, .. }) => {
+            let [latitude, longitude] = point.map(degrees);
+            let [latitude, longitude] = [text::latitude(latitude, 4), text::longitude(longitude, 4)];
+            (format!("sun overhead at {latitude}, {longitude}"), None)
+        }
     }
 }
 

@@ -140,6 +140,10 @@ pub fn landscape(seed: u64) -> ComparedScene {
             scene.parts.0.amplifier.recovery = 0.0;
         }
     }
+    let mut dice = Dice::new(seed ^ 0x626c_656e);
+    if scene.coarse.is_some() {
+        scene.parts.0.level_blend.slope_term = dice.count(0, 3) > 0;
+    }
     scene
 }
 

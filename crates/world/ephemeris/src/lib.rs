@@ -10,6 +10,7 @@
 //! - [`Place`]: selenographic longitude and latitude (mean-Earth, polar-axis system, planetocentric) and radius.
 //! - [`Sky`]: azimuth, elevation, distance and angular diameter of Sun and Earth, the Earth's phase, the sub-solar and the
 //!   sub-Earth point.
+//! - [`sun_direction`]: the sun over a place, where another place is known that has it overhead.
 //! - [`icrf_to_local`]: directions of star catalogues as they stand over a place.
 //!
 //! Errors against JPL's DE421 with its own librations, over 1960 to 2050: docs/sun.md.
@@ -20,7 +21,9 @@ mod ecliptic;
 mod instant;
 mod moon_orbit;
 mod sky;
+mod sub_solar;
 mod terrestrial_time;
 
 pub use instant::{FIRST, Instant, InstantError, LAST};
 pub use sky::{MOON_RADIUS, Place, Seen, Sky, icrf_to_local};
+pub use sub_solar::{elevation_and_azimuth, sun_direction};

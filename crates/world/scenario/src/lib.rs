@@ -94,7 +94,7 @@ pub use scenery_problem::{SceneryProblem, SceneryProblems};
 pub use sheets::{Medium, Overlay, Sheet};
 pub use sky_discs::{DiscFace, SkyDisc};
 pub use stars::{SeededSky, Star, StarSource, StarWish};
-pub use sunlight::{DatedSky, SunDate, Sunlight};
+pub use sunlight::{DatedSky, SubSolarPoint, SunDate, Sunlight};
 pub use tracks::Tracks;
 pub use vehicle::{Stand, Vehicle};
 pub use vehicle_shape::VehicleShape;

@@ -85,17 +85,37 @@ pub enum SceneryProblem {
         /// Spacing of the patches that was asked for (m).
         spacing: f64,
     },
-    /// A date without a place on the Moon.
+    /// A date or a sub-solar point without a place on the Moon.
     #[error(
-        "[sun]: `at` needs a place on the Moon, and the bank knows none (imported words, a file without a projection, or ground \
+        "[sun]: `{key}` needs a place on the Moon, and the bank knows none (imported words, a file without a projection, or ground \
          of another body); add place = {{ longitude_deg = ..., latitude_deg = ... }} to [sun]"
     )]
-    SunWithoutPlace,
+    SunWithoutPlace {
+        /// Key of `[sun]` that needs it.
+        key: &'static str,
+    },
     /// A bank that was made before banks had their true north.
     #[error(
-        "[sun]: `at` needs the direction of true north, and the bank was made without it; make it again with `lunoid survey`"
+        "[sun]: `{key}` needs the direction of true north, and the bank was made without it; make it again with `lunoid survey`"
     )]
-    SunWithoutNorth,
+    SunWithoutNorth {
+        /// Key of `[sun]` that needs it.
+        key: &'static str,
+    },
+    /// The sun that stands overhead elsewhere is below the horizon here.
+    #[error(
+        "[sun]: over latitude {:.4}, longitude {:.4} deg the sun of `sub_solar_deg` = [{:.4}, {:.4}] stands at an elevation of \
+         {elevation_deg:.2} deg, expected above 0; choose a sub-solar point less than 90 deg away",
+        place_deg[0], place_deg[1], sub_solar_deg[0], sub_solar_deg[1]
+    )]
+    SunOverTheEdge {
+        /// Latitude and longitude that have the sun overhead (deg).
+        sub_solar_deg: [f64; 2],
+        /// Latitude and longitude that are lit (deg).
+        place_deg: [f64; 2],
+        /// Elevation of the sun (deg).
+        elevation_deg: f64,
+    },
     /// The sun of a date is below the horizon.
     #[error(
         "[sun]: at {at}, t = {time} s, the sun stands at an elevation of {elevation_deg:.2} deg, expected above 0; choose \

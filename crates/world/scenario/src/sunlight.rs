@@ -1,6 +1,6 @@
-//! Where the light of a mission comes from: angles, or the true sun of a date.
+//! Where the light of a mission comes from: angles, the true sun of a date, or the place that has the sun overhead.
 
-use ephemeris::{Instant, Place, Sky, icrf_to_local};
+use ephemeris::{Instant, Place, Sky, elevation_and_azimuth, icrf_to_local, sun_direction};
 use glam::DMat3;
 use landscape::{Bank, Georeference, LUNOID_RADIUS, Sun};
 use limits::Limit;
@@ -21,6 +21,8 @@ pub enum Sunlight {
     },
     /// The true sun of a date.
     Dated(SunDate),
+    /// A sun that stands overhead at a place, and stays there.
+    SubSolar(SubSolarPoint),
 }
 
 /// A date that says where the sun stands.
@@ -32,6 +34,15 @@ pub struct SunDate {
     pub place: Option<Place>,
     /// Time from one sun to the next (s).
     pub step: f64,
+}
+
+/// A place of the Moon that has the sun overhead.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SubSolarPoint {
+    /// Its latitude and longitude (rad).
+    pub point: [f64; 2],
+    /// Place on the Moon that is lit; that of the bank if the scenario names none.
+    pub place: Option<Place>,
 }
 
 /// What stood over the ground at the start of a mission with a date.
@@ -53,13 +64,7 @@ impl DatedSky {
     /// # Errors
     /// If there is no place, or the bank knows its place but not where north is there.
     pub fn over(bank: &Bank, at: Instant, place: Option<Place>) -> Result<Self, SceneryProblem> {
-        let own = bank.georeference();
-        let place = place.or(own.as_ref().map(place_of)).ok_or(SceneryProblem::SunWithoutPlace)?;
-        let true_north = match own {
-            Some(own) => own.true_north.ok_or(SceneryProblem::SunWithoutNorth)?,
-            // Axes of a bank: x is north.
-            None => 0.0,
-        };
+        let (place, true_north) = place_and_north(bank, place, "at")?;
         Ok(Self { at, place, true_north, sky: Sky::over(place, at) })
     }
 
@@ -79,6 +84,23 @@ impl DatedSky {
     }
 }
 
+/// Where the ground of `bank` lies, or `place` if one is given, and the direction of true north there, clockwise from the north of the
+/// ground (rad). `key` of `[sun]` asks.
+fn place_and_north(
+    bank: &Bank,
+    place: Option<Place>,
+    key: &'static str,
+) -> Result<(Place, f64), SceneryProblem> {
+    let own = bank.georeference();
+    let place = place.or(own.as_ref().map(place_of)).ok_or(SceneryProblem::SunWithoutPlace { key })?;
+    let true_north = match own {
+        Some(own) => own.true_north.ok_or(SceneryProblem::SunWithoutNorth { key })?,
+        // Axes of a bank: x is north.
+        None => 0.0,
+    };
+    Ok((place, true_north))
+}
+
 /// The place of a bank as the ephemeris wants it: on the sphere that heights refer to.
 fn place_of(own: &Georeference) -> Place {
     Place { longitude: own.longitude, latitude: own.latitude, radius: LUNOID_RADIUS }
@@ -92,7 +114,7 @@ impl Sunlight {
     pub fn first(&self) -> Option<Sun> {
         match self {
             Self::Angles { first, .. } => Some(*first),
-            Self::Dated(_) => None,
+            Self::Dated(_) | Self::SubSolar(_) => None,
         }
     }
 
@@ -101,6 +123,7 @@ impl Sunlight {
         match self {
             Self::Angles { drift, .. } => drift.is_some(),
             Self::Dated(_) => true,
+            Self::SubSolar(_) => false,
         }
     }
 
@@ -113,7 +136,28 @@ impl Sunlight {
             Self::Angles { first, drift: None } => Ok((vec![(0.0, *first)], None)),
             Self::Angles { first, drift: Some(drift) } => Ok((drift.suns(*first), None)),
             Self::Dated(date) => date.suns(bank, length).map(|(suns, sky)| (suns, Some(sky))),
+            Self::SubSolar(point) => Ok((vec![(0.0, point.sun(bank)?)], None)),
         }
+    }
+}
+
+impl SubSolarPoint {
+    /// The sun in the axes of the ground of `bank`.
+    ///
+    /// # Errors
+    /// If there is no place, the bank knows its place but not where north is there, or the sun is down.
+    pub fn sun(&self, bank: &Bank) -> Result<Sun, SceneryProblem> {
+        let (place, true_north) = place_and_north(bank, self.place, "sub_solar_deg")?;
+        let of = [place.latitude, place.longitude];
+        let [elevation, azimuth] = elevation_and_azimuth(sun_direction(of, self.point));
+        if elevation > 0.0 {
+            return Ok(Sun { azimuth: wrap_heading(azimuth + true_north), elevation });
+        }
+        Err(SceneryProblem::SunOverTheEdge {
+            sub_solar_deg: self.point.map(degrees),
+            place_deg: of.map(degrees),
+            elevation_deg: degrees(elevation),
+        })
     }
 }
 

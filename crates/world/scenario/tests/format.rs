@@ -104,7 +104,7 @@ fn parse(text: &str) -> Scenario {
 #[test]
 fn all_examples_are_read() {
     let (examples, pieces) = examples();
-    assert_eq!((examples.len(), pieces.len()), (9, 6));
+    assert_eq!((examples.len(), pieces.len()), (10, 6));
     let drive = parse(examples[1]);
     assert_eq!(drive.path.waypoints().len(), 3);
     let tum = parse(&examples[1].replace("drive.csv", "drive.tum"));
@@ -187,11 +187,14 @@ const CHANGES: &[(&str, usize, &str, &str)] = &[
     ("path.file", 1, "drive.csv", "drive.tum"),
     ("path.coordinates", 1, "file = \"drive.csv\"", "file = \"drive.csv\"\ncoordinates = \"file\""),
     ("path.driven", 1, "file = \"drive.csv\"", "file = \"drive.csv\"\ndriven = \"drive.csv\""),
+    ("path.keyframes.z_m", 8, "z_m = 900", "z_m = 901"),
+    ("path.keyframes.pitch_deg", 8, "pitch_deg = -60", "pitch_deg = -61"),
+    ("path.keyframes.roll_deg", 8, "roll_deg = 2", "roll_deg = 3"),
     ("path.keyframes.lat_deg", 7, "8.1207", "8.1208"),
     ("path.keyframes.lon_deg", 7, "-38.0093", "-38.0094"),
-    ("path.track", 8, "track = 1", "track = 2"),
-    ("path.segment", 8, "segment = 1", "segment = 2"),
-    ("path.heights", 8, "\"unused\"", "\"above-ground\""),
+    ("path.track", 9, "track = 1", "track = 2"),
+    ("path.segment", 9, "segment = 1", "segment = 2"),
+    ("path.heights", 9, "\"unused\"", "\"above-ground\""),
     ("raster.sweeps", 0, "sweeps = 525", "sweeps = 526"),
     ("raster.samples_per_sweep", 0, "samples_per_sweep = 1000", "samples_per_sweep = 999"),
     ("raster.columns", 0, "columns = 525", "columns = 526"),
@@ -381,6 +384,7 @@ const CHANGES: &[(&str, usize, &str, &str)] = &[
     ("sun.drift.elevation_deg", 2, "elevation_deg = 6.5", "elevation_deg = 6.6"),
     ("sun.step_s", 2, "step_s = 2", "step_s = 3"),
     ("sun.at", 4, "22:00:00Z", "22:00:01Z"),
+    ("sun.sub_solar_deg", 8, "[1.2, 41.5]", "[1.2, 41.4]"),
     ("sun.place.longitude_deg", 4, "longitude_deg = 30.77", "longitude_deg = 30.78"),
     ("sun.place.latitude_deg", 4, "latitude_deg = 20.19", "latitude_deg = 20.18"),
     ("shadows.enabled", 2, "enabled = true", "enabled = false"),

@@ -439,6 +439,61 @@ fn coordinates_that_lead_nowhere_are_refused() {
     assert!(at.iter().all(|place| place.abs() < 1e-6), "{at:?}");
 }
 
+/// From 100 km to the ground by latitude, longitude, altitude and attitude: as a file, by keyframes, and in the axes of the bank.
+#[test]
+fn a_descent_has_places_of_the_sphere_and_altitudes() {
+    let ground = bank(Some(equator()));
+    let rows = [
+        (0.0, [1.001, 2.002], 100_000.0, [10.0, -90.0, 0.0]),
+        (50.0, [1.003, 2.001], 20_000.0, [20.0, -80.0, 3.0]),
+        (90.0, [1.004, 2.003], 12.5, [30.0, -5.0, -2.0]),
+    ];
+    let degree = RADIUS * radians(1.0);
+    let file = |head: &str, at: &dyn Fn([f64; 2]) -> [f64; 2]| {
+        let row = |(time, place, height, [heading, pitch, roll]): (f64, [f64; 2], f64, [f64; 3])| {
+            let [a, b] = at(place);
+            format!("{time},{a},{b},{height},{heading},{pitch},{roll}\n")
+        };
+        let text = format!("{head}\n{}", rows.map(row).concat());
+        read_over(Some(&ground), "p.csv", text.as_bytes(), "").unwrap_or_else(|e| panic!("{text}: {e:?}"))
+    };
+    let sphere = file("t_s,lat_deg,lon_deg,altitude_m,heading_deg,pitch_deg,roll_deg", &|place| place);
+    let plane = file("t_s,x_m,y_m,z_m,heading_deg,pitch_deg,roll_deg", &|[latitude, longitude]| {
+        [(latitude - 1.0) * degree, (longitude - 2.0) * degree]
+    });
+    let frames = rows.map(|(time, [latitude, longitude], height, [heading, pitch, roll])| {
+        format!(
+            "{{ t_s = {time:?}, lat_deg = {latitude:?}, lon_deg = {longitude:?}, z_m = {height:?}, heading_deg = {heading:?}, \
+             pitch_deg = {pitch:?}, roll_deg = {roll:?} }}"
+        )
+    });
+    let folder = tempfile::tempdir().unwrap();
+    bank_file::write(folder.path().join("ground.bank"), &ground).unwrap();
+    let keyframes = format!("coordinates = \"lon-lat\"\nkeyframes = [{}]\n", frames.join(", "));
+    let name = folder.path().join("s.toml");
+    let keyed = Scenario::parse(name.to_str().unwrap(), &text(&keyframes, true)).unwrap();
+    assert_eq!(keyed.path.height_over(), HeightOver::Datum);
+    for step in 0..=90 {
+        let [sphere, plane, keyed] =
+            [&sphere, &plane, &keyed].map(|scenario| scenario.path.at(f64::from(step)));
+        for other in [plane, keyed] {
+            let apart = [0, 1].map(|axis| (sphere.at[axis] - other.at[axis]).abs());
+            assert!(apart.iter().all(|apart| *apart < 1e-6), "{step} s: {apart:?} m");
+            assert_eq!(
+                (sphere.eye_height, sphere.pitch, sphere.roll),
+                (other.eye_height, other.pitch, other.roll)
+            );
+            assert!((sphere.heading - other.heading).abs() < 1e-12);
+        }
+    }
+    let partly = keyframes.replacen(", z_m = 20000.0", "", 1);
+    let refused = Scenario::parse(name.to_str().unwrap(), &text(&partly, true)).unwrap_err().to_string();
+    assert!(refused.contains("z_m is given for some waypoints only"), "{refused}");
+    let twice = "t_s,lat_deg,lon_deg,altitude_m,height_m\n0,1,2,3,4\n";
+    let refused = read_over(Some(&ground), "p.csv", twice.as_bytes(), "").unwrap_err();
+    assert!(refused[0].contains("`altitude_m` and `height_m` both say"), "{refused:?}");
+}
+
 #[test]
 fn exchanged_coordinates_are_told() {
     let over = |map: MapFrame, text: &str, keys: &str| {

@@ -301,6 +301,39 @@ fn dates_without_a_sun_are_refused() {
     assert_eq!(Scenery::of(&placed, &plain, rate()).unwrap().sky().unwrap().true_north, 0.0);
 }
 
+/// Check values of the terrain builder's specification (its table 9.1); the same from the bank's own place, and turned with true north.
+#[test]
+fn a_sub_solar_point_has_the_sun_of_the_place() {
+    let under = "sub_solar_deg = [1.5, 80]";
+    let placed = format!("{under}\nplace = {{ longitude_deg = 3.63386, latitude_deg = 26.13222 }}");
+    let of = |keys: &str, ground: &Landscape| Scenery::of(&dated(keys), ground, rate());
+    let scenery = of(&placed, &valley(Some(0.0))).unwrap();
+    let sun = scenery.sun(0.0);
+    assert!((degrees(sun.elevation) - 12.889_913_105_841).abs() < 1e-10, "{}", degrees(sun.elevation));
+    assert!((degrees(sun.azimuth) - 94.724_151_559_080).abs() < 1e-10, "{}", degrees(sun.azimuth));
+    assert_eq!((scenery.suns().len(), scenery.sky()), (1, None), "it stands, and the sky has no date");
+    let turned = of(&placed, &valley(Some(radians(300.0)))).unwrap().sun(0.0);
+    assert!((degrees(turned.azimuth) - 34.724_151_559_080).abs() < 1e-9, "{}", degrees(turned.azimuth));
+    // Overhead at the bank's own place.
+    let overhead = of("sub_solar_deg = [20.19, 30.77]", &valley(Some(0.0))).unwrap().sun(0.0);
+    assert!((degrees(overhead.elevation) - 90.0).abs() < 1e-6);
+    let said = |keys: &str, ground: &Landscape| match of(keys, ground) {
+        Ok(_) => panic!("{keys}"),
+        Err(problems) => problems.to_string(),
+    };
+    let down = said("sub_solar_deg = [1.5, -80]", &valley(Some(0.0)));
+    assert!(
+        down.contains(
+            "over latitude 20.1900, longitude 30.7700 deg the sun of `sub_solar_deg` = [1.5000, -80.0000]"
+        ),
+        "{down}"
+    );
+    assert!(down.contains("expected above 0; choose a sub-solar point less than 90 deg away"), "{down}");
+    let plain = Landscape::new(Bank::new("", valley(None).bank().levels().to_vec(), None).unwrap(), 1.0);
+    assert!(said(under, &plain).contains("`sub_solar_deg` needs a place on the Moon"));
+    assert!(said(under, &valley(None)).contains("`sub_solar_deg` needs the direction of true north"));
+}
+
 #[test]
 fn tracks_grow_with_time() {
     let scenery = made("[shadows]\n[tracks]\n");

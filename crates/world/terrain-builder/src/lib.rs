@@ -101,6 +101,6 @@ pub use refused::Refused;
 pub use relief::Relief;
 pub use roughness::Roughness;
 pub use size_law::{CHI_SQUARED_END, SizeLaw};
-pub use sunlight::{Light, elevation_and_azimuth, sun_direction};
+pub use sunlight::Light;
 pub use switches::{Reported, Switch};
 pub use told::{FeatureTold, Warning};

@@ -1,6 +1,7 @@
 //! Light on every post of a landscape.
 
-use terrain_builder::{Ground, Heights, LightMap, Method, sun_direction};
+use ephemeris::sun_direction;
+use terrain_builder::{Ground, Heights, LightMap, Method};
 
 /// The light of the landscape's sun on its posts, by rays along the triangles; none where the landscape has no `[light]`.
 pub fn light_map(ground: &Ground, heights: &Heights) -> Option<LightMap> {

@@ -2,9 +2,10 @@
 
 use std::fmt::Write;
 
+use ephemeris::{elevation_and_azimuth, sun_direction};
 use landscape::Bank;
 use quantities::degrees;
-use terrain_builder::{Export, Ground, elevation_and_azimuth, sun_direction};
+use terrain_builder::{Export, Ground};
 
 use crate::bodies::Object;
 use crate::start::start;

@@ -2,9 +2,9 @@
 
 use super::{
     AmplifierParts, AnalogParts, ComparatorParts, FeatureChainParts, FoldDetect, FunctionGeneratorParts,
-    LoopParts, MemoryParts, MultiplierParts, MultiplyingDacParts, PictureTubeParts, ProjectionParts,
-    ReflectivityParts, SampleHoldParts, ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts,
-    WriteCompensation,
+    LevelBlendParts, LoopParts, MemoryParts, MultiplierParts, MultiplyingDacParts, PictureTubeParts,
+    ProjectionParts, ReflectivityParts, SampleHoldParts, ShadowLineParts, SweepParts, TextureParts,
+    VideoSwitchParts, WriteCompensation,
 };
 
 impl SweepParts {
@@ -69,6 +69,16 @@ impl ReflectivityParts {
     pub fn stage_is_ideal(&self) -> bool {
         let Self { delay_mismatch, slope_full_scale, .. } = *self;
         *self == Self { delay_mismatch, slope_full_scale, ..Self::IDEAL }
+    }
+}
+
+impl LevelBlendParts {
+    /// A blend with all of its products.
+    pub const IDEAL: Self = Self { slope_term: true };
+
+    /// Whether the slopes are those of the blended ground.
+    pub fn is_ideal(&self) -> bool {
+        *self == Self::IDEAL
     }
 }
 
@@ -229,6 +239,7 @@ impl AnalogParts {
     /// Whether nothing analog can be seen in a picture; the yoke's mechanics are [`crate::Yoke`]'s.
     pub fn is_ideal(&self) -> bool {
         self.terrain_is_ideal()
+            && self.level_blend.is_ideal()
             && self.features_are_ideal()
             && self.shadow_lines_are_ideal()
             && self.texture_is_ideal()

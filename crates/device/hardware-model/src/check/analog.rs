@@ -162,6 +162,9 @@ fn light_and_switches(check: &mut Check) {
     check.warn_if(mismatch > sample, "A17", &["reflectivity.delay_mismatch_ns"], || {
         format!("light is {} ns off, a sample takes {}", short(1e9 * mismatch), short(1e9 * sample))
     });
+    check.warn_if(!analog.level_blend.slope_term, "A27", &["level_blend.slope_term"], || {
+        "a blend of two levels without the slope term is lit by slopes that the ground does not have".into()
+    });
     let switch = analog.video_switch;
     check.warn_if(switch.time > sample, "A22", &["video_switch.time_ns"], || {
         format!("switches take {} ns, a sample {}", short(1e9 * switch.time), short(1e9 * sample))

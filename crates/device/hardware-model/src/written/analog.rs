@@ -4,9 +4,9 @@ use diagnostics::{Field, Reader};
 
 use crate::{
     AmplifierParts, AnalogParts, ComparatorParts, FeatureChainParts, FoldDetect, FunctionGeneratorParts,
-    LoopParts, MAIN_WIRES, MemoryParts, MultiplierParts, MultiplyingDacParts, PictureTubeParts,
-    ProjectionParts, ReflectivityParts, SampleHoldParts, ShadowLineParts, SweepParts, TextureParts,
-    VideoSwitchParts, WireParts, WriteCompensation,
+    LevelBlendParts, LoopParts, MAIN_WIRES, MemoryParts, MultiplierParts, MultiplyingDacParts,
+    PictureTubeParts, ProjectionParts, ReflectivityParts, SampleHoldParts, ShadowLineParts, SweepParts,
+    TextureParts, VideoSwitchParts, WireParts, WriteCompensation,
 };
 
 /// Tables that hold analog keys beside others.
@@ -34,6 +34,7 @@ pub(super) fn analog(root: &Reader, shared: &SharedTables) -> Option<AnalogParts
     let comparator = part("comparator").map(|t| comparator(&t));
     let sample_hold = part("sample_hold").map(|t| sample_hold(&t));
     let reflectivity = part("reflectivity").map(|t| reflectivity(&t));
+    let level_blend = level_blend(&root.table_or_empty("level_blend"));
     let video_switch = part("video_switch").map(|t| video_switch(&t));
     let video = part("video").map(|t| megahertz(&t, "bandwidth_mhz").required());
     let projection = shared.dpp.as_ref().map(projection);
@@ -55,6 +56,7 @@ pub(super) fn analog(root: &Reader, shared: &SharedTables) -> Option<AnalogParts
         comparator: comparator??,
         sample_hold: sample_hold??,
         reflectivity: reflectivity??,
+        level_blend: level_blend?,
         video_switch: video_switch??,
         feature: feature??,
         shadow_line: ShadowLineParts { error: shadow_line?? },
@@ -123,6 +125,11 @@ fn sweep(table: &Reader) -> Option<SweepParts> {
         fold_detect: fold_detect?,
         preset: preset?,
     })
+}
+
+fn level_blend(table: &Reader) -> Option<LevelBlendParts> {
+    let slope_term = table.one_of("slope_term", &[("on", true), ("off", false)]).default(true);
+    Some(LevelBlendParts { slope_term: slope_term? })
 }
 
 fn function_generator(table: &Reader) -> Option<FunctionGeneratorParts> {

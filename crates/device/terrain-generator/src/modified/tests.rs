@@ -82,7 +82,8 @@ impl Scene {
     }
 
     fn run(&self, switch: [f64; LANES], blend: f64) -> (Profile<f64>, f64) {
-        let both = ModifiedTerrainGenerator { fine: self.generator(0), coarse: self.generator(1), blend };
+        let [fine, coarse] = [0, 1].map(|level| self.generator(level));
+        let both = ModifiedTerrainGenerator { fine, coarse, blend, slope_term: true };
         let (mut profile, mut overlap) = (Profile::default(), Overlap::default());
         let [fine, coarse] = &self.programs;
         // Twice: what the buffers held must not matter.
@@ -190,4 +191,67 @@ fn ends_of_either_profile_are_respected() {
     // The coarse ground of lane 5 ends before the switch: it stays fine.
     assert!(joined.height.iter().zip(&fine.height).all(|(joined, fine)| joined[5] == fine[5]));
     assert!(joined.height.iter().all(|height| height.0.iter().all(|&height| height != OUT_OF_SIGHT)));
+}
+
+/// Height and slope along the sweep, at 400 to 600 m, of planes that rise to the north: `[height, slope]` of both levels at `range`.
+fn blended_planes(planes: [[f64; 2]; 2], range: f64, slope_term: bool) -> [f64; 2] {
+    const FOOT: f64 = 100.0;
+    let plane = |[height, slope]: [f64; 2], region_size: f64, corners: usize| {
+        let words = (0..corners * corners).map(|index| {
+            let north = (index / corners) as f64 * region_size;
+            let mut words = [0.0; 9];
+            (words[0], words[3]) = (height + slope * (north - FOOT - range), slope * region_size);
+            words
+        });
+        Level::new(region_size, [0.0; 2], [corners; 2], words.collect()).unwrap()
+    };
+    let levels = [plane(planes[0], 100.0, 13), plane(planes[1], 400.0, 4)];
+    let ranges: Vec<f64> = (1..=1000).map(f64::from).collect();
+    let light = std::array::from_fn(|_| SweepLight::new(&SUN, 0.8, Photometry::Lambert, [1.0, 0.0]));
+    let programs = levels
+        .each_ref()
+        .map(|level| std::array::from_fn(|_| program(level, [FOOT, 600.0], [1.0, 0.0], &ranges)));
+    let [fine, coarse] = levels.each_ref().map(|level| TerrainGenerator {
+        buffer: level.words(),
+        region_size: level.region_size(),
+        ranges: &ranges,
+        datum: 0.0,
+    });
+    let both = ModifiedTerrainGenerator { fine, coarse, blend: 200.0, slope_term };
+    let (mut profile, mut overlap) = (Profile::<f64>::default(), Overlap::default());
+    both.run(&programs[0], &programs[1], &[600.0; LANES], &light, &mut profile, &mut overlap);
+    let sample = range as usize - 1;
+    for lane in 0..LANES {
+        assert!(profile.across[sample][lane].abs() < 1e-12, "the slope across has no third product");
+    }
+    [profile.height[sample][3], profile.along[sample][3]]
+}
+
+/// Check values of the terrain builder's specification (its table 9.5), by the quintic weight.
+#[test]
+fn a_blend_has_the_heights_and_slopes_of_its_law() {
+    for (range, height, slope) in [
+        (400.0, 12.4, 0.031),
+        (450.0, 12.317_187_5, 0.026_367_187_5),
+        (500.0, 12.0, 0.0215),
+        (600.0, 11.6, 0.027),
+    ] {
+        let found = blended_planes([[12.4, 0.031], [11.6, 0.027]], range, true);
+        assert!((found[0] - height).abs() < 1e-11, "{range} m: {found:?}");
+        assert!((found[1] - slope).abs() < 1e-12, "{range} m: {found:?}");
+    }
+}
+
+/// Slopes mixed as heights are: what is missing is `s' (h_coarse - h_fine)`, 15/8 of the mean rate in the middle.
+#[test]
+fn without_its_slope_term_a_blend_has_the_slope_of_neither_ground() {
+    for (range, rate) in
+        [(400.0, 0.0), (450.0, 30.0 / 256.0 * 9.0 / 200.0), (500.0, 1.875 / 200.0), (600.0, 0.0)]
+    {
+        let planes = [[12.4, 0.031], [11.6, 0.027]];
+        let [with, without] = [true, false].map(|term| blended_planes(planes, range, term));
+        assert_eq!(with[0], without[0], "{range} m: heights are blended either way");
+        let missing = without[1] - with[1];
+        assert!((missing - 0.8 * rate).abs() < 1e-12, "{range} m: {missing}");
+    }
 }

@@ -113,12 +113,12 @@ impl SunCommand {
 /// Why a bank has no sky, and what to do about it on this command line.
 fn without_sky(problem: &SceneryProblem) -> String {
     match problem {
-        SceneryProblem::SunWithoutPlace => {
+        SceneryProblem::SunWithoutPlace { .. } => {
             "the bank knows no place on the Moon (imported words, a file without a \
              projection, or ground of another body), expected one; give --place LON,LAT"
                 .into()
         }
-        SceneryProblem::SunWithoutNorth => {
+        SceneryProblem::SunWithoutNorth { .. } => {
             "the bank was made without the direction of true north, expected one; make \
              it again with `lunoid survey`, or give --place LON,LAT without the bank"
                 .into()

@@ -113,5 +113,5 @@ fn models_and_overlays_are_listed_once() {
     assert!(out.contains("A23, roll steps") && !out.contains("fault:"), "{out}");
     let document = json(&scene, 0, &["model", "list"]);
     assert_eq!(document["models"].as_array().unwrap().len(), 8);
-    assert_eq!(document["overlays"].as_array().unwrap().len(), 24);
+    assert_eq!(document["overlays"].as_array().unwrap().len(), 25);
 }

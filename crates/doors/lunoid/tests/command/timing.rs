@@ -358,6 +358,45 @@ fn sizing_agrees_with_its_formulas() {
     close("loader.red_pct", 0.15);
 }
 
+/// Both generators are loaded where two levels blend. A scenario that switches has no such words.
+#[test]
+fn sizing_counts_the_words_of_a_blend() {
+    let scene = Scene::new();
+    let scenario = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../scenarios/two-levels-blended.toml");
+    let command = [
+        "sizing",
+        scenario,
+        "--machine",
+        "pra-nominal",
+        "--sweeps",
+        "105",
+        "--frames",
+        "0..1",
+        "--no-search",
+        "--json",
+    ];
+    let sized = json(&scene.expect(0, &command).0);
+    let found =
+        |key: &str| rows(&sized).find(|row| row["key"] == key).unwrap_or_else(|| panic!("{key}: {sized:#}"));
+    for (key, by) in [
+        ("blend_crossings_fine", 0.05),
+        ("blend_crossings_coarse", 0.05),
+        ("blend_words_fine", 0.05),
+        ("blend_words_coarse", 0.05),
+        // Three or four crossings, from wherever in its region the eye stands.
+        ("blend_words_nearer", 0.15),
+    ] {
+        let ratio = found(key)["ratio"].as_f64().unwrap();
+        assert!((ratio - 1.0).abs() < by, "{}", found(key));
+    }
+    // Four sets of nine words a crossing, but for those that the next crossing of the same axis overtakes.
+    let measured = |key: &str| found(key)["measured"].as_f64().unwrap();
+    let most = 105.0 * 36.0 * measured("blend_crossings_coarse");
+    assert!((0.9 * most..=most).contains(&measured("blend_words_coarse")), "{most}");
+    let switch = json(&scene.expect(0, &[&command[..], &["--set", "scenario.levels.blend_m=0"]].concat()).0);
+    assert!(rows(&switch).all(|row| !row["key"].as_str().unwrap().starts_with("blend")), "{switch:#}");
+}
+
 /// What is found to be slow enough shows nothing, and a tick more does.
 #[test]
 fn the_search_ends_where_tears_begin() {

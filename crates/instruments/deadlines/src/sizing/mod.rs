@@ -1,5 +1,6 @@
 //! The arithmetic of the hardware report, section 4, measured by running; and the slowest parts that would just do.
 
+mod blend;
 mod level;
 mod report;
 mod search;
@@ -11,6 +12,7 @@ use machine::FrameSweeps;
 use scenario::PoseRow;
 use timing::TimingRecord;
 
+use self::blend::BlendFigures;
 use self::level::LevelFigures;
 use self::tear::TearLaw;
 use crate::{DeadlineError, Rehearsal};
@@ -44,11 +46,14 @@ impl<'a> Sizing<'a> {
     pub fn report(&self, record: &TimingRecord) -> Result<Report, DeadlineError> {
         let rehearsal = self.rehearsal;
         let sweeps = |row: &PoseRow| rehearsal.control.sweeps(row.frame, &row.pose);
-        let levels = rehearsal.pool.install(|| -> Result<_, FrameError> {
+        let (levels, blend) = rehearsal.pool.install(|| -> Result<_, FrameError> {
             let frames = self.poses.iter().map(sweeps).collect::<Result<Vec<FrameSweeps<'_>>, _>>()?;
-            Ok(LevelFigures::measure(rehearsal, &frames, &self.law))
+            Ok((
+                LevelFigures::measure(rehearsal, &frames, &self.law),
+                BlendFigures::measure(rehearsal, &frames),
+            ))
         })?;
-        Ok(Report::new(rehearsal, record, &levels, &self.poses, self.shows))
+        Ok(Report::new(rehearsal, record, (&levels, blend.as_ref()), &self.poses, self.shows))
     }
 
     /// The slowest parts with which no tear shows.

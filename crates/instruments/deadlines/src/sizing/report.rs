@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use text::{named_frames, table};
 use timing::TimingRecord;
 
+use super::blend::BlendFigures;
 use super::level::LevelFigures;
 use super::search::Search;
 use super::units::unit_rows;
@@ -63,13 +64,14 @@ impl Report {
     pub(super) fn new(
         rehearsal: &Rehearsal,
         record: &TimingRecord,
-        levels: &[LevelFigures],
+        (levels, blend): (&[LevelFigures], Option<&BlendFigures>),
         poses: &[PoseRow],
         shows: f64,
     ) -> Self {
         let frames: Vec<u64> = poses.iter().map(|row| row.frame).collect();
         let head = format!("{} on {}, {}", record.scenario, record.machine, named_frames(&frames));
         let mut tables: Vec<_> = levels.iter().map(|level| (title(level), level_rows(level))).collect();
+        tables.extend(blend.map(|blend| (blend.title(), blend.rows())));
         tables.push(("use of units".into(), unit_rows(rehearsal, record, levels)));
         Self { head, tables, searches: Vec::new(), shows: Some(shows), frames }
     }

@@ -11,6 +11,7 @@ use super::path_gpx::{self, TrackWishes};
 use super::path_table;
 use super::points::{PlacedWaypoint, Points};
 use super::reference::reference;
+use super::scenery::MAX_COORDINATE;
 use crate::{HeightOver, Path, Waypoint};
 
 /// Times of keyframes beyond this (s) are a mistake.
@@ -146,9 +147,11 @@ fn keyframe(table: &Reader, coordinates: Coordinates) -> Option<PlacedWaypoint> 
             ["x_m", "y_m"].map(|key| table.f64(key).between(-far, far).unit("m").required())
         }
     };
-    let heading = angle("heading_deg", 360.0).optional();
+    let [heading, pitch, roll] =
+        ["heading_deg", "pitch_deg", "roll_deg"].map(|key| angle(key, 360.0).optional());
+    let eye_height = table.f64("z_m").between(-MAX_COORDINATE, MAX_COORDINATE).unit("m").optional();
     let (Placed { value: time, place, key }, [x, y]) = (time?, at);
-    let open = Waypoint { time, at: [x?, y?], heading, eye_height: None, pitch: None, roll: None };
+    let open = Waypoint { time, at: [x?, y?], heading, eye_height, pitch, roll };
     Some(Placed { value: open, place, key })
 }
 

@@ -42,7 +42,7 @@ const CSV: Form = Form {
         Column::optional("y_m").also(&[("easting_m", 1.0)]),
         Column::optional("lat_deg").also(&[("lat_rad", DEGREES)]),
         Column::optional("lon_deg").also(&[("lon_rad", DEGREES)]),
-        Column::optional("z_m"),
+        Column::optional("z_m").also(&[("altitude_m", 1.0)]),
         Column::optional("height_m"),
         Column::optional("heading_deg").also(&[("heading_rad", DEGREES)]),
         Column::optional("pitch_deg").also(&[("pitch_rad", DEGREES)]),
@@ -128,8 +128,11 @@ fn coordinates(table: &mut Table, wished: Option<Coordinates>) -> Coordinates {
 
 /// Columns that say the same must not stand side by side, and a quaternion has four.
 fn check_columns(table: &mut Table) {
-    if table.has(Z) && table.has(HEIGHT) {
-        table.refuse_header("`z_m` and `height_m` both say how high the eye is".into(), "one of the two");
+    if let (Some(datum), Some(ground)) = (table.name(Z), table.name(HEIGHT)) {
+        table.refuse_header(
+            format!("`{datum}` and `{ground}` both say how high the eye is"),
+            "one of the two",
+        );
     }
     let parts = QUATERNION.iter().filter(|column| table.has(**column)).count();
     let has_angles = [HEADING, PITCH, ROLL].iter().any(|column| table.has(*column));

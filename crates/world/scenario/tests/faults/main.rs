@@ -112,7 +112,9 @@ fn each_cross_check() {
         ("t_s = 3", "t_s = 0", "times must ascend"),
         ("t_s = 0", "t_s = -1", "from 0 to"),
         ("x_m = 51", "x_m = nan", "not nan"),
-        ("y_m = 80 }]", "y_m = 80, z_m = 3 }]", "unknown key `path.keyframes[1].z_m`"),
+        ("y_m = 80 }]", "y_m = 80, h_m = 3 }]", "unknown key `path.keyframes[1].h_m`"),
+        ("y_m = 80 }]", "y_m = 80, z_m = 3 }]", "z_m is given for some waypoints only"),
+        ("y_m = 80 }]", "y_m = 80, pitch_deg = 361 }]", "from -360 to 360"),
         ("[sun]", "[range]\nprogramme = 'geometric'\nstart_m = 5\nend_m = 5\n[sun]", "must be more than"),
         (
             "[sun]",
@@ -278,14 +280,28 @@ fn sun(keys: &str) -> String {
 
 const PLACE: &str = "place = { longitude_deg = 30.77, latitude_deg = 20.19 }";
 const AT: &str = "at = '1972-12-11T22:00:00Z'";
+const UNDER: &str = "sub_solar_deg = [1.5, 80]";
 
 #[test]
-fn a_sun_has_angles_or_a_date() {
-    for good in [format!("{AT}\n{PLACE}"), format!("{AT}\n{PLACE}\nstep_s = 5")] {
+fn a_sun_has_angles_a_date_or_a_place_under_it() {
+    for good in [format!("{AT}\n{PLACE}"), format!("{AT}\n{PLACE}\nstep_s = 5"), format!("{UNDER}\n{PLACE}")]
+    {
         assert_eq!(faults(&sun(&good)), [], "{good}");
     }
     for (keys, line, expected) in [
-        (String::new(), 9, "missing keys `sun.azimuth_deg` and `sun.elevation_deg`, or `sun.at`"),
+        (
+            String::new(),
+            9,
+            "missing keys `sun.azimuth_deg` and `sun.elevation_deg`, or `sun.at`, or `sun.sub_solar_deg`",
+        ),
+        (UNDER.into(), 10, "`sun.sub_solar_deg` without `sun.place`: generated ground lies nowhere"),
+        (format!("{AT}\n{PLACE}\n{UNDER}"), 12, "`sun.sub_solar_deg` beside `sun.at`"),
+        (format!("{UNDER}\n{PLACE}\nazimuth_deg = 10"), 12, "`sun.azimuth_deg` beside `sun.sub_solar_deg`"),
+        (format!("{UNDER}\n{PLACE}\nstep_s = 10"), 12, "`sun.step_s` beside `sun.sub_solar_deg`"),
+        (format!("{UNDER}\n{PLACE}\ndrift = [{{ t_s = 5 }}]"), 12, "`sun.drift` beside `sun.sub_solar_deg`"),
+        (format!("{UNDER}\n{PLACE}").replace("1.5", "91"), 10, "latitude -90 to 90"),
+        (format!("{UNDER}\n{PLACE}").replace("80", "361"), 10, "longitude -360 to 360"),
+        (format!("{UNDER}\n{PLACE}").replace("[1.5, 80]", "[1.5]"), 10, "2 numbers"),
         (AT.into(), 10, "generated ground lies nowhere on the Moon"),
         (format!("{AT}\n{PLACE}\nazimuth_deg = 10"), 12, "`sun.azimuth_deg` beside `sun.at`"),
         (format!("{AT}\n{PLACE}\nelevation_deg = 10"), 12, "`sun.elevation_deg` beside `sun.at`"),

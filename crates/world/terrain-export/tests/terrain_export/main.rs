@@ -3,6 +3,7 @@
 mod files_of_export;
 mod folders;
 mod levels;
+mod places;
 
 use std::path::Path;
 
