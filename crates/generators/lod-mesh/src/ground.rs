@@ -69,10 +69,10 @@ pub fn finest_at(prepared: &Prepared, place: [f64; 2]) -> Option<f64> {
     is_over.then(|| finest(prepared, place))
 }
 
-/// The tiles of a surface that a camera may show.
-pub fn mesh(prepared: &Prepared, surface: &Surface<'_>, camera: &Camera) -> Mesh {
+/// The tiles of the ground that a camera may show.
+pub fn in_view(prepared: &Prepared, camera: &Camera) -> Vec<Tile> {
     let frustum = Frustum::new(camera);
-    let terrain = surface.terrain;
+    let terrain = &prepared.posts.terrain;
     let in_view = |(tile, heights): &(Tile, _)| {
         let cells = terrain.cells(0);
         let corner = |at: usize| {
@@ -81,12 +81,13 @@ pub fn mesh(prepared: &Prepared, surface: &Surface<'_>, camera: &Camera) -> Mesh
         };
         frustum.may_show([corner(0), corner(cells)], heights)
     };
-    let tiles: Vec<_> = terrain
-        .tiles()
-        .zip(prepared.posts.heights.iter().cloned())
-        .filter(in_view)
-        .map(|(tile, _)| tile)
-        .collect();
+    let tiles = terrain.tiles().zip(prepared.posts.heights.iter().cloned());
+    tiles.filter(in_view).map(|(tile, _)| tile).collect()
+}
+
+/// The tiles of a surface that a camera may show, as a mesh.
+pub fn mesh(prepared: &Prepared, surface: &Surface<'_>, camera: &Camera) -> Mesh {
+    let tiles = in_view(prepared, camera);
     let parts: Vec<Mesh> = tiles.par_iter().map(|tile| Mesh::of_tile(surface, *tile, camera)).collect();
     let mut mesh = Mesh::default();
     parts.into_iter().for_each(|part| mesh.append(part));

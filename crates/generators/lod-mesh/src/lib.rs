@@ -57,11 +57,13 @@
 //!
 //! Remote shadow, texture, far silhouettes and vehicle tracks are listed as omissions.
 
+mod detailed;
 mod frustum;
 mod ground;
 mod levels;
 mod live;
 mod lod_mesh;
+mod loss;
 mod name;
 mod parameters;
 mod place;

@@ -1,7 +1,7 @@
 //! The generator made ready for a stage.
 
 use generator::{
-    FaceScene, Fact, FrameCounts, FrameError, Omission, Planes, PrepareError, Session as GeneratorSession,
+    Detailed, FaceScene, Fact, FrameCounts, FrameError, Omission, Planes, PrepareError, Session as GeneratorSession,
     Stage, Weight, check_free_eye, face_lists_beside, photographs_beside,
 };
 use glam::DVec3;
@@ -21,12 +21,12 @@ use crate::sounding::sounding;
 
 /// The generator made ready for one stage.
 pub(crate) struct Session {
-    prepared: Prepared,
+    pub(crate) prepared: Prepared,
     screen: Screen,
 }
 
 /// A frame ready to be drawn.
-struct Gathered {
+pub(crate) struct Gathered {
     scene: Scene,
     state: State,
     mesh: Mesh,
@@ -43,15 +43,51 @@ impl Session {
     }
 
     fn gather(&self, frame: u64, pose: &Pose) -> Result<Gathered, FrameError> {
+        self.gather_held(frame, pose, pose)
+    }
+
+    /// A frame from `pose` with the levels that the ground has for an eye at `levels`.
+    pub(crate) fn gather_held(
+        &self,
+        frame: u64,
+        pose: &Pose,
+        levels: &Pose,
+    ) -> Result<Gathered, FrameError> {
         self.check(frame, pose)?;
+        self.check(frame, levels)?;
         let camera = Camera::new(pose, &self.prepared.stage.view);
-        let state = ground::state(&self.prepared, camera.eye);
+        let state = ground::state(&self.prepared, DVec3::from_array(levels.eye));
         let surface = ground::surface(&self.prepared, &state);
         let mesh = ground::mesh(&self.prepared, &surface, &camera);
         let faces = ground::faces(&self.prepared, &surface, &mesh, &camera, pose.time);
         let run = &self.prepared.run.sampling;
         let scene = Scene::new(&self.prepared.stage, run, &self.screen, camera, faces, (frame, pose.time))?;
         Ok(Gathered { scene, state, mesh })
+    }
+
+    /// Draws a frame that is ready.
+    pub(crate) fn draw(
+        &self,
+        frame: u64,
+        gathered: &Gathered,
+        planes: &mut Planes,
+    ) -> Result<FrameCounts, FrameError> {
+        let (scene, run) = (&gathered.scene, &self.prepared.run.sampling);
+        let view = &self.prepared.stage.view;
+        let picture = scene_sampler::draw_untimed(scene, &self.screen, run, (view, frame), planes)?;
+        Ok(FrameCounts::of([
+            ("tiles", gathered.mesh.tile_count()),
+            ("visits", gathered.state.visits()),
+            ("vertices", gathered.mesh.vertices.len() as u64),
+            ("morphing", gathered.mesh.morphing),
+            ("ground_triangles", gathered.mesh.triangles.len() as u64),
+            ("faces", scene.faces.work.faces),
+            ("triangles", scene.faces.work.triangles),
+            ("entries", picture.entries),
+            ("lights", scene.lights.points.len() as u64),
+            ("lost_surfaces", picture.losses.translucent),
+            ("lost_lights", picture.losses.lights),
+        ]))
     }
 
     /// The pixel of a frame with what it shows of the ground.
@@ -75,23 +111,7 @@ impl GeneratorSession for Session {
         planes: &mut Planes,
         _: &mut Probe,
     ) -> Result<FrameCounts, FrameError> {
-        let gathered = self.gather(frame, pose)?;
-        let (scene, run) = (&gathered.scene, &self.prepared.run.sampling);
-        let view = &self.prepared.stage.view;
-        let picture = scene_sampler::draw_untimed(scene, &self.screen, run, (view, frame), planes)?;
-        Ok(FrameCounts::of([
-            ("tiles", gathered.mesh.tile_count()),
-            ("visits", gathered.state.visits()),
-            ("vertices", gathered.mesh.vertices.len() as u64),
-            ("morphing", gathered.mesh.morphing),
-            ("ground_triangles", gathered.mesh.triangles.len() as u64),
-            ("faces", scene.faces.work.faces),
-            ("triangles", scene.faces.work.triangles),
-            ("entries", picture.entries),
-            ("lights", scene.lights.points.len() as u64),
-            ("lost_surfaces", picture.losses.translucent),
-            ("lost_lights", picture.losses.lights),
-        ]))
+        self.draw(frame, &self.gather(frame, pose)?, planes)
     }
 
     fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
@@ -164,6 +184,10 @@ impl GeneratorSession for Session {
         let state =
             ground::at_change(&self.prepared, camera.eye, levels.map(|pose| DVec3::from_array(pose.eye)));
         Ok(Some(sounding(&self.prepared, &ground::surface(&self.prepared, &state), &camera)))
+    }
+
+    fn detailed(&self) -> Option<&dyn Detailed> {
+        Some(self)
     }
 
     fn faces(&self, frame: u64, pose: &Pose) -> Result<Option<FaceScene>, FrameError> {

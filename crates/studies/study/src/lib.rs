@@ -18,6 +18,8 @@
 //! ([`regions()`]): region size of a survey against the ground. **Shadow** ([`shadow`]): the vehicle's, on flat
 //! ground and on true, by every law and method.
 //! **Pops** ([`pops`]): distances along the view axis, frame by frame, and what levels of detail do to them.
+//! **Levels** ([`levels`]): what levels of detail lose, against triangles and time. **Tracks** ([`tracks`]): corners that are followed
+//! while levels change.
 //! **Lights** ([`lights`]): the light of a lamp over a mission, in each way that a generator has to draw it.
 //! **Reports** ([`report`]): what came of a study as text, as a document, and as tables and plots in a folder.
 //! **Not in the time.** Reading, elaboration, shadow boundaries that are found once, encoding.
@@ -30,6 +32,7 @@ pub mod economy;
 mod figures;
 mod fronts;
 pub mod ladder;
+pub mod levels;
 pub mod lights;
 mod order;
 mod parameter;
@@ -43,6 +46,7 @@ pub mod solver;
 pub mod stability;
 mod subject;
 mod table;
+pub mod tracks;
 mod work;
 
 pub use advice::{Setting, advise};

@@ -1,6 +1,7 @@
 //! Pictures of tiles: without cracks, without pops, in any order, by any number of threads, and near the judge.
 
 mod cracks;
+mod detailed;
 mod eye;
 mod order;
 mod parameters;

@@ -2,6 +2,7 @@
 
 use clap::Args;
 use front_door::Opened;
+use generator::DetailWay;
 use scenario::Pose;
 use study::pops::{PopCurve, curve, curve_of_pictures};
 use study::report::{PopReport, is_of};
@@ -83,7 +84,7 @@ impl PopStudy {
     /// Curves of all ways of the generator, the truth first.
     fn curves(&self, opened: &Opened, first: u64, poses: &[Pose]) -> Result<Vec<PopCurve>, Failure> {
         let stage = opened.stage()?;
-        let ways = opened.row.map_or(&[][..], |row| row.details);
+        let ways = ways(opened);
         if ways.is_empty() {
             let judge = registry::configure_with(registry::judge(), &[])?;
             let both = [judge, opened.generator.clone()];
@@ -102,10 +103,15 @@ impl PopStudy {
     /// Largest pop (m) of the way that the scenario has.
     fn own(&self, opened: &Opened, report: &PopReport) -> Option<f64> {
         let record = opened.generator.record();
-        let ways = opened.row.map_or(&[][..], |row| row.details);
-        let own = ways.iter().position(|way| {
+        let own = ways(opened).iter().position(|way| {
             opened.configure_with(way.sets).is_ok_and(|generator| generator.record() == record)
         })?;
         report.figures()[own].largest_pop.map(|pop| pop.metres)
     }
+}
+
+/// The ways of the generator that differ in distances.
+fn ways(opened: &Opened) -> Vec<&'static DetailWay> {
+    let ways = opened.row.map_or(&[][..], |row| row.details);
+    ways.iter().filter(|way| !way.is_of_light).collect()
 }
