@@ -5,7 +5,7 @@
 //! is at most `cell^2 / 8 R`.
 
 use generator::GroundLoss;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use lod_tiles::{Surface, Tile};
 use rayon::prelude::*;
 use scene_sampler::{Camera, NEAR};
@@ -52,8 +52,8 @@ fn of_tile(
         loss.pixels.add((drawn - finest) * focal / distance);
         // Drawn ground behind the eye is in no picture.
         if let Some((_, drawn_place)) = seen(drawn) {
-            let [x, y] = [0, 1].map(|axis| drawn_place[axis] - true_place[axis]);
-            loss.moved.add(x.hypot(y));
+            let moved = DVec2::from_array(drawn_place) - DVec2::from_array(true_place);
+            loss.moved.add(moved.length());
         }
     }
     loss

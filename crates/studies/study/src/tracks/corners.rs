@@ -29,7 +29,7 @@ pub fn corners(image: &Image, most: usize, usable: &dyn Fn([usize; 2]) -> bool) 
         }
         let is_apart = |other: &[usize; 2]| {
             let off = [0, 1].map(|axis| peak[axis] as f64 - other[axis] as f64);
-            off[0].hypot(off[1]) >= APART
+            libm::hypot(off[0], off[1]) >= APART
         };
         if chosen.iter().all(is_apart) {
             chosen.push(peak);
@@ -78,7 +78,7 @@ fn gradient(image: &Image, [x, y]: [isize; 2]) -> [f64; 2] {
 
 /// The smaller eigenvalue of the symmetric matrix `[a, b; b, c]`.
 pub fn least_eigenvalue([a, b, c]: [f64; 3]) -> f64 {
-    (a + c - (a - c).hypot(2.0 * b)) / 2.0
+    (a + c - libm::hypot(a - c, 2.0 * b)) / 2.0
 }
 
 #[cfg(test)]

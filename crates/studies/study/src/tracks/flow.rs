@@ -38,7 +38,7 @@ pub enum Lost {
 pub fn follow(from: &Pyramid, to: &Pyramid, place: [f64; 2]) -> Result<[f64; 2], Lost> {
     let found = one_way(from, to, place)?;
     let back = one_way(to, from, found)?;
-    if (back[0] - place[0]).hypot(back[1] - place[1]) > MOST_MISS {
+    if libm::hypot(back[0] - place[0], back[1] - place[1]) > MOST_MISS {
         return Err(Lost::Broken);
     }
     Ok(found)
@@ -127,7 +127,7 @@ impl Window {
                 .fold([0.0; 2], |sum, (off, [x, y])| [sum[0] + off * x, sum[1] + off * y]);
             let step = [(c * x - b * y) / determinant, (a * y - b * x) / determinant];
             moved = [moved[0] + step[0], moved[1] + step[1]];
-            length = step[0].hypot(step[1]);
+            length = libm::hypot(step[0], step[1]);
             if length < LEAST_STEP {
                 break;
             }

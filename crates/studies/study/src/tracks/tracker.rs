@@ -113,8 +113,8 @@ impl Tracker {
 impl FrameTracks {
     fn add(&mut self, track: &mut Track, place: [f64; 2], true_place: [f64; 2]) {
         let off = [0, 1].map(|axis| place[axis] - true_place[axis]);
-        let distance = off[0].hypot(off[1]);
-        let step = (off[0] - track.off[0]).hypot(off[1] - track.off[1]);
+        let distance = libm::hypot(off[0], off[1]);
+        let step = libm::hypot(off[0] - track.off[0], off[1] - track.off[1]);
         (track.place, track.off) = (place, off);
         track.length += 1;
         track.worst = track.worst.max(distance);

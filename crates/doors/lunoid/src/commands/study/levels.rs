@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use clap::Args;
+use generator::ErrorLadder;
 use scenario::Pose;
 use study::levels::{Looks, level_ladder, mark_fronts};
 use study::report::{LevelReport, is_of};
@@ -69,7 +70,7 @@ impl LevelStudy {
             let looks = Looks { stage: &stage, frames: &frames, repetitions: self.repetitions, one: &one };
             let configure =
                 |sets: &[(&str, &str)]| opened.configure_with(sets).map_err(|error| error.to_string());
-            let climb = |ladder| {
+            let climb = |ladder: &ErrorLadder| {
                 self.outputs.say(ladder.what);
                 let mut hear = |label: &str| self.outputs.say(&format!("  {label}"));
                 level_ladder((ladder, &configure), &looks, &mut hear).map_err(failure)
