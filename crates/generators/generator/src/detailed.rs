@@ -111,6 +111,9 @@ mod tests {
         second.add(0.0);
         first.join(second);
         assert_eq!(first, whole);
-        assert_eq!((whole.worst, whole.rms(3), Errors::default().rms(0)), (4.0, (25.0_f64 / 3.0).sqrt(), 0.0));
+        assert_eq!(
+            (whole.worst, whole.rms(3), Errors::default().rms(0)),
+            (4.0, (25.0_f64 / 3.0).sqrt(), 0.0)
+        );
     }
 }

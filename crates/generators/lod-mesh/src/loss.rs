@@ -28,12 +28,7 @@ pub fn loss(prepared: &Prepared, surface: &Surface<'_>, camera: &Camera) -> Grou
 }
 
 /// The same of the posts of a tile. Those on its northern and eastern edge are its neighbours'.
-fn of_tile(
-    surface: &Surface<'_>,
-    tile: Tile,
-    camera: &Camera,
-    (size, focal): ([f64; 2], f64),
-) -> GroundLoss {
+fn of_tile(surface: &Surface<'_>, tile: Tile, camera: &Camera, (size, focal): ([f64; 2], f64)) -> GroundLoss {
     let cells = surface.terrain.cells(0);
     let mut loss = GroundLoss::default();
     for at in (0..cells).flat_map(|j| (0..cells).map(move |i| [i, j])) {

@@ -1,8 +1,8 @@
 //! The generator made ready for a stage.
 
 use generator::{
-    Detailed, FaceScene, Fact, FrameCounts, FrameError, Omission, Planes, PrepareError, Session as GeneratorSession,
-    Stage, Weight, check_free_eye, face_lists_beside, photographs_beside,
+    Detailed, FaceScene, Fact, FrameCounts, FrameError, Omission, Planes, PrepareError,
+    Session as GeneratorSession, Stage, Weight, check_free_eye, face_lists_beside, photographs_beside,
 };
 use glam::DVec3;
 use lod_tiles::State;
@@ -47,12 +47,7 @@ impl Session {
     }
 
     /// A frame from `pose` with the levels that the ground has for an eye at `levels`.
-    pub(crate) fn gather_held(
-        &self,
-        frame: u64,
-        pose: &Pose,
-        levels: &Pose,
-    ) -> Result<Gathered, FrameError> {
+    pub(crate) fn gather_held(&self, frame: u64, pose: &Pose, levels: &Pose) -> Result<Gathered, FrameError> {
         self.check(frame, pose)?;
         self.check(frame, levels)?;
         let camera = Camera::new(pose, &self.prepared.stage.view);

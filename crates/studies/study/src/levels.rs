@@ -9,7 +9,9 @@
 
 use std::time::Instant;
 
-use generator::{DrawnGround, ErrorLadder, Errors, FrameError, GroundLoss, PlaneKind, Planes, Session, Stage};
+use generator::{
+    DrawnGround, ErrorLadder, Errors, FrameError, GroundLoss, PlaneKind, Planes, Session, Stage,
+};
 use rayon::ThreadPool;
 use scenario::Pose;
 use serde::Serialize;
@@ -237,7 +239,11 @@ mod tests {
     fn a_front_has_what_no_rung_of_any_ladder_beats() {
         let refused = LevelRung { figures: None, refused: Some("no".into()), ..rung("7", 0.0, 0.0, 0.0) };
         let mut ladders = [
-            LevelLadder { name: "a", what: "a", rungs: vec![rung("1", 3.0, 30.0, 0.1), rung("2", 1.0, 20.0, 0.5)] },
+            LevelLadder {
+                name: "a",
+                what: "a",
+                rungs: vec![rung("1", 3.0, 30.0, 0.1), rung("2", 1.0, 20.0, 0.5)],
+            },
             LevelLadder { name: "b", what: "b", rungs: vec![rung("1", 2.0, 10.0, 0.5), refused] },
         ];
         mark_fronts(&mut ladders);

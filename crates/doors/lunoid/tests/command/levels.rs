@@ -60,9 +60,15 @@ fn levels_lose_ground_and_save_triangles() {
     let words = ["study", "levels", "rough.toml", "--count", "2", "--repetitions", "1", "--no-progress"];
     let (out, _) = scene.expect(0, &[&words[..], &["--out", "found", "--json"]].concat());
     let told: Value = serde_json::from_str(&out).unwrap();
-    assert_eq!((told["schema"].as_str(), &told["frames"]), (Some("lunoid.study-levels/1"), &serde_json::json!([5, 15])));
+    assert_eq!(
+        (told["schema"].as_str(), &told["frames"]),
+        (Some("lunoid.study-levels/1"), &serde_json::json!([5, 15]))
+    );
     let ladders = told["ladders"].as_array().unwrap();
-    assert_eq!(ladders.iter().map(|ladder| &ladder["name"]).collect::<Vec<_>>(), ["tolerance", "level-count", "one-level"]);
+    assert_eq!(
+        ladders.iter().map(|ladder| &ladder["name"]).collect::<Vec<_>>(),
+        ["tolerance", "level-count", "one-level"]
+    );
     let rungs = ladders[2]["rungs"].as_array().unwrap();
     let of = |rung: &Value, keys: [&str; 2]| rung[keys[0]][keys[1]].as_f64().unwrap();
     for (coarse, fine) in rungs.iter().zip(&rungs[1..]) {
@@ -88,7 +94,10 @@ fn tracks_jump_where_levels_switch_and_not_where_they_morph() {
     };
     let [switching, morphing] = ["switching", "morphing"].map(|name| way("held", name));
     assert!(switching["begun"].as_u64() > Some(40), "{switching}");
-    assert!(switching["jumps"].as_u64() > Some(10) && switching["level_change_frames"].as_u64() > Some(0), "{switching}");
+    assert!(
+        switching["jumps"].as_u64() > Some(10) && switching["level_change_frames"].as_u64() > Some(0),
+        "{switching}"
+    );
     assert_eq!(morphing["jumps"].as_u64(), Some(0), "{morphing}");
     assert!(way("flown", "finest")["rms_px"].as_f64() < Some(0.2), "{told}");
     assert_eq!(told["ladders"][0]["rungs"].as_array().unwrap().len(), 6);
@@ -104,7 +113,10 @@ fn a_generator_without_levels_is_refused_with_those_that_have_some() {
         let (_, said) = scene.expect(2, &["study", study, "rough.toml", "--machine", "sampled"]);
         assert!(said.contains("it has no levels of detail") && said.contains("lod-mesh"), "{said}");
         let (_, said) = scene.expect(2, &["study", study, "rough.toml", "--only", "tolerances"]);
-        assert!(said.contains("--only tolerances: no such ladder of levels; known: tolerance, level-count"), "{said}");
+        assert!(
+            said.contains("--only tolerances: no such ladder of levels; known: tolerance, level-count"),
+            "{said}"
+        );
     }
     let (_, said) = scene.expect(2, &["study", "tracks", "rough.toml", "--frames", "3"]);
     assert!(said.contains("--frames 3..4: one frame; expected at least two"), "{said}");
@@ -117,7 +129,10 @@ fn a_program_reads_a_run_without_us() {
         return;
     }
     let scene = rough();
-    scene.expect(0, &["replay", "rough.toml", "--frames", "0..2", "--no-page", "--truth", "all", "--out", "run"]);
+    scene.expect(
+        0,
+        &["replay", "rough.toml", "--frames", "0..2", "--no-page", "--truth", "all", "--out", "run"],
+    );
     let client = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../docs/clients/read_run.py");
     let output = Command::new(python()).args(["-B", client]).arg(scene.join("run")).output().unwrap();
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));

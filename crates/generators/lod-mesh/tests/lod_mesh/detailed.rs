@@ -20,9 +20,8 @@ fn a_loss_is_that_of_the_posts_that_a_level_lacks() {
     assert_eq!([finest, second, third].map(|ground| ground.triangles), [51_200, 12_800, 3_200]);
     // Posts of the second level are every second one; the others lie on the mean of two of them, along the diagonal where both are odd.
     let landscape = stage(64).landscape;
-    let height = |i: usize, j: usize| {
-        landscape.at_spacing(10.0 * j as f64, 10.0 * i as f64, 10.0).unwrap().height
-    };
+    let height =
+        |i: usize, j: usize| landscape.at_spacing(10.0 * j as f64, 10.0 * i as f64, 10.0).unwrap().height;
     let mean = |a: f64, b: f64| (a + b) / 2.0;
     let drawn = |i: usize, j: usize| match (i % 2, j % 2) {
         (0, 0) => height(i, j),

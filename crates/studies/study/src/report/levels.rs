@@ -58,9 +58,10 @@ impl LevelReport {
 
     /// Returns the outcome as tables for people.
     pub fn text(&self) -> String {
-        let ladders = self.ladders.iter().map(|ladder| {
-            format!("\n{}: {}\n{}", ladder.name, ladder.what, text::table(&table(ladder)))
-        });
+        let ladders = self
+            .ladders
+            .iter()
+            .map(|ladder| format!("\n{}: {}\n{}", ladder.name, ladder.what, text::table(&table(ladder))));
         format!("{}\n{}{}\n", self.facts(), ladders.collect::<String>(), FRONTS)
     }
 
@@ -87,7 +88,8 @@ impl LevelReport {
             "ladder,rung,tiles,vertices,triangles,posts,rms_m,worst_m,rms_px,worst_px,moved_rms_px,moved_worst_px,\
              time_median_s,time_min_s,time_max_s,on_time_front,on_triangle_front,refused\n",
         );
-        for (ladder, rung) in self.ladders.iter().flat_map(|ladder| ladder.rungs.iter().map(move |rung| (ladder, rung)))
+        for (ladder, rung) in
+            self.ladders.iter().flat_map(|ladder| ladder.rungs.iter().map(move |rung| (ladder, rung)))
         {
             let cells = match &rung.figures {
                 Some(figures) => numbers(figures).map(|number| number.to_string()).join(","),
@@ -186,16 +188,21 @@ fn table(ladder: &LevelLadder) -> Vec<Vec<String>> {
     ];
     let row = |rung: &LevelRung| {
         let Some(figures) = &rung.figures else {
-            return vec![rung.label.clone(), format!("refused: {}", rung.refused.as_deref().unwrap_or_default())];
+            return vec![
+                rung.label.clone(),
+                format!("refused: {}", rung.refused.as_deref().unwrap_or_default()),
+            ];
         };
         let LevelFigures { metres, pixels, moved_px, .. } = figures;
         let front = [(rung.is_on_time_front, "t"), (rung.is_on_triangle_front, "n")];
         let front = front.into_iter().filter(|(is_on, _)| *is_on).map(|(_, mark)| mark);
         let mut cells = vec![rung.label.clone(), format!("{:.0}", figures.triangles)];
         cells.extend([metres.rms, metres.worst].map(|metres| format!("{metres:.3}")));
-        cells.extend([pixels, moved_px].into_iter().flat_map(|size| {
-            [size.rms, size.worst].map(|pixels| format!("{pixels:.4}"))
-        }));
+        cells.extend(
+            [pixels, moved_px]
+                .into_iter()
+                .flat_map(|size| [size.rms, size.worst].map(|pixels| format!("{pixels:.4}"))),
+        );
         cells.push(format!("{:.1}", 1e3 * figures.time_s[0]));
         cells.push(front.collect::<Vec<_>>().join(" "));
         cells
@@ -228,8 +235,12 @@ mod tests {
             is_on_time_front: true,
             is_on_triangle_front: false,
         };
-        let refused =
-            LevelRung { label: "9".into(), figures: None, refused: Some("7 at \"most\"".into()), ..rung.clone() };
+        let refused = LevelRung {
+            label: "9".into(),
+            figures: None,
+            refused: Some("7 at \"most\"".into()),
+            ..rung.clone()
+        };
         let report = LevelReport {
             commit: "none".into(),
             title: "Ground".into(),
@@ -247,6 +258,8 @@ mod tests {
         assert_eq!(report.json()["ladders"][0]["rungs"][0]["pixels"]["worst"], 2.0);
         let folder = tempfile::tempdir().unwrap();
         report.leave(folder.path()).unwrap();
-        assert!(folder.path().join("levels-triangles.svg").exists() && folder.path().join("levels.md").exists());
+        assert!(
+            folder.path().join("levels-triangles.svg").exists() && folder.path().join("levels.md").exists()
+        );
     }
 }

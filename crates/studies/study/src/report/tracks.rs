@@ -86,9 +86,10 @@ impl TrackReport {
 
     /// Returns the outcome as tables for people.
     pub fn text(&self) -> String {
-        let parts = self.parts().into_iter().map(|(title, rows, remark)| {
-            format!("\n{title}\n{}{remark}", text::table(&rows))
-        });
+        let parts = self
+            .parts()
+            .into_iter()
+            .map(|(title, rows, remark)| format!("\n{title}\n{}{remark}", text::table(&rows)));
         format!("{}\n{}", self.facts(), parts.collect::<String>())
     }
 
@@ -211,7 +212,11 @@ impl TrackReport {
             outcomes.iter().map(|outcome| outcome.frames.iter().map(of).collect()).collect()
         };
         let shown = [
-            ("levels go on, camera stands: largest step (px)", &self.held, curves(&self.held, &|found| found.step)),
+            (
+                "levels go on, camera stands: largest step (px)",
+                &self.held,
+                curves(&self.held, &|found| found.step),
+            ),
             ("camera flies: largest step (px)", &self.flown, curves(&self.flown, &|found| found.step)),
             ("camera flies: rms off (px)", &self.flown, curves(&self.flown, &FrameTracks::rms)),
         ];
@@ -240,13 +245,33 @@ mod tests {
     use crate::tracks::{Lost, Track};
 
     fn outcome(name: &str, worst: [f64; 4]) -> TrackOutcome {
-        let track = |worst: f64| Track { length: 3, worst, lost: (worst > 9.0).then_some(Lost::Broken), ..Track::begun([5, 5]) };
-        let frame = FrameTracks { alive: 2, squares: 0.5, worst: worst[0], step: 0.25, jumps: 1, ..FrameTracks::default() };
-        TrackOutcome { name: name.into(), tracks: worst.map(track).into(), frames: vec![FrameTracks { step: 0.125, jumps: 0, ..frame }, frame] }
+        let track = |worst: f64| {
+            let mut track = Track::begun([5, 5]);
+            (track.length, track.worst) = (3, worst);
+            track.lost = (worst > 9.0).then_some(Lost::Broken);
+            track
+        };
+        let frame = FrameTracks {
+            alive: 2,
+            squares: 0.5,
+            worst: worst[0],
+            step: 0.25,
+            jumps: 1,
+            ..FrameTracks::default()
+        };
+        TrackOutcome {
+            name: name.into(),
+            tracks: worst.map(track).into(),
+            frames: vec![FrameTracks { step: 0.125, jumps: 0, ..frame }, frame],
+        }
     }
 
     fn report() -> TrackReport {
-        let rungs = vec![outcome("3", [0.6, 0.1, 0.1, 0.1]), outcome("2", [0.4, 0.1, 0.1, 0.5]), outcome("1", [0.1; 4])];
+        let rungs = vec![
+            outcome("3", [0.6, 0.1, 0.1, 0.1]),
+            outcome("2", [0.4, 0.1, 0.1, 0.5]),
+            outcome("1", [0.1; 4]),
+        ];
         TrackReport {
             commit: "none".into(),
             title: "Ground".into(),
@@ -263,7 +288,10 @@ mod tests {
     fn figures_are_those_of_the_tracks() {
         let told = report().json();
         let held = &told["held"][0];
-        assert_eq!((held["begun"].as_u64(), held["broken"].as_u64(), told["held_at_frame"].as_u64()), (Some(4), Some(1), Some(8)));
+        assert_eq!(
+            (held["begun"].as_u64(), held["broken"].as_u64(), told["held_at_frame"].as_u64()),
+            (Some(4), Some(1), Some(8))
+        );
         assert_eq!((held["rms_px"].as_f64(), held["share_within"].as_f64()), (Some(0.5), Some(0.75)));
         assert_eq!((held["jumps"].as_u64(), held["jump_frames"][0].as_u64()), (Some(1), Some(9)));
         assert_eq!(held["largest_step"]["frame"].as_u64(), Some(9));
@@ -276,7 +304,9 @@ mod tests {
         let report = report();
         assert_eq!(report.csv().lines().count(), 1 + 5 * 2);
         assert!(report.csv().contains("\none-level,2,9,1,2,0,0,0.5,0.4,0.25,1,0\n"), "{}", report.csv());
-        assert!(report.text().contains("2 is the coarsest rung at which 95 % of the tracks stay within 0.5 px."));
+        assert!(
+            report.text().contains("2 is the coarsest rung at which 95 % of the tracks stay within 0.5 px.")
+        );
         let folder = tempfile::tempdir().unwrap();
         report.leave(folder.path()).unwrap();
         assert!(folder.path().join("tracks.svg").exists() && folder.path().join("tracks.md").exists());

@@ -73,8 +73,7 @@ fn one_way(from: &Pyramid, to: &Pyramid, place: [f64; 2]) -> Result<[f64; 2], Lo
 
 fn expect_inside(image: &Image, place: [f64; 2]) -> Result<(), Lost> {
     let room = HALF as f64 + 1.0;
-    let is_inside =
-        |axis: usize| (room..=image.size()[axis] as f64 - 1.0 - room).contains(&place[axis]);
+    let is_inside = |axis: usize| (room..=image.size()[axis] as f64 - 1.0 - room).contains(&place[axis]);
     if (0..2).all(is_inside) { Ok(()) } else { Err(Lost::Left) }
 }
 
@@ -98,9 +97,8 @@ impl Window {
             [(at([x + 1.0, y]) - at([x - 1.0, y])) / 2.0, (at([x, y + 1.0]) - at([x, y - 1.0])) / 2.0]
         };
         let gradients: Vec<[f64; 2]> = offsets().map(gradient).collect();
-        let products = gradients
-            .iter()
-            .fold([0.0; 3], |sum, [x, y]| [sum[0] + x * x, sum[1] + x * y, sum[2] + y * y]);
+        let products =
+            gradients.iter().fold([0.0; 3], |sum, [x, y]| [sum[0] + x * x, sum[1] + x * y, sum[2] + y * y]);
         Self { place, values: offsets().map(at).collect(), gradients, products }
     }
 

@@ -8,7 +8,7 @@ pub struct Image {
     values: Vec<f32>,
 }
 
-/// Weights of the binomial filter before every second pixel is taken.
+/// Weights of the binomial filter along a line or a column.
 const BINOMIAL: [f32; 5] = [1.0 / 16.0, 4.0 / 16.0, 6.0 / 16.0, 4.0 / 16.0, 1.0 / 16.0];
 
 impl Image {
@@ -37,22 +37,27 @@ impl Image {
         (1.0 - down) * line(0) + down * line(1)
     }
 
-    /// The picture at half its size: pixel i, j lies at 2 i, 2 j of this one.
-    fn halved(&self) -> Self {
-        let [columns, lines] = self.size().map(|count| count.div_ceil(2));
+    /// The picture after the binomial filter.
+    pub fn smoothed(&self) -> Self {
+        self.filtered(1)
+    }
+
+    /// The picture after the binomial filter, every `step`-th pixel of it: pixel i, j lies at `step` i, `step` j of this one.
+    fn filtered(&self, step: usize) -> Self {
+        let [columns, lines] = self.size().map(|count| count.div_ceil(step));
         let weighted = |at: &dyn Fn(isize) -> f32| {
             BINOMIAL.into_iter().zip(-2..).map(|(weight, off)| weight * at(off)).sum::<f32>()
         };
         let along: Vec<f32> = (0..self.lines * columns)
             .map(|index| {
-                let (x, y) = ((2 * (index % columns)) as isize, (index / columns) as isize);
+                let (x, y) = ((step * (index % columns)) as isize, (index / columns) as isize);
                 weighted(&|off| self.pixel([x + off, y]))
             })
             .collect();
-        let half = Self { columns, lines: self.lines, values: along };
+        let narrow = Self { columns, lines: self.lines, values: along };
         let down = |index: usize| {
-            let (x, y) = ((index % columns) as isize, (2 * (index / columns)) as isize);
-            weighted(&|off| half.pixel([x, y + off]))
+            let (x, y) = ((index % columns) as isize, (step * (index / columns)) as isize);
+            weighted(&|off| narrow.pixel([x, y + off]))
         };
         Self { columns, lines, values: (0..lines * columns).map(down).collect() }
     }
@@ -70,7 +75,7 @@ impl Pyramid {
     pub fn new(whole: Image, count: usize) -> Self {
         let mut levels = vec![whole];
         while levels.len() < count {
-            levels.extend(levels.last().map(Image::halved));
+            levels.extend(levels.last().map(|last| last.filtered(2)));
         }
         Self { levels }
     }
@@ -91,6 +96,7 @@ mod tests {
         let pyramid = Pyramid::new(Image::new(40, values.collect()), 3);
         assert_eq!(pyramid.levels.iter().map(Image::size).collect::<Vec<_>>(), [[40, 30], [20, 15], [10, 8]]);
         assert!((pyramid.whole().at([7.25, 4.5]) - 20.75).abs() < 1e-9);
+        assert!((pyramid.whole().smoothed().at([7.25, 4.5]) - 20.75).abs() < 1e-4);
         // Away from the borders; pixel 5, 4 of a quarter lies at 20, 16.
         assert!((pyramid.levels[2].at([5.0, 4.0]) - 68.0).abs() < 1e-4);
     }

@@ -30,8 +30,8 @@ impl Sight {
     pub fn is_ground(&self, [x, y]: [usize; 2]) -> bool {
         let offsets = (-AROUND..=AROUND).flat_map(|j| (-AROUND..=AROUND).map(move |i| [i, j]));
         let around = offsets.filter_map(|[i, j]| self.distance([x as isize + i, y as isize + j]));
-        let (least, most) = around
-            .fold((f64::INFINITY, 0.0_f64), |(least, most), found| (least.min(found), most.max(found)));
+        let (least, most) =
+            around.fold((f64::INFINITY, 0.0_f64), |(least, most), found| (least.min(found), most.max(found)));
         most < f64::from(PlaneKind::Distance.sky()) && most <= MOST_RATIO * least
     }
 

@@ -150,7 +150,8 @@ mod tests {
         let frames: Vec<FrameTracks> = [(0.4, 0.0), (0.8, 0.25), (1.2, 0.25)]
             .into_iter()
             .map(|(drift, more)| {
-                tracker.next(patches(drift, more), |number| Some([begun[number][0] + drift, begun[number][1]]))
+                tracker
+                    .next(patches(drift, more), |number| Some([begun[number][0] + drift, begun[number][1]]))
             })
             .collect();
         let lower = begun.iter().filter(|[_, y]| *y > 60.0).count() as u64;
