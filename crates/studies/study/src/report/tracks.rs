@@ -111,8 +111,10 @@ impl TrackReport {
         parts.extend(self.ladders.iter().map(|ladder| {
             let percent = 100.0 * MOSTLY;
             let remark = match self.coarsest_within(ladder) {
-                Some(rung) => format!("{rung} is the coarsest rung at which {percent} % of the tracks stay within {WITHIN} px.\n"),
-                None => format!("At no rung {percent} % of the tracks stay within {WITHIN} px.\n"),
+                Some(rung) => format!(
+                    "{rung} is the coarsest rung on which {percent} % as many tracks stay within {WITHIN} px as on the finest.\n"
+                ),
+                None => "No track was begun on the finest rung.\n".to_owned(),
             };
             let title = format!("The camera flies, {}: {}", ladder.name, ladder.what);
             (title, self.table(ladder.name, &ladder.rungs), remark)
@@ -133,10 +135,11 @@ impl TrackReport {
         outcomes.iter().map(|outcome| outcome.figures(self.first)).collect()
     }
 
-    /// The coarsest rung whose tracks mostly stay within [`WITHIN`], with all finer rungs.
+    /// The coarsest rung on which, as on all finer ones, nearly as many tracks stay within [`WITHIN`] as on the finest rung.
     fn coarsest_within(&self, ladder: &LadderTracks) -> Option<String> {
         let figures = self.figures(&ladder.rungs);
-        let stays = |figures: &&TrackFigures| figures.share_within.is_some_and(|share| share >= MOSTLY);
+        let least = MOSTLY * figures.last()?.share_within?;
+        let stays = |figures: &&TrackFigures| figures.share_within.is_some_and(|share| share >= least);
         figures.iter().rev().take_while(stays).last().map(|figures| figures.name.clone())
     }
 
@@ -304,9 +307,7 @@ mod tests {
         let report = report();
         assert_eq!(report.csv().lines().count(), 1 + 5 * 2);
         assert!(report.csv().contains("\none-level,2,9,1,2,0,0,0.5,0.4,0.25,1,0\n"), "{}", report.csv());
-        assert!(
-            report.text().contains("2 is the coarsest rung at which 95 % of the tracks stay within 0.5 px.")
-        );
+        assert!(report.text().contains("2 is the coarsest rung on which 95 % as many tracks"));
         let folder = tempfile::tempdir().unwrap();
         report.leave(folder.path()).unwrap();
         assert!(folder.path().join("tracks.svg").exists() && folder.path().join("tracks.md").exists());

@@ -34,7 +34,7 @@ pub use tracker::{FrameTracks, JUMP, Track};
 
 /// Tracks stay within this (pixels) where they are of use (specification of the thesis, test 12).
 pub const WITHIN: f64 = 0.5;
-/// Share of the tracks that must stay within [`WITHIN`], for a rung of a ladder to pass. Chosen.
+/// Share of the tracks that stay within [`WITHIN`], over that of the finest rung, for a rung of a ladder to pass. Chosen.
 pub const MOSTLY: f64 = 0.95;
 
 /// The frames of a study.
