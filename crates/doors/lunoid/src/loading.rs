@@ -214,6 +214,11 @@ impl Threads {
         Ok(self.asked()?.map_or(0, usize::from))
     }
 
+    /// A pool of one thread, for what is timed.
+    pub fn one() -> Result<ThreadPool, Failure> {
+        Self { jobs: Some(1) }.pool()
+    }
+
     /// The one pool of a command.
     pub fn pool(&self) -> Result<ThreadPool, Failure> {
         let available = || thread::available_parallelism().map_or(1, usize::from);

@@ -15,6 +15,7 @@
 mod beam_list;
 mod colours;
 mod counts;
+mod detailed;
 mod error;
 mod faces;
 mod fact;
@@ -35,6 +36,7 @@ use std::ops::Range;
 
 pub use beam_list::BeamEntry;
 pub use counts::{Counter, FrameCounts, Joined};
+pub use detailed::{Detailed, DrawnGround, Errors, GroundLoss};
 pub use error::{FrameError, PrepareError, check_eye, check_free_eye};
 pub use faces::{FaceScene, Look, Looks, ScreenFace};
 pub use fact::Fact;
@@ -304,6 +306,11 @@ pub trait Session: Send + Sync {
     /// If a pose cannot be drawn.
     fn sounding(&self, _frame: u64, _pose: &Pose, _levels: [&Pose; 2]) -> Result<Option<f64>, FrameError> {
         Ok(None)
+    }
+
+    /// What the session tells of its levels of detail; `None` if it has none.
+    fn detailed(&self) -> Option<&dyn Detailed> {
+        None
     }
 
     /// The light points of frame `frame` that leave the generator for a beam, in the order of drawing; `None` if it has no beam.

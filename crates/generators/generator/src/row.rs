@@ -66,6 +66,8 @@ pub struct DetailWay {
     pub name: &'static str,
     /// Keys of run parameters, each with the value that makes this way.
     pub sets: &'static [(&'static str, &'static str)],
+    /// Whether it differs from another way in the light of the ground alone, so that its distances are those of that way.
+    pub is_of_light: bool,
 }
 
 /// A way in which a generator draws lamps.
@@ -127,6 +129,16 @@ impl Row {
     pub fn fault(&self, name: &str) -> Option<&'static str> {
         let faults = self.gear.map_or(&[][..], |gear| gear.faults);
         faults.iter().find(|(known, _)| *known == name).map(|(_, text)| *text)
+    }
+
+    /// The ladders whose pictures are held against the finest ground alone: what levels of detail lose.
+    pub fn level_ladders(&self) -> impl Iterator<Item = &'static ErrorLadder> + use<> {
+        let finest = self.details.first().map(|way| way.sets);
+        let is_of_levels = move |ladder: &&ErrorLadder| match ladder.against {
+            Against::Itself(sets) => finest == Some(sets),
+            Against::Judge | Against::OwnFaces => false,
+        };
+        self.ladders.iter().filter(is_of_levels)
     }
 
     /// Tables of run parameters and gear.

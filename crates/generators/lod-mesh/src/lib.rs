@@ -58,12 +58,14 @@
 //! Remote shadow, texture, far silhouettes and vehicle tracks are listed as omissions.
 
 mod boulders;
+mod detailed;
 mod faults;
 mod frustum;
 mod ground;
 mod levels;
 mod live;
 mod lod_mesh;
+mod loss;
 mod name;
 mod parameters;
 mod place;

@@ -151,7 +151,7 @@ fn stored_light(stage: &Stage, posts: &Posts) -> Result<GroundMap, PrepareError>
 }
 
 /// Pixels in a tangent of 1, the larger of both directions.
-fn focal(stage: &Stage) -> f64 {
+pub fn focal(stage: &Stage) -> f64 {
     let of = |pixels: u32, tangent: f64| f64::from(pixels) / (2.0 * tangent);
     let field = stage.view.field;
     of(stage.view.columns, field.tan_half_width).max(of(stage.view.lines, field.tan_half_height))

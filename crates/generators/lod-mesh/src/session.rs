@@ -1,7 +1,7 @@
 //! The generator made ready for a stage.
 
 use generator::{
-    FaceScene, Fact, FrameCounts, FrameError, Label, Omission, Planes, PrepareError,
+    Detailed, FaceScene, Fact, FrameCounts, FrameError, Label, Omission, Planes, PrepareError,
     Session as GeneratorSession, Stage, Weight, check_free_eye, face_lists_beside, photographs_beside,
 };
 use glam::DVec3;
@@ -26,7 +26,7 @@ use crate::{signals, slots, wires};
 
 /// The generator made ready for one stage.
 pub(crate) struct Session {
-    prepared: Prepared,
+    pub(crate) prepared: Prepared,
     hardware: Hardware,
     screen: Screen,
     /// What the viewer does in each field, under a clock of real time.
@@ -52,7 +52,7 @@ impl Looked {
 }
 
 /// A frame ready to be drawn.
-struct Gathered {
+pub(crate) struct Gathered {
     scene: Scene,
     state: State,
     mesh: Mesh,
@@ -177,9 +177,15 @@ impl Session {
     }
 
     fn gather(&self, frame: u64, pose: &Pose) -> Result<Gathered, FrameError> {
+        self.gather_held(frame, pose, pose)
+    }
+
+    /// A frame from `pose` with the levels that the ground has for an eye at `levels`.
+    pub(crate) fn gather_held(&self, frame: u64, pose: &Pose, levels: &Pose) -> Result<Gathered, FrameError> {
         self.check(frame, pose)?;
+        self.check(frame, levels)?;
         let camera = Camera::new(pose, &self.prepared.stage.view);
-        let state = ground::state(&self.prepared, camera.eye);
+        let state = ground::state(&self.prepared, DVec3::from_array(levels.eye));
         let surface = ground::surface(&self.prepared, &state);
         let mesh = ground::mesh(&surface, &ground::in_view(&self.prepared, &camera), &camera);
         let faces = ground::faces(&self.prepared, &surface, &mesh, &camera, pose.time);
@@ -187,6 +193,41 @@ impl Session {
         let stage = self.prepared.seen(&camera);
         let scene = Scene::new(&stage, run, &self.screen, camera, faces, (frame, pose.time))?;
         Ok(Gathered { scene, state, mesh })
+    }
+
+    /// Draws a frame that is ready, as the picture of `shown`; what it took, and the nearest surface of each pixel.
+    pub(crate) fn draw(
+        &self,
+        shown: &Shown,
+        gathered: &Gathered,
+        planes: &mut Planes,
+    ) -> Result<(FrameCounts, Vec<(f32, Label)>), FrameError> {
+        let (scene, run) = (&gathered.scene, &self.prepared.run.sampling);
+        let view = &self.prepared.stage.view;
+        let picture = scene_sampler::draw_untimed(scene, &self.screen, run, (view, shown.frame), planes)?;
+        if shown.is_dark {
+            planes.fill_sky();
+        }
+        let surface = ground::surface(&self.prepared, &gathered.state);
+        if self.prepared.run.show == Show::Wires && !shown.is_dark {
+            wires::draw(&gathered.mesh, &surface, &scene.camera, &picture.surfaces, planes);
+        }
+        let counts = FrameCounts::of([
+            ("tiles", gathered.mesh.tile_count()),
+            ("visits", gathered.state.visits()),
+            ("vertices", gathered.mesh.vertices.len() as u64),
+            ("morphing", gathered.mesh.morphing),
+            ("ground_triangles", gathered.mesh.triangles.len() as u64),
+            ("cracked_edges", surface.cracked_edges()),
+            ("repeated", u64::from(!shown.is_new)),
+            ("faces", scene.faces.work.faces),
+            ("triangles", scene.faces.work.triangles),
+            ("entries", picture.entries),
+            ("lights", scene.lights.points.len() as u64),
+            ("lost_surfaces", picture.losses.translucent),
+            ("lost_lights", picture.losses.lights),
+        ]);
+        Ok((counts, picture.surfaces))
     }
 
     /// The pixel of a frame with what it shows of the ground.
@@ -212,32 +253,9 @@ impl GeneratorSession for Session {
     ) -> Result<FrameCounts, FrameError> {
         let shown = self.shown(frame, pose)?;
         let gathered = self.gather(shown.frame, &shown.pose)?;
-        let (scene, run) = (&gathered.scene, &self.prepared.run.sampling);
-        let view = &self.prepared.stage.view;
-        let picture = scene_sampler::draw_untimed(scene, &self.screen, run, (view, shown.frame), planes)?;
-        if shown.is_dark {
-            planes.fill_sky();
-        }
-        let surface = ground::surface(&self.prepared, &gathered.state);
-        if self.prepared.run.show == Show::Wires && !shown.is_dark {
-            wires::draw(&gathered.mesh, &surface, &scene.camera, &picture.surfaces, planes);
-        }
-        self.record(frame, &gathered, &picture.surfaces, probe);
-        Ok(FrameCounts::of([
-            ("tiles", gathered.mesh.tile_count()),
-            ("visits", gathered.state.visits()),
-            ("vertices", gathered.mesh.vertices.len() as u64),
-            ("morphing", gathered.mesh.morphing),
-            ("ground_triangles", gathered.mesh.triangles.len() as u64),
-            ("cracked_edges", surface.cracked_edges()),
-            ("repeated", u64::from(!shown.is_new)),
-            ("faces", scene.faces.work.faces),
-            ("triangles", scene.faces.work.triangles),
-            ("entries", picture.entries),
-            ("lights", scene.lights.points.len() as u64),
-            ("lost_surfaces", picture.losses.translucent),
-            ("lost_lights", picture.losses.lights),
-        ]))
+        let (counts, surfaces) = self.draw(&shown, &gathered, planes)?;
+        self.record(frame, &gathered, &surfaces, probe);
+        Ok(counts)
     }
 
     fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
@@ -327,6 +345,10 @@ impl GeneratorSession for Session {
         let state =
             ground::at_change(&self.prepared, camera.eye, levels.map(|pose| DVec3::from_array(pose.eye)));
         Ok(Some(sounding(&self.prepared, &ground::surface(&self.prepared, &state), &camera)))
+    }
+
+    fn detailed(&self) -> Option<&dyn Detailed> {
+        Some(self)
     }
 
     fn faces(&self, frame: u64, pose: &Pose) -> Result<Option<FaceScene>, FrameError> {

@@ -22,7 +22,7 @@
 //! the sweeps, a [summary](TimingSummary) of timing, the list of plots and their [values](SweepWaves). Without it the page has fewer sections.
 //! **Side by side.** [`write_side_by_side`] makes one page of the runs of several machines: frames in columns, errors against one
 //! of them, and what their drawing took, which it reads from `performance.json`: it alone has a clock.
-//! **Levels of detail.** [`DetailPage`] shows a descent in several ways side by side, with their curves.
+//! **Levels of detail.** [`DescentPage`] shows a descent in several ways side by side, with their curves.
 //! **Our choices.** The page is no output of `run.json`, whose hashes it shows: it can be written again from the folder.
 //! **Not modelled.** Anything that would need the machine again.
 
@@ -30,7 +30,7 @@ mod beside;
 mod cells;
 mod check_plot;
 mod data;
-mod details;
+mod descent;
 mod diagram;
 mod error;
 mod film;
@@ -50,7 +50,7 @@ mod viewer;
 mod waves;
 
 pub use beside::{BESIDE, Beside, ScopePlot};
-pub use details::{DetailPage, DetailPicture, DetailPlace, DetailShot, DetailWay, place_pixels};
+pub use descent::{DescentPage, DescentPicture, DescentPlace, DescentShot, DescentWay, place_pixels};
 pub use error::ReportError;
 pub use live::{LIVE_FILES, LIVE_FIRST, waiting_page};
 pub use page::{live_page, write_page};

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use ::report::{DetailPicture, DetailPlace, DetailShot, place_pixels};
+use ::report::{DescentPicture, DescentPlace, DescentShot, place_pixels};
 use generator::{Generator, Label, PlaneKind, Planes, Session, Stage};
 use landscape::MapFrame;
 use picture::{AnyPicture, Depth, Encoder, SOFTWARE, Transfer};
@@ -69,10 +69,10 @@ impl<'a> DescentWays<'a> {
     ///
     /// # Errors
     /// If one cannot draw it.
-    pub fn shot(&self, frame: u64, pose: &Pose) -> Result<DetailShot, StudyError> {
+    pub fn shot(&self, frame: u64, pose: &Pose) -> Result<DescentShot, StudyError> {
         let pictures = self.ways.iter().map(|way| self.picture(&**way, frame, pose));
         let pictures = pictures.collect::<Result<_, _>>()?;
-        Ok(DetailShot { frame, changes: self.changes(frame, pose)?, pictures })
+        Ok(DescentShot { frame, changes: self.changes(frame, pose)?, pictures })
     }
 
     /// Tiles that take another level in a frame; they are the same in all ways.
@@ -83,7 +83,7 @@ impl<'a> DescentWays<'a> {
         }
     }
 
-    fn picture(&self, way: &dyn Session, frame: u64, pose: &Pose) -> Result<DetailPicture, StudyError> {
+    fn picture(&self, way: &dyn Session, frame: u64, pose: &Pose) -> Result<DescentPicture, StudyError> {
         let View { columns, lines, .. } = self.stage.view;
         let raster = [columns, lines].map(|pixels| pixels as usize);
         let mut planes = Planes::new(raster[0], raster[1], &self.kinds);
@@ -96,7 +96,7 @@ impl<'a> DescentWays<'a> {
             }
         };
         let png = picture.encode_png(&[SOFTWARE])?;
-        Ok(DetailPicture { png, places: places(&planes, &Camera::new(pose, &self.stage.view), self.map()) })
+        Ok(DescentPicture { png, places: places(&planes, &Camera::new(pose, &self.stage.view), self.map()) })
     }
 
     fn map(&self) -> Option<&MapFrame> {
@@ -105,7 +105,7 @@ impl<'a> DescentWays<'a> {
 }
 
 /// Where the pixels of the grid of a page lie, with longitude and latitude where the map has them.
-fn places(planes: &Planes, camera: &Camera, map: Option<&MapFrame>) -> Vec<Option<DetailPlace>> {
+fn places(planes: &Planes, camera: &Camera, map: Option<&MapFrame>) -> Vec<Option<DescentPlace>> {
     let (labels, distances) = (planes.get(PlaneKind::Label), planes.get(PlaneKind::Distance));
     let (Some(labels), Some(distances)) = (labels, distances) else { return Vec::new() };
     let ground = f32::from(Label::Terrain.code());
@@ -119,7 +119,7 @@ fn places(planes: &Planes, camera: &Camera, map: Option<&MapFrame>) -> Vec<Optio
         let on_map = [seen.x, seen.y];
         let point = map.and_then(|map| map.point(on_map));
         let degrees = point.map(|[latitude, longitude]| [longitude, latitude].map(degrees));
-        Some(DetailPlace { map: on_map, degrees })
+        Some(DescentPlace { map: on_map, degrees })
     };
     let [columns, lines] = place_pixels([planes.columns(), planes.lines()]);
     lines.iter().flat_map(|line| columns.iter().map(move |column| [*column, *line])).map(place).collect()
@@ -165,7 +165,7 @@ mod tests {
             let expected = [500.0 + 50.0 - line as f64 - 0.5, 300.0 - 50.0 + column as f64 + 0.5];
             match place {
                 None => assert_eq!((column, line), (0, 0), "sky"),
-                Some(DetailPlace { map, degrees }) => {
+                Some(DescentPlace { map, degrees }) => {
                     assert!((0..2).all(|axis| (map[axis] - expected[axis]).abs() < 1e-3), "{map:?}");
                     assert!(degrees.is_none(), "the map has no place");
                 }

@@ -291,7 +291,8 @@ impl PictureErrors {
     }
 }
 
-fn transfer(display: &Display) -> Result<picture::Transfer, StudyError> {
+/// How a display shows light.
+pub(crate) fn transfer(display: &Display) -> Result<picture::Transfer, StudyError> {
     Ok(picture::Transfer::new(display.white as f32, display.gamma as f32)?)
 }
 

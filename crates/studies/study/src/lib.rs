@@ -19,6 +19,8 @@
 //! ground and on true, by every law and method.
 //! **Pops** ([`pops`]): distances along the view axis, frame by frame, and what levels of detail do to them.
 //! **Descents** ([`descent`]): pictures of the ways beside those curves, for a page.
+//! **Levels** ([`levels`]): what levels of detail lose, against triangles and time. **Tracks** ([`tracks`]): corners that are followed
+//! while levels change.
 //! **Lights** ([`lights`]): the light of a lamp over a mission, in each way that a generator has to draw it.
 //! **Reports** ([`report`]): what came of a study as text, as a document, and as tables and plots in a folder.
 //! **Not in the time.** Reading, elaboration, shadow boundaries that are found once, encoding.
@@ -32,6 +34,7 @@ pub mod economy;
 mod figures;
 mod fronts;
 pub mod ladder;
+pub mod levels;
 pub mod lights;
 mod order;
 mod parameter;
@@ -45,6 +48,7 @@ pub mod solver;
 pub mod stability;
 mod subject;
 mod table;
+pub mod tracks;
 mod work;
 
 pub use advice::{Setting, advise};

@@ -97,16 +97,16 @@ fn what_is_asked_wrongly_is_refused() {
 }
 
 /// The interpreter of Python: that of LUNOID_PYTHON, or the usual one.
-fn python() -> String {
+pub fn python() -> String {
     std::env::var("LUNOID_PYTHON").unwrap_or_else(|_| "python3".into())
 }
 
 /// Whether Python has the module; without it the test says so and is skipped.
-fn has(module: &str) -> bool {
+pub fn has(module: &str) -> bool {
     let found = Command::new(python()).args(["-c", &format!("import {module}")]).output();
     let found = found.is_ok_and(|output| output.status.success());
     if !found {
-        eprintln!("SKIPPED: Python has no {module}; a loader is not run");
+        eprintln!("SKIPPED: Python has no {module}; what reads by it is not run");
     }
     found
 }

@@ -17,6 +17,7 @@ mod farm;
 mod first_minutes;
 mod help;
 mod kept_shadows;
+mod levels;
 mod lights;
 mod live;
 mod lockstep;

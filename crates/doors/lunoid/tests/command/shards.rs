@@ -228,6 +228,8 @@ fn a_study_says_why_it_has_no_shards() {
         ("error", "times of two workers cannot be"),
         ("economy", "times of two workers cannot be"),
         ("pops", "a pop lies between two frames"),
+        ("levels", "times of two workers cannot be"),
+        ("tracks", "a track goes through all frames"),
         ("lights", "it has one table of all frames"),
         ("shadow", "its largest error is over all places"),
     ] {

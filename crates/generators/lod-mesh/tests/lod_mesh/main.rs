@@ -2,6 +2,7 @@
 
 mod boulders;
 mod cracks;
+mod detailed;
 mod eye;
 mod faults;
 mod order;

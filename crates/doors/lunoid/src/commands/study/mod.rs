@@ -2,11 +2,14 @@
 
 mod economy;
 mod error;
+mod level_ladders;
+mod levels;
 mod lights;
 mod outputs;
 mod pops;
 mod shadow;
 mod stability;
+mod tracks;
 
 use clap::{Args, Subcommand};
 
@@ -17,10 +20,12 @@ const AFTER: &str = "Examples:
   lunoid study economy scenarios/showpiece.toml --quick
   lunoid study shadow scenarios/vehicle-shadow.toml
   lunoid study pops scenarios/lod-descent.toml
+  lunoid study levels scenarios/lod-landing.toml
+  lunoid study tracks scenarios/lod-descent.toml --only one-level
   lunoid study lights scenarios/night-landing.toml --light ridge-beacon
   lunoid study error --help";
 
-/// Measure error against run time, what a scene does not need, what flat ground costs a shadow, what pops, and how a lamp shines.
+/// Measure error against run time, what a scene does not need, what flat ground costs a shadow, what pops, what levels lose, and how a lamp shines.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]
 pub struct StudyCommand {
@@ -41,6 +46,10 @@ enum Study {
     Stability(stability::StabilityStudy),
     /// Distances along the view axis frame by frame, and what levels of detail do to them.
     Pops(pops::PopStudy),
+    /// Levels of detail against what is lost: triangles, error, time, and what nothing beats.
+    Levels(levels::LevelStudy),
+    /// Corners that are followed over frames while levels of detail change.
+    Tracks(tracks::TrackStudy),
     /// The light of a lamp over a mission, in each way of drawing it.
     Lights(lights::LightStudy),
     /// The vehicle's shadow on flat ground against that on true ground.
@@ -58,6 +67,8 @@ impl StudyCommand {
             Study::Economy(study) => study.run(),
             Study::Stability(study) => study.run(),
             Study::Pops(study) => study.run(),
+            Study::Levels(study) => study.run(),
+            Study::Tracks(study) => study.run(),
             Study::Lights(study) => study.run(),
             Study::Shadow(study) => study.run(),
         }
@@ -84,6 +95,13 @@ impl Study {
                 "pops",
                 "a pop lies between two frames, and a cut would lose one; give each worker --frames, each with the first frame of the next",
             ),
+            Self::Levels(_) => (
+                "levels",
+                "it holds times against one another, and times of two workers cannot be; give each worker a scenario",
+            ),
+            Self::Tracks(_) => {
+                ("tracks", "a track goes through all frames; give each worker a ladder by --only")
+            }
             Self::Lights(_) => {
                 ("lights", "it has one table of all frames; give each worker a light by --light")
             }

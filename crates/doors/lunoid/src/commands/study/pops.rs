@@ -2,7 +2,8 @@
 
 use clap::Args;
 use front_door::Opened;
-use report::{DetailPage, DetailWay};
+use generator::DetailWay;
+use report::{DescentPage, DescentWay};
 use scenario::Pose;
 use study::descent::{DescentWays, shot_frames};
 use study::pops::{PopCurve, curve, curve_of_pictures};
@@ -56,7 +57,7 @@ fn least(text: &str) -> Result<f64, String> {
 impl PopStudy {
     /// Runs the study and prints its result.
     pub fn run(&self) -> Result<Verdict, Failure> {
-        let leaves = |file: &str| is_of("pops", file) || DetailPage::leaves(file);
+        let leaves = |file: &str| is_of("pops", file) || DescentPage::leaves(file);
         self.outputs.expect_apart(leaves, &self.stage.sources())?;
         let opened = self.stage.load()?;
         if self.pictures.is_some() && opened.row.is_none_or(|row| row.details.is_empty()) {
@@ -100,7 +101,7 @@ impl PopStudy {
     /// Curves of all ways of the generator, the truth first.
     fn curves(&self, opened: &Opened, first: u64, poses: &[Pose]) -> Result<Vec<PopCurve>, Failure> {
         let stage = opened.stage()?;
-        let ways = opened.row.map_or(&[][..], |row| row.details);
+        let ways = ways(opened);
         if ways.is_empty() {
             let judge = registry::configure_with(registry::judge(), &[])?;
             let both = [judge, opened.generator.clone()];
@@ -117,14 +118,13 @@ impl PopStudy {
     }
 
     /// The page of all ways but the first.
-    fn page(&self, opened: &Opened, report: &PopReport, pictures: usize) -> Result<DetailPage, Failure> {
-        let details = opened.row.map_or(&[][..], |row| row.details);
+    fn page(&self, opened: &Opened, report: &PopReport, pictures: usize) -> Result<DescentPage, Failure> {
         let stage = opened.stage()?;
+        let shown = ways(opened).into_iter().skip(1);
         let generators: Vec<_> =
-            details.iter().skip(1).map(|way| opened.configure_with(way.sets)).collect::<Result<_, _>>()?;
-        let ways =
-            DescentWays::new(&stage, &generators.iter().map(|generator| &**generator).collect::<Vec<_>>());
-        let ways = ways.map_err(Failure::input)?;
+            shown.map(|way| opened.configure_with(way.sets)).collect::<Result<_, _>>()?;
+        let generators: Vec<_> = generators.iter().map(|generator| &**generator).collect();
+        let ways = DescentWays::new(&stage, &generators).map_err(Failure::input)?;
         let curves = &report.curves[1..];
         let frames = shot_frames(curves, report.first, pictures);
         let table = opened.poses(&stage, report.frames()).map_err(Failure::input)?;
@@ -134,12 +134,12 @@ impl PopStudy {
             let pose = &table.rows()[(frame - report.first) as usize].pose;
             shots.push(ways.shot(frame, pose).map_err(Failure::input)?);
         }
-        let way = |curve: &PopCurve| DetailWay {
+        let way = |curve: &PopCurve| DescentWay {
             name: curve.name.clone(),
             off: curve.off(&report.curves[0]),
             pops: curve.pops.clone(),
         };
-        Ok(DetailPage {
+        Ok(DescentPage {
             title: report.title.clone(),
             facts: report.facts(),
             raster: [stage.view.columns, stage.view.lines].map(|pixels| pixels as usize),
@@ -153,10 +153,15 @@ impl PopStudy {
     /// Largest pop (m) of the way that the scenario has.
     fn own(&self, opened: &Opened, report: &PopReport) -> Option<f64> {
         let record = opened.generator.record();
-        let ways = opened.row.map_or(&[][..], |row| row.details);
-        let own = ways.iter().position(|way| {
+        let own = ways(opened).iter().position(|way| {
             opened.configure_with(way.sets).is_ok_and(|generator| generator.record() == record)
         })?;
         report.figures()[own].largest_pop.map(|pop| pop.metres)
     }
+}
+
+/// The ways of the generator that differ in distances.
+fn ways(opened: &Opened) -> Vec<&'static DetailWay> {
+    let ways = opened.row.map_or(&[][..], |row| row.details);
+    ways.iter().filter(|way| !way.is_of_light).collect()
 }

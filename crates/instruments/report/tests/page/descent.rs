@@ -5,7 +5,7 @@ use std::thread::sleep;
 use std::time::{Duration, Instant};
 
 use picture::{Depth, GreyPicture, encode_png};
-use report::{DetailPage, DetailPicture, DetailPlace, DetailShot, DetailWay, place_pixels};
+use report::{DescentPage, DescentPicture, DescentPlace, DescentShot, DescentWay, place_pixels};
 use tempfile::TempDir;
 use timing::LevelChange;
 
@@ -16,21 +16,21 @@ const RIGHT: &str = "\u{e014}";
 const RASTER: [usize; 2] = [96, 48];
 
 /// Ground of a metre a pixel: a pixel lies as far east as its column, and as far south as its line. Its upper quarter is sky.
-fn place(column: usize, line: usize) -> Option<DetailPlace> {
+fn place(column: usize, line: usize) -> Option<DescentPlace> {
     let map = [1000.0 - line as f64, column as f64];
-    (line >= 12).then_some(DetailPlace { map, degrees: Some([3.0 + column as f64 * 1e-3, 26.0]) })
+    (line >= 12).then_some(DescentPlace { map, degrees: Some([3.0 + column as f64 * 1e-3, 26.0]) })
 }
 
-fn picture(grey: u16) -> DetailPicture {
+fn picture(grey: u16) -> DescentPicture {
     let picture =
         GreyPicture::new(RASTER[0], RASTER[1], Depth::Eight, vec![grey; RASTER[0] * RASTER[1]]).unwrap();
     let [columns, lines] = place_pixels(RASTER);
     let places = lines.iter().flat_map(|line| columns.iter().map(move |column| place(*column, *line)));
-    DetailPicture { png: encode_png(&picture, &[]).unwrap(), places: places.collect() }
+    DescentPicture { png: encode_png(&picture, &[]).unwrap(), places: places.collect() }
 }
 
 /// Frames 10 to 110, whose first way jumps in frame 60 where two tiles take another level; three frames have pictures.
-fn page() -> DetailPage {
+fn page() -> DescentPage {
     let change = |tile: &str, west: f64| LevelChange {
         tile: tile.into(),
         from: 1,
@@ -41,14 +41,14 @@ fn page() -> DetailPage {
     };
     let shot = |frame: u64, changes: Vec<LevelChange>| {
         let grey = (frame % 100) as u16;
-        DetailShot { frame, changes, pictures: vec![picture(grey), picture(grey + 100)] }
+        DescentShot { frame, changes, pictures: vec![picture(grey), picture(grey + 100)] }
     };
-    let way = |name: &str, pop: f64| DetailWay {
+    let way = |name: &str, pop: f64| DescentWay {
         name: name.into(),
         off: (0..101).map(|index| f64::from(index) / 100.0).collect(),
         pops: (0..101).map(|index| if index == 50 { pop } else { 0.0 }).collect(),
     };
-    DetailPage {
+    DescentPage {
         title: "Down".into(),
         facts: "frames 10..111".into(),
         raster: RASTER,

@@ -15,8 +15,8 @@ use crate::ReportError;
 use crate::data::in_script;
 use crate::page::head_with;
 
-const STYLE: &str = include_str!("details.css");
-const SCRIPT: &str = include_str!("details.js");
+const STYLE: &str = include_str!("descent.css");
+const SCRIPT: &str = include_str!("descent.js");
 
 /// Pictures and places are files beside the page.
 const POLICY: &str = "default-src 'none'; img-src 'self' file: data:; style-src 'unsafe-inline'; \
@@ -33,7 +33,7 @@ const MOST_PLACES: usize = 96;
 
 /// Curves and pictures of a descent in several ways.
 #[derive(Debug, Clone, PartialEq)]
-pub struct DetailPage {
+pub struct DescentPage {
     /// Title of the scenario.
     pub title: String,
     /// Who drew what, in one line.
@@ -45,14 +45,14 @@ pub struct DetailPage {
     /// Time of each frame (s).
     pub times: Vec<f64>,
     /// Ways, in the order of the columns.
-    pub ways: Vec<DetailWay>,
+    pub ways: Vec<DescentWay>,
     /// Frames that have pictures, in rising order.
-    pub shots: Vec<DetailShot>,
+    pub shots: Vec<DescentShot>,
 }
 
 /// One way to draw levels of detail.
 #[derive(Debug, Clone, PartialEq)]
-pub struct DetailWay {
+pub struct DescentWay {
     /// Name of the way.
     pub name: String,
     /// What it is off the finest ground (m), frame by frame; NaN where that is not known.
@@ -63,27 +63,27 @@ pub struct DetailWay {
 
 /// A frame with a picture of each way.
 #[derive(Debug, Clone, PartialEq)]
-pub struct DetailShot {
+pub struct DescentShot {
     /// Number of the frame.
     pub frame: u64,
     /// Tiles that take another level in it.
     pub changes: Vec<LevelChange>,
     /// What each way shows, in the order of the ways.
-    pub pictures: Vec<DetailPicture>,
+    pub pictures: Vec<DescentPicture>,
 }
 
 /// The picture of a way, and where its pixels lie.
 #[derive(Debug, Clone, PartialEq)]
-pub struct DetailPicture {
+pub struct DescentPicture {
     /// The picture as a PNG file.
     pub png: Vec<u8>,
     /// Place of the pixel in the middle of each cell of the [grid](place_pixels), row by row.
-    pub places: Vec<Option<DetailPlace>>,
+    pub places: Vec<Option<DescentPlace>>,
 }
 
 /// Where a pixel of ground lies.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct DetailPlace {
+pub struct DescentPlace {
     /// North and east on the map (m).
     pub map: [f64; 2],
     /// Longitude and latitude (degrees), where the ground has them.
@@ -96,7 +96,7 @@ pub fn place_pixels([columns, lines]: [usize; 2]) -> [Vec<usize>; 2] {
     [columns, lines].map(|pixels| (step / 2..pixels).step_by(step).collect())
 }
 
-impl DetailPage {
+impl DescentPage {
     /// Whether a page leaves a file of this name in its folder.
     pub fn leaves(file: &str) -> bool {
         file == PAGE || file.strip_prefix(PICTURES).is_some_and(|rest| rest.starts_with('/'))
@@ -121,11 +121,11 @@ impl DetailPage {
     }
 
     /// A script that hands the places of a picture over.
-    fn places(&self, way: &DetailWay, frame: u64, picture: &DetailPicture) -> String {
+    fn places(&self, way: &DescentWay, frame: u64, picture: &DescentPicture) -> String {
         let rounded = |value: f64, digits: f64| (value * digits).round() / digits;
-        let number = |place: &Option<DetailPlace>| match place {
+        let number = |place: &Option<DescentPlace>| match place {
             None => Value::Null,
-            Some(DetailPlace { map: [north, east], degrees }) => {
+            Some(DescentPlace { map: [north, east], degrees }) => {
                 let map = [north, east].map(|metres| rounded(*metres, 100.0));
                 // A ten-millionth of a degree of the Moon is 3 mm.
                 let degrees = degrees.iter().flatten().map(|degrees| rounded(*degrees, 1e7));
@@ -235,7 +235,7 @@ fn leave(path: &Path, bytes: &[u8]) -> Result<(), ReportError> {
 mod tests {
     use super::*;
 
-    fn page() -> DetailPage {
+    fn page() -> DescentPage {
         let change = LevelChange {
             tile: "tile.3.7".into(),
             from: 1,
@@ -244,21 +244,21 @@ mod tests {
             fraction: 0.97,
             borders_m: [0.0, 0.0, 80.0, 80.0],
         };
-        let place = DetailPlace { map: [12.345_6, 78.9], degrees: Some([3.633_86, 26.132_22]) };
-        let picture = DetailPicture { png: vec![1, 2, 3], places: vec![None, Some(place)] };
-        let way = |name: &str, pop: f64| DetailWay {
+        let place = DescentPlace { map: [12.345_6, 78.9], degrees: Some([3.633_86, 26.132_22]) };
+        let picture = DescentPicture { png: vec![1, 2, 3], places: vec![None, Some(place)] };
+        let way = |name: &str, pop: f64| DescentWay {
             name: name.into(),
             off: vec![0.5, f64::NAN],
             pops: vec![0.0, pop],
         };
-        DetailPage {
+        DescentPage {
             title: "Down </script>".into(),
             facts: "lod-mesh".into(),
             raster: [200, 100],
             first: 7,
             times: vec![0.0, 0.1],
             ways: vec![way("switching", 0.6), way("morphing", 0.0)],
-            shots: vec![DetailShot {
+            shots: vec![DescentShot {
                 frame: 8,
                 changes: vec![change],
                 pictures: vec![picture.clone(), picture],

@@ -1,0 +1,153 @@
+//! `lunoid study levels` and `lunoid study tracks`: what they find, what they leave in a folder, what they refuse.
+
+use std::process::Command;
+
+use serde_json::Value;
+
+use crate::dataset::{has, python};
+use crate::scene::Scene;
+
+/// Rough ground of 20 x 20 tiles under a camera that comes down straight.
+const ROUGH: &str = r#"format = 1
+title = "Rough"
+shows = "Tiles of the ground take finer levels as the camera comes down."
+machine = "lod-mesh"
+duration_s = 2
+[landscape]
+albedo = 0.6
+[landscape.generated]
+seed = 5
+extent_m = [1600, 1600]
+region_size_m = 20
+[landscape.generated.undulation]
+rms_height_m = 12
+hurst = 0.6
+longest_m = 400
+shortest_m = 60
+waves = 96
+[sun]
+azimuth_deg = 70
+elevation_deg = 30
+[vehicle]
+max_speed_m_s = 200
+[path]
+file = "rough.csv"
+[raster]
+columns = 240
+lines = 200
+field_of_view_deg = [50, 42.5]
+update_hz = 10
+[lod]
+order = 3
+spacing_m = 10
+levels = 3
+ranges_m = [560, 1000, 1500]
+"#;
+
+fn rough() -> Scene {
+    let scene = Scene::new();
+    scene.write("rough.toml", ROUGH);
+    scene.write(
+        "rough.csv",
+        "t_s,x_m,y_m,z_m,heading_deg,pitch_deg,roll_deg\n0,800,810,580,0,-90,0\n2,800,810,540,0,-90,0\n",
+    );
+    scene
+}
+
+#[test]
+fn levels_lose_ground_and_save_triangles() {
+    let scene = rough();
+    let words = ["study", "levels", "rough.toml", "--count", "2", "--repetitions", "1", "--no-progress"];
+    let (out, _) = scene.expect(0, &[&words[..], &["--out", "found", "--json"]].concat());
+    let told: Value = serde_json::from_str(&out).unwrap();
+    assert_eq!(
+        (told["schema"].as_str(), &told["frames"]),
+        (Some("lunoid.study-levels/1"), &serde_json::json!([5, 15]))
+    );
+    let ladders = told["ladders"].as_array().unwrap();
+    assert_eq!(
+        ladders.iter().map(|ladder| &ladder["name"]).collect::<Vec<_>>(),
+        ["tolerance", "level-count", "one-level"]
+    );
+    let rungs = ladders[2]["rungs"].as_array().unwrap();
+    let of = |rung: &Value, keys: [&str; 2]| rung[keys[0]][keys[1]].as_f64().unwrap();
+    // The coarsest level has one cell a tile: whether it lies nearer than the next is chance.
+    for (coarse, fine) in rungs[1..].iter().zip(&rungs[2..]) {
+        assert!(coarse["triangles"].as_f64() < fine["triangles"].as_f64(), "{coarse} {fine}");
+        assert!(of(coarse, ["pixels", "rms"]) > of(fine, ["pixels", "rms"]), "{coarse} {fine}");
+    }
+    let finest = &rungs[5];
+    assert_eq!((of(finest, ["metres", "worst"]), &finest["is_on_triangle_front"]), (0.0, &Value::Bool(true)));
+    for file in ["levels.json", "levels.csv", "levels.md", "levels-time.svg", "levels-triangles.png"] {
+        assert!(scene.path().join("found").join(file).exists(), "{file}");
+    }
+}
+
+#[test]
+fn tracks_jump_where_levels_switch_and_not_where_they_morph() {
+    let scene = rough();
+    let words = ["study", "tracks", "rough.toml", "--only", "one-level", "--no-progress"];
+    let (out, _) = scene.expect(0, &[&words[..], &["--out", "found", "--json"]].concat());
+    let told: Value = serde_json::from_str(&out).unwrap();
+    let way = |test: &str, name: &str| {
+        let ways = told[test].as_array().unwrap().iter();
+        ways.clone().find(|way| way["name"] == name).unwrap().clone()
+    };
+    let [switching, morphing] = ["switching", "morphing"].map(|name| way("held", name));
+    assert!(switching["begun"].as_u64() > Some(40), "{switching}");
+    assert!(
+        switching["jumps"].as_u64() > Some(0) && switching["level_change_frames"].as_u64() > Some(0),
+        "{switching}"
+    );
+    assert_eq!(morphing["jumps"].as_u64(), Some(0), "{morphing}");
+    assert!(way("flown", "finest")["rms_px"].as_f64() < Some(0.5), "{told}");
+    assert_eq!(told["ladders"][0]["rungs"].as_array().unwrap().len(), 6);
+    for file in ["tracks.json", "tracks.csv", "tracks.md", "tracks.svg"] {
+        assert!(scene.path().join("found").join(file).exists(), "{file}");
+    }
+}
+
+#[test]
+fn a_generator_without_levels_is_refused_with_those_that_have_some() {
+    let scene = rough();
+    for study in ["levels", "tracks"] {
+        let (_, said) = scene.expect(2, &["study", study, "rough.toml", "--machine", "sampled"]);
+        assert!(said.contains("it has no levels of detail") && said.contains("lod-mesh"), "{said}");
+        let (_, said) = scene.expect(2, &["study", study, "rough.toml", "--only", "tolerances"]);
+        assert!(
+            said.contains("--only tolerances: no such ladder of levels; known: tolerance, level-count"),
+            "{said}"
+        );
+    }
+    let (_, said) = scene.expect(2, &["study", "tracks", "rough.toml", "--frames", "3"]);
+    assert!(said.contains("--frames 3..4: one frame; expected at least two"), "{said}");
+}
+
+/// The folder of a run has pictures, poses, range, distance, normal, label and light: a client reads them with NumPy alone.
+#[test]
+fn a_program_reads_a_run_without_us() {
+    if !has("numpy") {
+        return;
+    }
+    let scene = rough();
+    scene.expect(
+        0,
+        &["replay", "rough.toml", "--frames", "0..2", "--no-page", "--truth", "all", "--out", "run"],
+    );
+    let client = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../docs/clients/read_run.py");
+    let output = Command::new(python()).args(["-B", client]).arg(scene.join("run")).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let said = String::from_utf8(output.stdout).unwrap();
+    let lines: Vec<&str> = said.lines().collect();
+    assert_eq!(lines.len(), 2, "{said}");
+    for (number, line) in lines.iter().enumerate() {
+        let file = scene.join(&format!("run/frames/frame-{number:06}.png"));
+        let picture = picture::read_png(file, &picture::Limits::default()).unwrap();
+        let mean = picture.codes().iter().map(|code| f64::from(*code)).sum::<f64>() / (240.0 * 200.0);
+        let told: f64 = line.split(' ').nth(4).unwrap().parse().unwrap();
+        assert!((told - mean).abs() < 1e-9 && line.contains("(200, 240, 1)"), "{line} {mean}");
+        for plane in ["range[200, 240]", "distance[200, 240]", "normal[200, 240, 3]", "label[200, 240]"] {
+            assert!(line.contains(plane), "{line}");
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! What a session tells of its levels of detail besides pictures.
+
+use generator::{Detailed, DrawnGround, FrameCounts, FrameError, Planes, Session as _};
+use glam::DVec3;
+use scenario::Pose;
+use scene_sampler::{Camera, Shown};
+
+use crate::ground;
+use crate::loss::loss;
+use crate::session::Session;
+
+impl Detailed for Session {
+    fn held_frame(
+        &self,
+        frame: u64,
+        pose: &Pose,
+        levels: &Pose,
+        planes: &mut Planes,
+    ) -> Result<FrameCounts, FrameError> {
+        let gathered = self.gather_held(frame, pose, levels)?;
+        Ok(self.draw(&Shown::own(frame, pose), &gathered, planes)?.0)
+    }
+
+    fn level_changes(&self, frame: u64, pose: &Pose, levels: [&Pose; 2]) -> Result<u64, FrameError> {
+        self.check(frame, pose)?;
+        levels.into_iter().try_for_each(|pose| self.check(frame, pose))?;
+        let prepared = &self.prepared;
+        let [from, to] = levels.map(|pose| ground::state(prepared, DVec3::from_array(pose.eye)));
+        let tiles = ground::in_view(prepared, &Camera::new(pose, &prepared.stage.view));
+        let numbers = tiles.into_iter().map(|tile| prepared.posts.terrain.number(tile));
+        Ok(numbers.filter(|&number| from.tile(number).level != to.tile(number).level).count() as u64)
+    }
+
+    fn drawn_ground(&self, frame: u64, pose: &Pose) -> Result<DrawnGround, FrameError> {
+        self.check(frame, pose)?;
+        let camera = Camera::new(pose, &self.prepared.stage.view);
+        let state = ground::state(&self.prepared, camera.eye);
+        let surface = ground::surface(&self.prepared, &state);
+        let mesh = ground::mesh(&surface, &ground::in_view(&self.prepared, &camera), &camera);
+        Ok(DrawnGround {
+            tiles: mesh.tile_count(),
+            vertices: mesh.vertices.len() as u64,
+            triangles: mesh.triangles.len() as u64,
+            loss: loss(&self.prepared, &surface, &camera),
+        })
+    }
+}
