@@ -193,24 +193,26 @@ fn ends_of_either_profile_are_respected() {
     assert!(joined.height.iter().all(|height| height.0.iter().all(|&height| height != OUT_OF_SIGHT)));
 }
 
-/// Height and slope along the sweep, at 400 to 600 m, of planes that rise to the north: `[height, slope]` of both levels at `range`.
+/// Height and slope along the sweep, at 400 to 600 m, of planes that rise along it: `[height, slope]` of both levels at `range`.
 fn blended_planes(planes: [[f64; 2]; 2], range: f64, slope_term: bool) -> [f64; 2] {
-    const FOOT: f64 = 100.0;
+    const FOOT: [f64; 2] = [103.0, 611.0];
+    let [cos, sin] = direction(0);
     let plane = |[height, slope]: [f64; 2], region_size: f64, corners: usize| {
         let words = (0..corners * corners).map(|index| {
-            let north = (index / corners) as f64 * region_size;
+            let [north, east] = [index / corners, index % corners].map(|k| k as f64 * region_size);
+            let along = (north - FOOT[0]) * cos + (east - FOOT[1]) * sin;
             let mut words = [0.0; 9];
-            (words[0], words[3]) = (height + slope * (north - FOOT - range), slope * region_size);
+            words[0] = height + slope * (along - range);
+            (words[3], words[1]) = (slope * cos * region_size, slope * sin * region_size);
             words
         });
         Level::new(region_size, [0.0; 2], [corners; 2], words.collect()).unwrap()
     };
     let levels = [plane(planes[0], 100.0, 13), plane(planes[1], 400.0, 4)];
     let ranges: Vec<f64> = (1..=1000).map(f64::from).collect();
-    let light = std::array::from_fn(|_| SweepLight::new(&SUN, 0.8, Photometry::Lambert, [1.0, 0.0]));
-    let programs = levels
-        .each_ref()
-        .map(|level| std::array::from_fn(|_| program(level, [FOOT, 600.0], [1.0, 0.0], &ranges)));
+    let light = std::array::from_fn(|_| SweepLight::new(&SUN, 0.8, Photometry::Lambert, [cos, sin]));
+    let programs =
+        levels.each_ref().map(|level| std::array::from_fn(|_| program(level, FOOT, [cos, sin], &ranges)));
     let [fine, coarse] = levels.each_ref().map(|level| TerrainGenerator {
         buffer: level.words(),
         region_size: level.region_size(),
