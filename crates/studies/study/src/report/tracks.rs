@@ -215,13 +215,9 @@ impl TrackReport {
             outcomes.iter().map(|outcome| outcome.frames.iter().map(of).collect()).collect()
         };
         let shown = [
-            (
-                "levels go on, camera stands: largest step (px)",
-                &self.held,
-                curves(&self.held, &|found| found.step),
-            ),
-            ("camera flies: largest step (px)", &self.flown, curves(&self.flown, &|found| found.step)),
-            ("camera flies: rms off (px)", &self.flown, curves(&self.flown, &FrameTracks::rms)),
+            ("held: largest step (px)", &self.held, curves(&self.held, &|found| found.step)),
+            ("flown: largest step (px)", &self.flown, curves(&self.flown, &|found| found.step)),
+            ("flown: rms off (px)", &self.flown, curves(&self.flown, &FrameTracks::rms)),
         ];
         let panels: Vec<Panel<'_>> = shown
             .iter()
