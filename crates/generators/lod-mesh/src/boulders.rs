@@ -1,6 +1,7 @@
 //! Boulders by distance: none where one is smaller than a pixel, few faces where it is small.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::sync::Arc;
 
 use generator::{PrepareError, Stage};
@@ -31,9 +32,8 @@ impl FewFaces {
         for body in
             stage.scenery.standing().iter().map(|standing| &standing.body).filter(|body| is_boulder(body))
         {
-            let key = address(&body.solid);
-            if !octahedra.contains_key(&key) {
-                octahedra.insert(key, Arc::new(octahedron(&body.solid).map_err(refused)?));
+            if let Entry::Vacant(place) = octahedra.entry(address(&body.solid)) {
+                place.insert(Arc::new(octahedron(&body.solid).map_err(refused)?));
             }
         }
         Ok(Self { octahedra })
