@@ -205,8 +205,10 @@ fn mark(
         })
         .collect();
     let points: Vec<[f64; 2]> = measured.iter().map(|(_, point)| *point).collect();
-    for index in front(&points) {
-        *is_on_front(measured[index].0) = true;
+    // Rungs of several ladders may draw the same ground: what ties with the front is on it.
+    let best: Vec<[f64; 2]> = front(&points).into_iter().map(|index| points[index]).collect();
+    for (rung, _) in measured.iter_mut().filter(|(_, point)| best.contains(point)) {
+        *is_on_front(rung) = true;
     }
 }
 
@@ -244,13 +246,19 @@ mod tests {
                 what: "a",
                 rungs: vec![rung("1", 3.0, 30.0, 0.1), rung("2", 1.0, 20.0, 0.5)],
             },
-            LevelLadder { name: "b", what: "b", rungs: vec![rung("1", 2.0, 10.0, 0.5), refused] },
+            LevelLadder {
+                name: "b",
+                what: "b",
+                rungs: vec![rung("1", 2.0, 10.0, 0.5), refused, rung("3", 4.0, 30.0, 0.1)],
+            },
         ];
         mark_fronts(&mut ladders);
         let marks = |of: &dyn Fn(&LevelRung) -> bool| -> Vec<Vec<bool>> {
             ladders.iter().map(|ladder| ladder.rungs.iter().map(of).collect()).collect()
         };
-        assert_eq!(marks(&|rung| rung.is_on_time_front), [[true, true], [false, false]]);
-        assert_eq!(marks(&|rung| rung.is_on_triangle_front), [[true, false], [true, false]]);
+        assert_eq!(marks(&|rung| rung.is_on_time_front), [vec![true; 2], vec![false; 3]]);
+        // A rung with the triangles and the error of one on the front is on it.
+        let on_triangles = marks(&|rung| rung.is_on_triangle_front);
+        assert_eq!(on_triangles, [vec![true, false], vec![true, false, true]]);
     }
 }
