@@ -1,6 +1,6 @@
 //! A stand-in for navigation by camera: corners that are followed over frames, as levels of detail change below them.
 //!
-//! **Law.** Two tests, each of which follows the corners of its first picture ([`follow`](flow::follow), [`corners`](corners::corners)).
+//! **Law.** Two tests, each of which follows the corners of its first picture (the files `flow` and `corners`).
 //! *Held*: the camera stands at the pose of the middle frame, and the levels of detail go on from frame to frame. Every corner should stay where
 //! it began. *Flown*: the camera goes on too. A corner should be where the pinhole shows the place of the ground that it began at. That place
 //! follows from the pose of the first frame and the distance that the finest ground alone has there. A track is *off* by its distance from
