@@ -69,7 +69,7 @@ pub struct Errors {
 }
 
 impl Errors {
-    /// Adds an error.
+    /// Adds the error of one more place.
     pub fn add(&mut self, error: f64) {
         self.squares += error * error;
         self.worst = self.worst.max(error.abs());

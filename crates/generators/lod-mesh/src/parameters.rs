@@ -38,7 +38,7 @@ pub struct Parameters {
     pub slots: Slots,
     /// What a frame that takes too long does to the next one.
     pub clock: Clock,
-    /// Where boulders stand.
+    /// Height at which boulders stand.
     pub boulders: Boulders,
     /// Least diameter (pixels) of a boulder that is drawn; 0 draws all, with all faces.
     pub boulder_px: f64,
@@ -95,10 +95,10 @@ pub enum Clock {
     RealTime,
 }
 
-/// Where boulders stand.
+/// Height at which boulders stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Boulders {
-    /// On the ground.
+    /// On the ground below them.
     OnGround,
     /// At height 0, as reported: buried in hills, hovering over valleys.
     AtMeanRadius,

@@ -72,7 +72,7 @@ impl Session {
         Ok(Self { prepared, hardware, screen, fields: Fields::default() })
     }
 
-    /// What frames share.
+    /// Posts, levels and slopes, which all frames share.
     pub fn prepared(&self) -> &Prepared {
         &self.prepared
     }

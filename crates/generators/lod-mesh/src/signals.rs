@@ -45,7 +45,7 @@ pub static SIGNALS: [Signal; 6] = [
 /// What a tile is drawn as.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TileSample {
-    /// Level and fraction.
+    /// Level and fraction of the tile.
     state: TileState,
     /// Distance (m) of its middle from the eye.
     distance: f64,

@@ -153,8 +153,8 @@ mod tests {
         planes.get_mut(PlaneKind::Label).unwrap()[0] = f32::from(Label::Sky.code());
         let [columns, lines] = place_pixels([100, 100]);
         let distance = |at: usize| {
-            let across = |pixel: usize| pixel as f64 + 0.5 - 50.0;
-            (1e4 + across(at % 100).powi(2) + across(at / 100).powi(2)).sqrt() as f32
+            let [x, y] = [at % 100, at / 100].map(|pixel| pixel as f64 + 0.5 - 50.0);
+            (1e4 + x * x + y * y).sqrt() as f32
         };
         let plane = planes.get_mut(PlaneKind::Distance).unwrap();
         (0..100 * 100).for_each(|at| plane[at] = distance(at));

@@ -49,7 +49,7 @@ fn no_morph_jumps_where_a_tile_takes_another_level() {
     // The middle of the tile is 14 m aside; its level changes where it is 450 m away.
     let middle = stage.landscape.at_spacing(760.0, 760.0, 10.0).unwrap().height;
     let at = |above: f64| pose([750.0, 750.0, middle + above], 0.0, -90.0);
-    let change = (450.0_f64.powi(2) - 200.0).sqrt();
+    let change = (450.0 * 450.0 - 200.0_f64).sqrt();
     let jump = |session: &dyn Session| {
         let [near, far] = [-1e-7, 1e-7].map(|more| sounding(session, &at(change + more)));
         (far - near - 2e-7).abs()
@@ -133,7 +133,7 @@ fn coarse_light_keeps_the_ground_and_loses_its_light() {
     let [without, with] = pair("coarse-light", &stage).map(|session| draw(&*session, PIXELS, &pose));
     let difference = |kind: PlaneKind| {
         let pairs = without.get(kind).unwrap().iter().zip(with.get(kind).unwrap());
-        let squares = pairs.map(|(a, b)| f64::from(a - b).powi(2)).sum::<f64>();
+        let squares = pairs.map(|(a, b)| f64::from((a - b) * (a - b))).sum::<f64>();
         (squares / (PIXELS * PIXELS) as f64).sqrt()
     };
     assert_eq!(difference(PlaneKind::Distance), 0.0);

@@ -23,7 +23,7 @@ pub struct LevelReport {
     pub frames: Vec<u64>,
     /// Turns that were timed.
     pub repetitions: u32,
-    /// Ladders, fronts marked.
+    /// Ladders, with the rungs on a front marked.
     pub ladders: Vec<LevelLadder>,
 }
 

@@ -17,7 +17,7 @@ impl Image {
         Self { columns, lines: values.len() / columns, values }
     }
 
-    /// Columns and lines.
+    /// Columns and lines of the picture.
     pub fn size(&self) -> [usize; 2] {
         [self.columns, self.lines]
     }
@@ -80,7 +80,7 @@ impl Pyramid {
         Self { levels }
     }
 
-    /// The whole picture.
+    /// The whole picture, row by row.
     pub fn whole(&self) -> &Image {
         &self.levels[0]
     }

@@ -69,7 +69,7 @@ pub struct TrackFigures {
     pub median_frames: f64,
     /// Mean length of a track (frames).
     pub mean_frames: f64,
-    /// Tracks that broke.
+    /// Number of tracks that broke.
     pub broken: usize,
     /// Tracks that left the picture.
     pub left: usize,
@@ -79,7 +79,7 @@ pub struct TrackFigures {
     pub worst_px: f64,
     /// Largest change of that from one frame to the next (pixels), and the later frame.
     pub largest_step: Option<Step>,
-    /// Changes above [`JUMP`].
+    /// Number of changes above [`JUMP`].
     pub jumps: u64,
     /// Frames that have any.
     pub jump_frames: Vec<u64>,
@@ -94,7 +94,7 @@ pub struct TrackFigures {
 pub struct Step {
     /// Number of the later frame.
     pub frame: u64,
-    /// Its size (pixels).
+    /// Size of the change (pixels).
     pub pixels: f64,
 }
 

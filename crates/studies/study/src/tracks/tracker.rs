@@ -32,7 +32,7 @@ pub struct Track {
 pub struct FrameTracks {
     /// Tracks that were found again.
     pub alive: u64,
-    /// Tracks that broke.
+    /// Number of tracks that broke.
     pub broken: u64,
     /// Tracks that left the picture.
     pub left: u64,
