@@ -80,7 +80,7 @@ impl Pyramid {
         Self { levels }
     }
 
-    /// The whole picture, row by row.
+    /// The picture at its full size.
     pub fn whole(&self) -> &Image {
         &self.levels[0]
     }
