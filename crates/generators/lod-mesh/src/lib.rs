@@ -18,6 +18,7 @@
 //! - **Light** is looked up pixel by pixel from the slopes of the finest posts, so no level changes it; or it follows from the slopes of the
 //!   vertices as they are drawn.
 //! - **Everything else** of the picture, and its sampling: `scene-sampler`. Differences from pictures of `sampled` come from the mesh alone.
+//! - **Boulders** are drawn by distance: none below a pixel, an octahedron up to twelve, all faces from there.
 //! - The eye may stand beside the ground: nothing is drawn where there is none.
 //!
 //! # Run parameters
@@ -33,8 +34,14 @@
 //! | `lod.transition` | `morph`, `switch` | `morph` | how a level becomes the next one |
 //! | `lod.edges` | `shared`, `per-tile` | `shared` | who decides how far an edge has morphed; the document's `per-tile` cracks |
 //! | `lod.stitch` | `coarse-side`, `fine-side`, `none` | `coarse-side` | which tile adapts where levels differ; with `fine-side` ground moves a little when a neighbour changes its level; `none` leaves holes |
-//! | `lod.light` | `map`, `live` | `map` | where the light of the ground comes from |
-//! | `lod.show` | `light`, `levels` | `light` | what the ground shows: its light, or levels and fractions as colours |
+//! | `lod.light` | `map`, `live`, `stored` | `map` | where the light of the ground comes from; `stored` is the light map of a terrain database |
+//! | `lod.show` | `light`, `levels`, `wires` | `light` | what the ground shows: its light, levels and fractions as colours, or the edges of its triangles |
+//! | `lod.light_level` | 0 to n | 0 | level whose posts have the slopes of the map |
+//! | `lod.percent_bits` | 0 to 24 | 0 | bits of a fraction on its way to the board; 0 leaves it as it is |
+//! | `lod.slots` | `unlimited`, `refuse`, `share` | `unlimited` | what becomes of more tiles than the board has slots for |
+//! | `lod.clock` | `stepped`, `real-time` | `stepped` | what a frame that takes too long does to the next one |
+//! | `lod.boulders` | `ground`, `mean-radius` | `ground` | where boulders stand |
+//! | `lod.boulder_px` | 0 to 10000 | 1 | least diameter of a boulder that is drawn; 0 draws all with all faces |
 //! | `lod.pattern` | `1`, `4`, `8`, `16`, `grid16`, `lattice32`, `off-centre16` | `4` | sampling points of a pixel |
 //! | `lod.rotate` | true, false | false | the pattern is turned from pixel to pixel |
 //! | `lod.filter` | `box`, `tent`, `gaussian` | `box` | how sampling points make a pixel |
@@ -48,6 +55,11 @@
 //! | `lod.spot_px` | 0.05 to 100 | 0.6 | deviation of the beam's spot |
 //! | `lod.beam_order` | `near-to-far`, `nearest-neighbour` | `near-to-far` | order in which the beam draws its points |
 //! | `lod.beam_layer` | `both`, `raster`, `beam` | `both` | layers that a picture shows |
+//!
+//! # Timing
+//!
+//! A frame is work of the thesis's computer and of its graphics board (`time`): tiles, words of the uniform array, vertices, triangles, bytes that are
+//! read back. `hardware-models/programs/lod-mesh.toml` has the figures. A record names each tile that takes another level.
 //!
 //! # Threads
 //!
