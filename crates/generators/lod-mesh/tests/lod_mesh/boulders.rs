@@ -36,14 +36,13 @@ fn a_boulder_has_fewer_faces_the_farther_it_is() {
 /// Between one and two least diameters it grows from nothing to its size.
 #[test]
 fn a_boulder_grows_from_nothing() {
-    let pixels: Vec<usize> = [2.0, 1.7, 1.4, 1.2, 1.0]
-        .map(|diameters| {
-            // 10 m of shape and more: what one least diameter is at 100 m is found from where it vanishes.
-            let least =
-                (1..400).map(|step| 0.1 * f64::from(step)).find(|least| shown(100.0, *least).0 == 0).unwrap();
-            shown(100.0, least / diameters).1
-        })
-        .into();
+    // Its diameter in pixels: the least one that is drawn, at which it vanishes.
+    let [mut drawn, mut gone] = [1.0, 40.0];
+    for _ in 0..12 {
+        let middle = (drawn + gone) / 2.0;
+        if shown(100.0, middle).0 == 0 { gone = middle } else { drawn = middle }
+    }
+    let pixels = [2.0, 1.7, 1.4, 1.2, 1.0].map(|diameters| shown(100.0, gone / diameters).1);
     assert!(pixels.windows(2).all(|pair| pair[1] < pair[0]), "{pixels:?}");
     assert_eq!(pixels[4], 0);
 }

@@ -34,7 +34,7 @@ fn each_surface(states: usize, see: impl Fn(&Surface<'_>)) {
 
 #[test]
 fn pieces_are_those_of_the_mesh() {
-    each_surface(300, |surface| {
+    each_surface(100, |surface| {
         for tile in surface.terrain.tiles() {
             let TileMesh { vertices, origins, triangles } = surface.mesh(tile);
             let TilePieces { inner, border, still, morphing } = surface.pieces(tile);
@@ -73,7 +73,7 @@ fn gaps(surface: &Surface<'_>) -> u64 {
 #[test]
 fn cracked_edges_are_those_with_a_gap() {
     let most = std::cell::Cell::new(0);
-    each_surface(300, |surface| {
+    each_surface(100, |surface| {
         let found = surface.cracked_edges();
         assert_eq!(found, gaps(surface), "{:?} {:?} {:?}", surface.edges, surface.stitch, surface.state);
         most.set(most.get().max(found));
