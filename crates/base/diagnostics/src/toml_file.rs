@@ -5,7 +5,7 @@ use std::sync::Arc;
 use toml_edit::Document;
 
 use crate::place::{Place, Source};
-use crate::problem::{Problem, Problems};
+use crate::problem::{Problem, ProblemList, Problems};
 use crate::reader::Reader;
 use crate::tree::{self, Node};
 
@@ -33,7 +33,22 @@ impl TomlFile {
         }
     }
 
-    /// The same from bytes, which must be UTF-8.
+    /// Reads the whole of `text`, which the program carries under `name`.
+    ///
+    /// # Errors
+    /// Every fault of it.
+    pub fn read_text<T>(
+        name: &str,
+        text: &str,
+        read: impl FnOnce(&Reader) -> Option<T>,
+    ) -> Result<T, ProblemList> {
+        let problems = Problems::new();
+        let file = Self::parse(name, text, &problems);
+        let value = file.and_then(|file| read(&file.root(&problems)));
+        problems.resolve(value)
+    }
+
+    /// The same as [`parse`](Self::parse) from bytes, which must be UTF-8.
     pub fn parse_bytes(name: &str, bytes: &[u8], problems: &Problems) -> Option<Self> {
         match std::str::from_utf8(bytes) {
             Ok(text) => Self::parse(name, text, problems),

@@ -18,16 +18,16 @@ const ALL_FACES: f64 = 12.0;
 
 /// The shapes of few faces that stand for those of the boulders of a stage.
 pub struct FewFaces {
-    /// Octahedra by the address of the solid that each stands for; the stage keeps those.
+    /// Octahedra, each by the address of its solid. The stage keeps the solids.
     octahedra: BTreeMap<usize, Arc<Solid>>,
 }
 
 impl FewFaces {
-    /// Those of a stage.
+    /// Those of a stage; `None` if it has no boulder.
     ///
     /// # Errors
     /// If a boulder is flat.
-    pub fn of(stage: &Stage) -> Result<Self, PrepareError> {
+    pub fn of(stage: &Stage) -> Result<Option<Self>, PrepareError> {
         let mut octahedra = BTreeMap::new();
         for body in
             stage.scenery.standing().iter().map(|standing| &standing.body).filter(|body| is_boulder(body))
@@ -36,7 +36,7 @@ impl FewFaces {
                 place.insert(Arc::new(octahedron(&body.solid).map_err(refused)?));
             }
         }
-        Ok(Self { octahedra })
+        Ok((!octahedra.is_empty()).then_some(Self { octahedra }))
     }
 
     /// The stage with its boulders as a camera sees them, where one of `least` pixels is the smallest that is drawn: it grows from nothing at that

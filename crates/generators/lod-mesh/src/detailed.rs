@@ -1,7 +1,10 @@
 //! What a session tells of its levels of detail besides pictures.
 
+use std::collections::BTreeSet;
+
 use generator::{Detailed, DrawnGround, FrameCounts, FrameError, Planes, Session as _};
 use glam::DVec3;
+use lod_tiles::TilePieces;
 use scenario::Pose;
 use scene_sampler::{Camera, Shown};
 
@@ -27,8 +30,9 @@ impl Detailed for Session {
         let prepared = &self.prepared;
         let [from, to] = levels.map(|pose| ground::state(prepared, DVec3::from_array(pose.eye)));
         let tiles = ground::in_view(prepared, &Camera::new(pose, &prepared.stage.view));
-        let numbers = tiles.into_iter().map(|tile| prepared.posts.terrain.number(tile));
-        Ok(numbers.filter(|&number| from.tile(number).level != to.tile(number).level).count() as u64)
+        let numbers: BTreeSet<usize> =
+            tiles.into_iter().map(|tile| prepared.posts.terrain.number(tile)).collect();
+        Ok(to.changes(&from).filter(|(number, ..)| numbers.contains(number)).count() as u64)
     }
 
     fn drawn_ground(&self, frame: u64, pose: &Pose) -> Result<DrawnGround, FrameError> {
@@ -36,12 +40,13 @@ impl Detailed for Session {
         let camera = Camera::new(pose, &self.prepared.stage.view);
         let state = ground::state(&self.prepared, camera.eye);
         let surface = ground::surface(&self.prepared, &state);
-        let mesh = ground::mesh(&surface, &ground::in_view(&self.prepared, &camera), &camera);
+        let tiles = ground::in_view(&self.prepared, &camera);
+        let pieces: Vec<TilePieces> = tiles.iter().map(|tile| surface.pieces(*tile)).collect();
         Ok(DrawnGround {
-            tiles: mesh.tile_count(),
-            vertices: mesh.vertices.len() as u64,
-            triangles: mesh.triangles.len() as u64,
-            loss: loss(&self.prepared, &surface, &camera),
+            tiles: tiles.len() as u64,
+            vertices: pieces.iter().map(|pieces| pieces.still + pieces.morphing).sum(),
+            triangles: pieces.iter().map(|pieces| pieces.inner + pieces.border).sum(),
+            loss: loss(&self.prepared, &surface, &camera, tiles),
         })
     }
 }

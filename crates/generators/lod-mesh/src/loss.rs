@@ -10,15 +10,13 @@ use lod_tiles::{Surface, Tile};
 use rayon::prelude::*;
 use scene_sampler::{Camera, NEAR};
 
-use crate::ground;
 use crate::prepared::{Prepared, focal};
 
-/// How far `surface` is off the finest mesh, as `camera` sees it.
-pub fn loss(prepared: &Prepared, surface: &Surface<'_>, camera: &Camera) -> GroundLoss {
+/// How far `tiles` of `surface` are off the finest mesh, as `camera` sees them.
+pub fn loss(prepared: &Prepared, surface: &Surface<'_>, camera: &Camera, tiles: Vec<Tile>) -> GroundLoss {
     let focal = focal(&prepared.stage);
     let view = &prepared.stage.view;
     let size = [view.columns, view.lines].map(f64::from);
-    let tiles = ground::in_view(prepared, camera);
     let parts: Vec<GroundLoss> =
         tiles.into_par_iter().map(|tile| of_tile(surface, tile, camera, (size, focal))).collect();
     // In the order of the tiles, whichever thread was first.

@@ -91,7 +91,7 @@ pub enum Slots {
 pub enum Clock {
     /// Nothing: every pose is drawn.
     Stepped,
-    /// The next pose is that of the time that was reached.
+    /// The next pose is the one at the time reached.
     RealTime,
 }
 

@@ -26,7 +26,7 @@ pub struct Prepared {
     pub table: LevelTable,
     /// All tiles at the finest level.
     pub finest: State,
-    /// Shapes of small boulders, where they are drawn by distance.
+    /// Shapes of small boulders, where there are any and they are drawn by distance.
     pub few_faces: Option<FewFaces>,
     /// Slots of the board's uniform array; `None` is without limit.
     pub slots: Option<u32>,
@@ -55,7 +55,7 @@ impl Prepared {
         let finest = State::of(&posts.terrain, tiles);
         let stored =
             if run.light == GroundLight::Stored { Some(stored_light(&stage, &posts)?) } else { None };
-        let few_faces = if run.boulder_px > 0.0 { Some(FewFaces::of(&stage)?) } else { None };
+        let few_faces = if run.boulder_px > 0.0 { FewFaces::of(&stage)? } else { None };
         let slopes = slopes.into();
         Ok(Self { few_faces, stored, stage, run, posts, table, finest, slots, light_axes, slopes })
     }
@@ -117,7 +117,7 @@ fn placed(stage: Stage, boulders: Boulders) -> Stage {
     Stage { scenery: Arc::new(scenery), ..stage }
 }
 
-/// The map of light and albedo that a terrain database stores; where it has no albedo, that of the landscape.
+/// The map of light and albedo that a terrain database stores. Without an albedo of its own, the landscape's is taken.
 fn stored_light(stage: &Stage, posts: &Posts) -> Result<GroundMap, PrepareError> {
     let database = stage.landscape.posts();
     let Some((stored, light)) = database.and_then(|stored| Some((stored, stored.light.as_ref()?))) else {

@@ -1,6 +1,6 @@
 //! What the program ran on: times of its computer and of its recorder, as `hardware-models/programs/lunsim.toml` has them.
 
-use diagnostics::{ProblemList, Problems, Reader, TomlFile};
+use diagnostics::{ProblemList, Reader, TomlFile};
 
 /// The file as the program carries it.
 pub(crate) const SHIPPED: &str = include_str!("../../../../hardware-models/programs/lunsim.toml");
@@ -33,10 +33,7 @@ impl Hardware {
     /// # Errors
     /// Every fault of it: a program that carries a faulty one.
     pub fn shipped() -> Result<Self, ProblemList> {
-        let problems = Problems::new();
-        let file = TomlFile::parse("built-in programs/lunsim.toml", SHIPPED, &problems);
-        let read = file.and_then(|file| Self::read(&file.root(&problems)));
-        problems.resolve(read)
+        TomlFile::read_text("built-in programs/lunsim.toml", SHIPPED, Self::read)
     }
 
     /// The times of the tables `computer` and `recorder`; every key is needed.

@@ -1,6 +1,6 @@
 //! What the generator runs on, as `hardware-models/programs/sampled.toml` has it: clock and ticks, memories, beam.
 
-use diagnostics::{ProblemList, Problems, Reader, TomlFile};
+use diagnostics::{ProblemList, Reader, TomlFile};
 use light_points::BeamBudget;
 use scene_sampler::Reading;
 use serde_json::{Value, json};
@@ -52,10 +52,7 @@ impl Hardware {
     /// # Errors
     /// Every fault of it: a program that carries a faulty one.
     pub fn shipped() -> Result<Self, ProblemList> {
-        let problems = Problems::new();
-        let file = TomlFile::parse("built-in programs/sampled.toml", SHIPPED, &problems);
-        let read = file.and_then(|file| Self::read(&file.root(&problems)));
-        problems.resolve(read)
+        TomlFile::read_text("built-in programs/sampled.toml", SHIPPED, Self::read)
     }
 
     /// Ticks of the sampler for the list of a sub-area.
@@ -158,11 +155,8 @@ mod tests {
             ("list_depth = 0", "list_depth = -1"),
             ("jump_us = 4", "jump_us = -4"),
         ] {
-            let problems = Problems::new();
             let text = SHIPPED.replace(written, wrong);
-            let file = TomlFile::parse("a file", &text, &problems).unwrap();
-            assert!(Hardware::read(&file.root(&problems)).is_none(), "{wrong}");
-            let told = problems.into_result().unwrap_err().to_string();
+            let told = TomlFile::read_text("a file", &text, Hardware::read).unwrap_err().to_string();
             assert!(told.contains(wrong.split(' ').next().unwrap()), "{told}");
         }
     }

@@ -60,6 +60,13 @@ impl Camera {
         self.turn.transpose() * DVec3::new(ray.x, ray.y / self.squeeze, ray.z)
     }
 
+    /// The place on the map (north, east, up; m) that a pixel shows in its middle, at a distance (m) along its ray.
+    pub fn shown(&self, pixel: [usize; 2], distance: f64) -> DVec3 {
+        let ray = self.ray(pixel.map(|at| at as f64 + 0.5)).normalize();
+        let seen = self.eye + ray * distance;
+        seen + DVec3::Z * self.drop_at(seen)
+    }
+
     /// Focal length (pixels) with which areas are right: a disc has the area of the ellipse that pixels of other shapes make of it.
     pub fn focal(&self) -> f64 {
         self.projection.focal * self.squeeze.sqrt()
@@ -113,6 +120,15 @@ mod tests {
         close(at([0.0, 10.0, 2.0]), [100.0, 50.0]);
         close(at([-5.0, 10.0, 2.0]), [200.0, 50.0]);
         close(at([0.0, 10.0, -3.0]), [100.0, 100.0]);
+    }
+
+    #[test]
+    fn a_pixel_shows_the_place_at_its_distance() {
+        let camera = camera(37.0, -8.0, 11.0);
+        let place = camera.shown([130, 20], 50.0);
+        let seen = camera.projection.project(camera.place(place));
+        assert!((seen[0] - 130.5).abs() < 1e-9 && (seen[1] - 20.5).abs() < 1e-9, "{seen:?}");
+        assert!(((place - camera.eye).length() - 50.0).abs() < 1e-9, "without curvature nothing drops");
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! What the generator runs on, as `hardware-models/programs/smooth-faces.toml` has it: real-time computer, transfer, geometry, slots, scan.
 
-use diagnostics::{ProblemList, Problems, Reader, TomlFile};
+use diagnostics::{ProblemList, Reader, TomlFile};
 use serde_json::{Value, json};
 
 /// The file as the program carries it.
@@ -123,10 +123,7 @@ impl Hardware {
     /// # Errors
     /// Every fault of it: a program that carries a faulty one.
     pub fn shipped() -> Result<Self, ProblemList> {
-        let problems = Problems::new();
-        let file = TomlFile::parse(FILE, SHIPPED, &problems);
-        let read = file.and_then(|file| Self::read(&file.root(&problems)));
-        problems.resolve(read)
+        TomlFile::read_text(FILE, SHIPPED, Self::read)
     }
 
     /// What decides pictures, for the record of a run.

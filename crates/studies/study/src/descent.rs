@@ -114,8 +114,7 @@ fn places(planes: &Planes, camera: &Camera, map: Option<&MapFrame>) -> Vec<Optio
         if labels[at] != ground || !distances[at].is_finite() {
             return None;
         }
-        let ray = camera.ray([column, line].map(|pixel| pixel as f64 + 0.5)).normalize();
-        let seen = camera.eye + ray * f64::from(distances[at]);
+        let seen = camera.shown([column, line], f64::from(distances[at]));
         let on_map = [seen.x, seen.y];
         let point = map.and_then(|map| map.point(on_map));
         let degrees = point.map(|[latitude, longitude]| [longitude, latitude].map(degrees));

@@ -1,6 +1,6 @@
 //! What the viewer ran on: times and memories, as `hardware-models/programs/lod-mesh.toml` has them.
 
-use diagnostics::{ProblemList, Problems, Reader, TomlFile};
+use diagnostics::{ProblemList, Reader, TomlFile};
 use serde_json::{Value, json};
 
 /// The file as the program carries it.
@@ -86,10 +86,7 @@ impl Hardware {
     /// # Errors
     /// Every fault of it: a program that carries a faulty one.
     pub fn shipped() -> Result<Self, ProblemList> {
-        let problems = Problems::new();
-        let file = TomlFile::parse(FILE, SHIPPED, &problems);
-        let read = file.and_then(|file| Self::read(&file.root(&problems)));
-        problems.resolve(read)
+        TomlFile::read_text(FILE, SHIPPED, Self::read)
     }
 
     /// The figures of the three tables; every key is needed.
@@ -211,11 +208,8 @@ mod tests {
             ("read_bytes_s = 60e6", "read_bytes_s = nan"),
             ("held = true", "held = 1"),
         ] {
-            let problems = Problems::new();
             let text = SHIPPED.replace(written, wrong);
-            let file = TomlFile::parse("a file", &text, &problems).unwrap();
-            assert!(Hardware::read(&file.root(&problems)).is_none(), "{wrong}");
-            let told = problems.into_result().unwrap_err().to_string();
+            let told = TomlFile::read_text("a file", &text, Hardware::read).unwrap_err().to_string();
             assert!(told.contains(wrong.split(' ').next().unwrap()), "{told}");
         }
     }

@@ -44,9 +44,7 @@ impl Sight {
     /// The place on the map (north, east, up; m) that a pixel shows in its middle; `None` for sky.
     pub fn place(&self, pixel: [usize; 2]) -> Option<DVec3> {
         let distance = self.distance(pixel.map(|at| at as isize)).filter(|distance| distance.is_finite())?;
-        let ray = self.camera.ray(pixel.map(|at| at as f64 + 0.5)).normalize();
-        let seen = self.camera.eye + ray * distance;
-        Some(seen + DVec3::Z * self.camera.drop_at(seen))
+        Some(self.camera.shown(pixel, distance))
     }
 }
 
