@@ -93,10 +93,22 @@ pub enum FoldDetect {
     Comparator,
 }
 
+/// How much of the coarse level a blend shows at a share u of its way.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum BlendWeight {
+    /// `10 u^3 - 15 u^4 + 6 u^5`, a function that the terrain generator has: level to the second derivative at both ends.
+    Quintic,
+    /// `u^2 (3 - 2 u)`, cheaper: level to the first derivative, so that the light has a kink at both ends.
+    Cubic,
+}
+
 /// Blend of the modified terrain generator (section 8), for which two products a signal are enough in height and in the slope across;
 /// the slope along the sweep needs a third.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LevelBlendParts {
+    /// Law of the weight over the blend.
+    pub weight: BlendWeight,
     /// Whether the slope along the sweep has its third product, the rate of the weight times the difference of the heights; where the
     /// designer left it out, the light of the blended stretch is that of other slopes.
     pub slope_term: bool,

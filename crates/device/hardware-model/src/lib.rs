@@ -26,7 +26,7 @@ mod source;
 mod written;
 
 pub use analog::{
-    AmplifierParts, AnalogParts, CROSSTALK_FREQUENCY, ComparatorParts, FEEDTHROUGH_FREQUENCY,
+    AmplifierParts, AnalogParts, BlendWeight, CROSSTALK_FREQUENCY, ComparatorParts, FEEDTHROUGH_FREQUENCY,
     FeatureChainParts, FoldDetect, FunctionGeneratorParts, LevelBlendParts, LoopParts, MAIN_WIRES,
     MemoryParts, MultiplierParts, MultiplyingDacParts, PictureTubeParts, ProjectionParts, ReflectivityParts,
     SMOOTHER_DAMPING, SampleHoldParts, ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts,

@@ -166,7 +166,7 @@ fn digital_changes() -> impl Iterator<Item = (&'static str, Option<Setting>, Str
     of_the_drum.chain(others.into_iter().map(|(key, value)| (key, None, value.to_owned())))
 }
 
-fn analog_changes() -> [(&'static str, &'static str); 87] {
+fn analog_changes() -> [(&'static str, &'static str); 88] {
     [
         ("analog.full_scale_v", "10"),
         ("spread.parts", "on"),
@@ -178,6 +178,7 @@ fn analog_changes() -> [(&'static str, &'static str); 87] {
         ("sweep.fold_detect", "comparator"),
         ("sweep.strobe_offset_ns", "-10"),
         ("sweep.preset", "off"),
+        ("level_blend.weight", "cubic"),
         ("level_blend.slope_term", "off"),
         ("function_generator.segments", "20"),
         ("function_generator.error_pct", "0.1"),

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use fearless_simd::prelude::{Select, SimdBase, SimdFrom};
 use fearless_simd::{Level, Simd, dispatch, f64x8};
+use hardware_model::BlendWeight;
 use landscape::basis::{derivatives, values};
 use landscape::{GroupLight, SweepLight};
 use signal::{LANES, Lanes, Number, Real, eight};
@@ -17,8 +18,8 @@ mod tests;
 /// The modified terrain generator of the report, set for one frame.
 ///
 /// Up to the switch a lane shows the fine level, beyond it the coarse one. Over the last `blend` metres before the
-/// switch the height is `w h_fine + (1 - w) h_coarse` with `w = g00`, 1 to 0, level at both ends (our choice): height
-/// and slopes are continuous. The slope along the sweep takes `w' (h_fine - h_coarse)` more; the slope across takes
+/// switch the height is `w h_fine + (1 - w) h_coarse` with `w = g00`, 1 to 0, level at both ends (our choice; or the
+/// cubic of [`BlendWeight`]): height and slopes are continuous. The slope along the sweep takes `w' (h_fine - h_coarse)` more; the slope across takes
 /// none, as if neighbouring sweeps went over at the same range. Both generators read the same ranges and subtract the
 /// same datum.
 #[derive(Debug, Clone, Copy)]
@@ -29,6 +30,8 @@ pub struct ModifiedTerrainGenerator<'a> {
     pub coarse: TerrainGenerator<'a>,
     /// Length of the blend before the switch (m); 0: a video switch within one sample.
     pub blend: f64,
+    /// Law of the weight over the blend.
+    pub weight: BlendWeight,
     /// Whether the slope along the sweep takes the rate of the weight; without it the light of the blend is that of other slopes.
     pub slope_term: bool,
 }
@@ -128,8 +131,12 @@ impl ModifiedTerrainGenerator<'_> {
             // Weight of the fine level and its rate along the sweep (1/m); beyond the switch it has none.
             let (is_fine, none) =
                 (f64x8::simd_from(simd, number).simd_lt(beyond), f64x8::simd_from(simd, 0.0));
-            let weight = S::narrow(is_fine.select(values(way)[0], none));
-            let rate = S::narrow(is_fine.select(derivatives(way)[0] / rises_over, none));
+            let [weight, rate] = match self.weight {
+                BlendWeight::Quintic => [values(way)[0], derivatives(way)[0]],
+                BlendWeight::Cubic => [1.0 - way * way * (3.0 - 2.0 * way), way * (way - 1.0) * 6.0],
+            };
+            let weight = S::narrow(is_fine.select(weight, none));
+            let rate = S::narrow(is_fine.select(rate / rises_over, none));
             let is_blended = weight.like(number).simd_ge(blended);
             let [mut near, mut far] = [[weight; 3]; 2];
             for signal in 0..3 {

@@ -1,6 +1,6 @@
 //! The modified terrain generator: a fine one near, a coarse one far (section 8).
 
-use hardware_model::Loader;
+use hardware_model::{BlendWeight, LevelBlendParts, Loader};
 use landscape::Level;
 use scenario::LevelSwitch;
 
@@ -97,8 +97,7 @@ pub fn terrain(scene: &SceneData<'_>, sweep: u32, direction: [f64; 2], given: &G
     let until = f64::INFINITY;
     let course = Course { level, missing: &missing[1], number: 1, loader: &plain, until, parts, ..course };
     let coarse = walk(scene, &course, ranges);
-    let slope_term = scene.settings.analog.level_blend.slope_term;
-    let ground = both([&fine, &coarse], (switch, slope_term), direction, ranges);
+    let ground = both([&fine, &coarse], (switch, scene.settings.analog.level_blend), direction, ranges);
     Terrain { fine, coarse: Some(coarse), ground }
 }
 
@@ -106,7 +105,7 @@ pub fn terrain(scene: &SceneData<'_>, sweep: u32, direction: [f64; 2], given: &G
 /// Without its slope term the blend mixes slopes as it mixes heights.
 fn both(
     [fine, coarse]: [&Walk; 2],
-    (LevelSwitch { range: switch, blend }, slope_term): (LevelSwitch, bool),
+    (LevelSwitch { range: switch, blend }, parts): (LevelSwitch, LevelBlendParts),
     [cos, sin]: [f64; 2],
     ranges: &[f64],
 ) -> Vec<GroundSample> {
@@ -122,8 +121,14 @@ fn both(
             (Some(near), Some(far)) => {
                 let part = (range - (switch - blend)) / blend;
                 let (p2, p3) = (part * part, part * part * part);
-                let w = 1.0 - 10.0 * p3 + 15.0 * p3 * part - 6.0 * p3 * p2;
-                let rate = if slope_term { -30.0 * p2 * (1.0 - part) * (1.0 - part) / blend } else { 0.0 };
+                let (w, rate) = match parts.weight {
+                    BlendWeight::Quintic => (
+                        1.0 - 10.0 * p3 + 15.0 * p3 * part - 6.0 * p3 * p2,
+                        -30.0 * p2 * (1.0 - part) * (1.0 - part) / blend,
+                    ),
+                    BlendWeight::Cubic => (1.0 - 3.0 * p2 + 2.0 * p3, 6.0 * (p2 - part) / blend),
+                };
+                let rate = if parts.slope_term { rate } else { 0.0 };
                 let step = near.height - far.height;
                 let slope = |axis: usize, c: f64| {
                     w * near.slopes[axis] + (1.0 - w) * far.slopes[axis] + rate * step * c

@@ -2,8 +2,8 @@
 
 use features::{Crater, Shape};
 use hardware_model::{
-    BankPlace, Channels, CrossingServer, DataBanks, Drum, DrumQueue, FeatureParts, Gate, IoProcessor,
-    KindBank, KindBanks, LatePolicy, LevelSwitch, Organisation, ShadowParts,
+    BankPlace, BlendWeight, Channels, CrossingServer, DataBanks, Drum, DrumQueue, FeatureParts, Gate,
+    IoProcessor, KindBank, KindBanks, LatePolicy, LevelSwitch, Organisation, ShadowParts,
 };
 use landscape::{Layer, Photometry, Sun};
 use quantities::{radians, unit_interval};
@@ -143,6 +143,9 @@ pub fn landscape(seed: u64) -> ComparedScene {
     let mut dice = Dice::new(seed ^ 0x626c_656e);
     if scene.coarse.is_some() {
         scene.parts.0.level_blend.slope_term = dice.count(0, 3) > 0;
+        if dice.count(0, 3) == 0 {
+            scene.parts.0.level_blend.weight = BlendWeight::Cubic;
+        }
     }
     scene
 }

@@ -1,10 +1,10 @@
 //! Which parts are not there: the figures of an ideal part, and what each block asks before it builds one.
 
 use super::{
-    AmplifierParts, AnalogParts, ComparatorParts, FeatureChainParts, FoldDetect, FunctionGeneratorParts,
-    LevelBlendParts, LoopParts, MemoryParts, MultiplierParts, MultiplyingDacParts, PictureTubeParts,
-    ProjectionParts, ReflectivityParts, SampleHoldParts, ShadowLineParts, SweepParts, TextureParts,
-    VideoSwitchParts, WriteCompensation,
+    AmplifierParts, AnalogParts, BlendWeight, ComparatorParts, FeatureChainParts, FoldDetect,
+    FunctionGeneratorParts, LevelBlendParts, LoopParts, MemoryParts, MultiplierParts, MultiplyingDacParts,
+    PictureTubeParts, ProjectionParts, ReflectivityParts, SampleHoldParts, ShadowLineParts, SweepParts,
+    TextureParts, VideoSwitchParts, WriteCompensation,
 };
 
 impl SweepParts {
@@ -74,11 +74,11 @@ impl ReflectivityParts {
 
 impl LevelBlendParts {
     /// A blend with all of its products.
-    pub const IDEAL: Self = Self { slope_term: true };
+    pub const IDEAL: Self = Self { weight: BlendWeight::Quintic, slope_term: true };
 
-    /// Whether the slopes are those of the blended ground.
+    /// Whether the slopes are those of the blended ground, whatever its weight.
     pub fn is_ideal(&self) -> bool {
-        *self == Self::IDEAL
+        self.slope_term
     }
 }
 

@@ -3,10 +3,10 @@
 use diagnostics::{Field, Reader};
 
 use crate::{
-    AmplifierParts, AnalogParts, ComparatorParts, FeatureChainParts, FoldDetect, FunctionGeneratorParts,
-    LevelBlendParts, LoopParts, MAIN_WIRES, MemoryParts, MultiplierParts, MultiplyingDacParts,
-    PictureTubeParts, ProjectionParts, ReflectivityParts, SampleHoldParts, ShadowLineParts, SweepParts,
-    TextureParts, VideoSwitchParts, WireParts, WriteCompensation,
+    AmplifierParts, AnalogParts, BlendWeight, ComparatorParts, FeatureChainParts, FoldDetect,
+    FunctionGeneratorParts, LevelBlendParts, LoopParts, MAIN_WIRES, MemoryParts, MultiplierParts,
+    MultiplyingDacParts, PictureTubeParts, ProjectionParts, ReflectivityParts, SampleHoldParts,
+    ShadowLineParts, SweepParts, TextureParts, VideoSwitchParts, WireParts, WriteCompensation,
 };
 
 /// Tables that hold analog keys beside others.
@@ -128,8 +128,11 @@ fn sweep(table: &Reader) -> Option<SweepParts> {
 }
 
 fn level_blend(table: &Reader) -> Option<LevelBlendParts> {
-    let slope_term = table.one_of("slope_term", &[("on", true), ("off", false)]).default(true);
-    Some(LevelBlendParts { slope_term: slope_term? })
+    let usual = LevelBlendParts::IDEAL;
+    let weights = [("quintic", BlendWeight::Quintic), ("cubic", BlendWeight::Cubic)];
+    let weight = table.one_of("weight", &weights).default(usual.weight);
+    let slope_term = table.one_of("slope_term", &[("on", true), ("off", false)]).default(usual.slope_term);
+    Some(LevelBlendParts { weight: weight?, slope_term: slope_term? })
 }
 
 fn function_generator(table: &Reader) -> Option<FunctionGeneratorParts> {

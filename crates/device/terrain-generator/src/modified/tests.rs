@@ -1,6 +1,7 @@
 use super::{ModifiedTerrainGenerator, Overlap};
 use crate::programs::program;
 use crate::{OUT_OF_SIGHT, Profile, TerrainGenerator};
+use hardware_model::BlendWeight;
 use landscape::{Level, Photometry, Sun, SweepLight};
 use signal::LANES;
 use sweep_program::SweepProgram;
@@ -83,7 +84,8 @@ impl Scene {
 
     fn run(&self, switch: [f64; LANES], blend: f64) -> (Profile<f64>, f64) {
         let [fine, coarse] = [0, 1].map(|level| self.generator(level));
-        let both = ModifiedTerrainGenerator { fine, coarse, blend, slope_term: true };
+        let both =
+            ModifiedTerrainGenerator { fine, coarse, blend, weight: BlendWeight::Quintic, slope_term: true };
         let (mut profile, mut overlap) = (Profile::default(), Overlap::default());
         let [fine, coarse] = &self.programs;
         // Twice: what the buffers held must not matter.
@@ -194,7 +196,7 @@ fn ends_of_either_profile_are_respected() {
 }
 
 /// Height and slope along the sweep, at 400 to 600 m, of planes that rise along it: `[height, slope]` of both levels at `range`.
-fn blended_planes(planes: [[f64; 2]; 2], range: f64, slope_term: bool) -> [f64; 2] {
+fn blended_planes(planes: [[f64; 2]; 2], range: f64, weight: BlendWeight, slope_term: bool) -> [f64; 2] {
     const FOOT: [f64; 2] = [103.0, 611.0];
     let [cos, sin] = direction(0);
     let plane = |[height, slope]: [f64; 2], region_size: f64, corners: usize| {
@@ -219,7 +221,7 @@ fn blended_planes(planes: [[f64; 2]; 2], range: f64, slope_term: bool) -> [f64; 
         ranges: &ranges,
         datum: 0.0,
     });
-    let both = ModifiedTerrainGenerator { fine, coarse, blend: 200.0, slope_term };
+    let both = ModifiedTerrainGenerator { fine, coarse, blend: 200.0, weight, slope_term };
     let (mut profile, mut overlap) = (Profile::<f64>::default(), Overlap::default());
     both.run(&programs[0], &programs[1], &[600.0; LANES], &light, &mut profile, &mut overlap);
     let sample = range as usize - 1;
@@ -229,16 +231,22 @@ fn blended_planes(planes: [[f64; 2]; 2], range: f64, slope_term: bool) -> [f64; 
     [profile.height[sample][3], profile.along[sample][3]]
 }
 
-/// Check values of the terrain builder's specification (its table 9.5), by the quintic weight.
+/// Check values of the terrain builder's specification (its table 9.5), by both weights.
 #[test]
 fn a_blend_has_the_heights_and_slopes_of_its_law() {
-    for (range, height, slope) in [
-        (400.0, 12.4, 0.031),
-        (450.0, 12.317_187_5, 0.026_367_187_5),
-        (500.0, 12.0, 0.0215),
-        (600.0, 11.6, 0.027),
+    let (quintic, cubic) = (BlendWeight::Quintic, BlendWeight::Cubic);
+    for (weight, range, height, slope) in [
+        (quintic, 400.0, 12.4, 0.031),
+        (quintic, 450.0, 12.317_187_5, 0.026_367_187_5),
+        (quintic, 500.0, 12.0, 0.0215),
+        (quintic, 600.0, 11.6, 0.027),
+        (cubic, 400.0, 12.4, 0.031),
+        (cubic, 450.0, 12.275, 0.025_875),
+        (cubic, 500.0, 12.0, 0.023),
+        (cubic, 575.0, 11.634_375, 0.024_546_875),
+        (cubic, 600.0, 11.6, 0.027),
     ] {
-        let found = blended_planes([[12.4, 0.031], [11.6, 0.027]], range, true);
+        let found = blended_planes([[12.4, 0.031], [11.6, 0.027]], range, weight, true);
         assert!((found[0] - height).abs() < 1e-11, "{range} m: {found:?}");
         assert!((found[1] - slope).abs() < 1e-12, "{range} m: {found:?}");
     }
@@ -251,7 +259,8 @@ fn without_its_slope_term_a_blend_has_the_slope_of_neither_ground() {
         [(400.0, 0.0), (450.0, 30.0 / 256.0 * 9.0 / 200.0), (500.0, 1.875 / 200.0), (600.0, 0.0)]
     {
         let planes = [[12.4, 0.031], [11.6, 0.027]];
-        let [with, without] = [true, false].map(|term| blended_planes(planes, range, term));
+        let [with, without] =
+            [true, false].map(|term| blended_planes(planes, range, BlendWeight::Quintic, term));
         assert_eq!(with[0], without[0], "{range} m: heights are blended either way");
         let missing = without[1] - with[1];
         assert!((missing - 0.8 * rate).abs() < 1e-12, "{range} m: {missing}");

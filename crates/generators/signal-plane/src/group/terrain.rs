@@ -107,6 +107,7 @@ impl<S: Real> Group<'_, S> {
             fine: self.terrain(landscape.level()),
             coarse: self.terrain(&landscape.bank().levels()[1]),
             blend: coarse.switch.blend,
+            weight: self.stage.settings.analog.level_blend.weight,
             slope_term: self.stage.settings.analog.level_blend.slope_term,
         };
         let ranges = work.programs.each_ref().map(|program| program.end_range);
