@@ -1,7 +1,7 @@
 //! A panel on the screen: projected, clipped or left out.
 
 use glam::DVec3;
-use raster::{DistancePlane, Fan, Point, Screen};
+use raster::{Clipper, DistancePlane, Fan, Point, Screen};
 
 use crate::Restrictions;
 use crate::depth::{DepthPlane, NoDepth};
@@ -95,7 +95,7 @@ fn clipped(corners: &Corners, camera: &Camera, screen: &Screen, restrictions: Re
         false => (corners.places, NEAR),
     };
     // Corners too far away to be clipped have no image either.
-    raster::clip(places, &camera.projection, screen, near).unwrap_or_default()
+    Clipper::new(&camera.projection, screen, near).clip(places).unwrap_or_default()
 }
 
 /// Whole-number corners within the screen, from 1.

@@ -46,7 +46,7 @@ mod triangle;
 
 pub use area::area_within;
 pub use attribute::Attribute;
-pub use clip::{ClipError, Fan, clip};
+pub use clip::{ClipError, Clipper, Fan, Seen};
 pub use coverage::Coverage;
 pub use filter::{Filter, Weights};
 pub use fixed::{OffRaster, Point};

@@ -2,7 +2,7 @@
 
 use generator::Label;
 use glam::DVec3;
-use raster::{Attribute, ClipError, DistancePlane, Point, Screen, Triangle, clip, doubled_area};
+use raster::{Attribute, ClipError, Clipper, DistancePlane, Point, Screen, Triangle, doubled_area};
 use translucency::{Feature, FeatureError};
 
 use crate::camera::Camera;
@@ -173,11 +173,23 @@ impl Faces {
         screen: &Screen,
     ) -> Result<(), FaceError> {
         self.work.faces += 1;
-        let fan = clip(face.corners, &camera.projection, screen, NEAR)?;
+        let fan = Clipper::new(&camera.projection, screen, NEAR).clip(face.corners)?;
+        self.take(face, paint, camera, &fan);
+        Ok(())
+    }
+
+    /// Adds a face that no border cuts, with its corners on the screen; none if it is not on the screen at all.
+    pub fn add_whole(&mut self, face: &Face, paint: Paint, camera: &Camera, corners: Option<[Point; 3]>) {
+        self.work.faces += 1;
+        self.take(face, paint, camera, corners.as_slice());
+    }
+
+    /// Adds what clipping left of a face.
+    fn take(&mut self, face: &Face, paint: Paint, camera: &Camera, fan: &[[Point; 3]]) {
         if fan.is_empty() {
-            return Ok(());
+            return;
         }
-        let Some(plane) = DistancePlane::new(face.corners, &camera.projection) else { return Ok(()) };
+        let Some(plane) = DistancePlane::new(face.corners, &camera.projection) else { return };
         let is_seen = |corners: &[Point; 3]| match face.sides {
             Sides::Both => true,
             Sides::Front => doubled_area(*corners) < 0,
@@ -193,7 +205,6 @@ impl Faces {
             self.looks.resize(self.triangles.len(), look);
             self.work.triangles += count as u64;
         }
-        Ok(())
     }
 
     /// The same of an opaque face whose corners have `colours` (linear red, green, blue) of its own.

@@ -1,11 +1,11 @@
 //! The ground of a frame, as the generator that draws it made it.
 
 use generator::Label;
-use raster::Screen;
+use raster::{Clipper, Screen, Seen};
 use rayon::prelude::*;
 
 use crate::camera::Camera;
-use crate::faces::{Corner, Face, FaceError, Faces, Paint, Sides};
+use crate::faces::{Corner, Face, FaceError, Faces, NEAR, Paint, Sides};
 use crate::ground_map::GroundMap;
 
 /// Triangles that a thread clips at a time. Chosen: the order of the list does not depend on it.
@@ -34,13 +34,19 @@ impl Ground<'_> {
         let mut all = Faces::default();
         let id = all.number(Label::Terrain);
         let is_mapped = self.map.is_some();
+        let clipper = Clipper::new(&camera.projection, screen, NEAR);
+        // Six triangles share a corner: each is projected once.
+        let seen: Vec<Seen> = self.corners.par_iter().map(|corner| clipper.seen(corner.place)).collect();
         let clipped = |triangles: &[[u32; 3]]| {
             let mut faces = Faces::default();
             for triangle in triangles {
                 let places = triangle.map(|corner| self.corners[corner as usize].place);
                 let face = Face { corners: places, id, priority: 0, sides: Sides::Front };
                 let paint = if is_mapped { Paint::Mapped(*triangle) } else { Paint::Corners(*triangle) };
-                faces.add(&face, paint, camera, screen)?;
+                match Seen::whole(triangle.map(|corner| seen[corner as usize])) {
+                    Some(corners) => faces.add_whole(&face, paint, camera, corners),
+                    None => faces.add(&face, paint, camera, screen)?,
+                }
             }
             Ok(faces)
         };
