@@ -287,7 +287,9 @@ impl From<ExportError> for Failure {
             ExportError::Array(error) => error.into(),
             ExportError::File(error) => error.into(),
             ExportError::Folder(error) => error.into(),
-            ExportError::Database(_) | ExportError::Boulder { .. } => Self::input(error),
+            ExportError::Database(_) | ExportError::Boulder { .. } | ExportError::Albedo(_) => {
+                Self::input(error)
+            }
             ExportError::Strange { .. } | ExportError::System { .. } => Self::output(error),
         }
     }

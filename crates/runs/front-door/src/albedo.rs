@@ -1,7 +1,7 @@
 //! From a picture to a map of the ground's albedo.
 
 use landscape::{AlbedoMap, AlbedoMapError, Texels};
-use picture::{AnyPicture, Curve};
+use picture::Curve;
 use scenario::{AlbedoMapWish, MapCurve};
 
 use crate::StageError;
@@ -14,31 +14,15 @@ use crate::StageError;
 pub(crate) fn albedo_map(wish: &AlbedoMapWish, extent: [f64; 4]) -> Result<AlbedoMap, StageError> {
     let picture = photographs::read(&wish.file)?;
     let size = [picture.columns(), picture.lines()];
-    let made = AlbedoMap::new(wish.area.unwrap_or(extent), size, texels(&picture, wish));
+    let curve = match wish.curve {
+        MapCurve::Srgb => photographs::CURVE,
+        MapCurve::Linear => Curve::Power(1.0),
+    };
+    let texels = Texels::of_picture(&picture, curve, wish.ends);
+    let made = AlbedoMap::new(wish.area.unwrap_or(extent), size, texels);
     made.map_err(|error| no_map(wish, error))
 }
 
 fn no_map(wish: &AlbedoMapWish, error: AlbedoMapError) -> StageError {
     StageError::AlbedoMap { file: wish.file.clone(), error }
-}
-
-fn texels(picture: &AnyPicture, wish: &AlbedoMapWish) -> Texels {
-    let curve = match wish.curve {
-        MapCurve::Srgb => photographs::CURVE,
-        MapCurve::Linear => Curve::Power(1.0),
-    };
-    let white = picture.depth().white();
-    let [dark, bright] = wish.ends;
-    let albedo = |code: u16| {
-        let light = curve.light(f64::from(code) / f64::from(white));
-        (dark + light * (bright - dark)).clamp(0.0, 1.0) as f32
-    };
-    let albedos: Vec<f32> = (0..=white).map(albedo).collect();
-    let of = |code: u16| albedos[usize::from(code)];
-    match picture {
-        AnyPicture::Grey(grey) => Texels::Grey(grey.codes().iter().map(|&code| of(code)).collect()),
-        AnyPicture::Colour(colour) => {
-            Texels::Colour(colour.pixels().iter().map(|codes| codes.map(of)).collect())
-        }
-    }
 }

@@ -1,5 +1,7 @@
 //! A map of the ground's albedo: the layer that lies over the one number of a landscape.
 
+use picture::{AnyPicture, Curve};
+
 /// Texels of a map, line by line from the north, each line from the west; linear, 0..=1.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Texels {
@@ -103,6 +105,24 @@ impl AlbedoMap {
 }
 
 impl Texels {
+    /// The texels of a picture: a code is light under the `curve`, and light goes in proportion from the albedo of black to that of white
+    /// (`ends`, 0..=1).
+    pub fn of_picture(picture: &AnyPicture, curve: Curve, [dark, bright]: [f64; 2]) -> Self {
+        let white = picture.depth().white();
+        let albedo = |code: u16| {
+            let light = curve.light(f64::from(code) / f64::from(white));
+            (dark + light * (bright - dark)).clamp(0.0, 1.0) as f32
+        };
+        let albedos: Vec<f32> = (0..=white).map(albedo).collect();
+        let of = |code: u16| albedos[usize::from(code)];
+        match picture {
+            AnyPicture::Grey(grey) => Self::Grey(grey.codes().iter().map(|&code| of(code)).collect()),
+            AnyPicture::Colour(colour) => {
+                Self::Colour(colour.pixels().iter().map(|codes| codes.map(of)).collect())
+            }
+        }
+    }
+
     fn len(&self) -> usize {
         match self {
             Self::Grey(grey) => grey.len(),

@@ -12,6 +12,7 @@ use crate::height_grid::Area;
 use crate::roughness::Roughness;
 use crate::sunlight::Light;
 use crate::switches::Reported;
+use crate::texture::TextureWish;
 
 /// A landscape in order. Features stand in the order of their names, whatever the order of the file.
 #[derive(Debug, Clone, PartialEq)]
@@ -68,6 +69,8 @@ pub enum Kind {
     Growth(Growth),
     /// An area without heights of its own, for roughness.
     Area(Area),
+    /// A picture over the ground that says its albedo.
+    Texture(TextureWish),
     /// One boulder at a place.
     Boulder {
         /// Place of its middle: north, east (m).
@@ -113,6 +116,7 @@ impl Kind {
             Self::Crater(_) => "crater",
             Self::Growth(_) => "growth",
             Self::Area(_) => "area",
+            Self::Texture(_) => "texture",
             Self::Boulder { .. } => "boulder",
             Self::Craters { .. } => "craters",
             Self::Boulders { .. } => "boulders",

@@ -181,6 +181,8 @@ fn boulders(of: &Description, kind: &Kind) -> Result<(Vec<Boulder>, u64), Refuse
                 items.iter().map(|item| made(item.at, item.radius, look, [distribution.seed, item.number]));
             Ok((boulders.collect::<Result<_, _>>()?, left_out))
         }
-        Kind::Crater(_) | Kind::Growth(_) | Kind::Area(_) | Kind::Craters { .. } => Ok((Vec::new(), 0)),
+        Kind::Crater(_) | Kind::Growth(_) | Kind::Area(_) | Kind::Texture(_) | Kind::Craters { .. } => {
+            Ok((Vec::new(), 0))
+        }
     }
 }

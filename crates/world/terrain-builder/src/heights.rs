@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use crate::grid::{Axis, Grid};
+use crate::grid::Grid;
 
 /// A height for each post of a grid.
 #[derive(Debug, Clone, PartialEq)]
@@ -10,6 +10,8 @@ pub struct Heights {
     grid: Grid,
     /// Row by row from the south, each from the west (m).
     values: Vec<f64>,
+    /// Places of the rows and of the columns (m).
+    places: [Vec<f64>; 2],
 }
 
 impl Heights {
@@ -17,7 +19,9 @@ impl Heights {
     pub fn new(grid: Grid, mut values: Vec<f64>) -> Self {
         let [rows, columns] = grid.size();
         values.resize(rows * columns, 0.0);
-        Self { grid, values }
+        let places =
+            [&grid.north, &grid.east].map(|axis| (0..axis.posts()).map(|post| axis.place(post)).collect());
+        Self { grid, values, places }
     }
 
     /// Posts of the heights.
@@ -32,7 +36,7 @@ impl Heights {
 
     /// Height of a post (m).
     pub fn post(&self, row: usize, column: usize) -> f64 {
-        self.values[row * self.grid.size()[1] + column]
+        self.values[row * self.places[1].len() + column]
     }
 
     /// Lowest and highest post (m).
@@ -44,13 +48,12 @@ impl Heights {
     /// Rise over run to the north and to the east at a post, by the posts beside it; at the border by the post itself and its
     /// neighbour.
     pub fn slope(&self, row: usize, column: usize) -> [f64; 2] {
-        let rise = |axis: &Axis, at: usize, height: &dyn Fn(usize) -> f64| {
-            let (low, high) = (at.saturating_sub(1), (at + 1).min(axis.posts() - 1));
-            (height(high) - height(low)) / (axis.place(high) - axis.place(low))
-        };
+        let [north, east] = &self.places;
+        let beside = |at: usize, places: &[f64]| [at.saturating_sub(1), (at + 1).min(places.len() - 1)];
+        let ([south, to_north], [west, to_east]) = (beside(row, north), beside(column, east));
         [
-            rise(&self.grid.north, row, &|row| self.post(row, column)),
-            rise(&self.grid.east, column, &|column| self.post(row, column)),
+            (self.post(to_north, column) - self.post(south, column)) / (north[to_north] - north[south]),
+            (self.post(row, to_east) - self.post(row, west)) / (east[to_east] - east[west]),
         ]
     }
 

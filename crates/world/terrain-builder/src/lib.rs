@@ -8,6 +8,7 @@
 //!  (journal: undo)        |--> Heights (posts, slopes) --> LightMap (rays, or a sweep)
 //!                         |--> boulders on the ground --> bodies of the polyhedron generator
 //!                         \--> craters --> nearest craters of type 2
+//!                  Textures: pictures --> albedo at a place
 //! ```
 //!
 //! # Laws
@@ -19,6 +20,8 @@
 //!   items that it has.
 //! - **Undo** lives in a journal beside the file ([`Journal`]), not in the file: the file says what the landscape is, the journal how
 //!   it came about. Undoing restores the text to the byte.
+//! - **Textures** lie over the ground and change no height: the texture of a tile before that of the whole ground, bilinear between texels
+//!   ([`Textures`]). Their pictures are read when somebody asks for the albedo.
 //! - **As reported.** The builder follows a thesis on synthetic terrain for tests of navigation. Where the builder does otherwise, a
 //!   [`Switch`] takes the document's way, and [`effects()`] says what that changes in metres.
 //!
@@ -77,6 +80,7 @@ mod roughness;
 mod size_law;
 mod sunlight;
 mod switches;
+mod texture;
 mod told;
 
 pub use base::{Base, BaseError, ElevationBase};
@@ -103,4 +107,5 @@ pub use roughness::Roughness;
 pub use size_law::{CHI_SQUARED_END, SizeLaw};
 pub use sunlight::Light;
 pub use switches::{Reported, Switch};
+pub use texture::{TextureError, TextureWish, Textures};
 pub use told::{FeatureTold, Warning};

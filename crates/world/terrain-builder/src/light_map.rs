@@ -8,6 +8,7 @@ mod rays;
 mod sweep;
 
 use glam::DVec3;
+use rayon::prelude::*;
 
 use crate::grid::Grid;
 use crate::heights::Heights;
@@ -52,10 +53,9 @@ impl LightMap {
             Method::Sweep => sweep::shadows(heights, sun),
         };
         let share = |(index, dark): (usize, &bool)| {
-            let cosine = heights.normal(index / columns, index % columns).dot(sun);
-            if *dark { 0.0 } else { cosine.max(0.0) }
+            if *dark { 0.0 } else { heights.normal(index / columns, index % columns).dot(sun).max(0.0) }
         };
-        let shares = shadowed.iter().enumerate().map(share).collect();
+        let shares = shadowed.par_iter().enumerate().map(share).collect();
         Self { grid: *heights.grid(), shadowed, shares }
     }
 

@@ -3,6 +3,7 @@
 mod distributions;
 mod features;
 mod growth;
+mod texture;
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -65,7 +66,7 @@ fn described(root: &Reader, folder: &Path) -> Option<Description> {
     let light = root.optional_table("light").map(|light| light_of(&light));
     // Features lie in the frame: without one, theirs are not judged.
     let features = match &place {
-        Some((frame, grid)) => features(root, frame, grid),
+        Some((frame, grid)) => features(root, frame, grid, folder),
         None => {
             root.know("feature");
             root.tables("feature").iter().for_each(Reader::ignore_rest);
@@ -160,16 +161,17 @@ fn light_of(table: &Reader) -> Option<Light> {
 }
 
 /// Features in the order of their names. Names differ.
-fn features(root: &Reader, frame: &Frame, grid: &Grid) -> Option<Vec<Feature>> {
+fn features(root: &Reader, frame: &Frame, grid: &Grid, folder: &Path) -> Option<Vec<Feature>> {
     let mut found: BTreeMap<String, Feature> = BTreeMap::new();
     let tables = root.tables("feature");
     let count = tables.len();
+    let mut covered = texture::Covered::default();
     for table in &tables {
-        let Some(feature) = features::feature(table, frame, grid) else { continue };
+        let Some(feature) = features::feature(table, frame, grid, folder) else { continue };
         if found.contains_key(&feature.id) {
             let title = format!("`{}`: a feature before it has the name {:?}", table.path("id"), feature.id);
             table.report(table.problem("id", title).expected("a name of its own"));
-        } else {
+        } else if covered.take(table, &feature) {
             found.insert(feature.id.clone(), feature);
         }
     }

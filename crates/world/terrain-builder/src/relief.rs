@@ -118,7 +118,7 @@ fn own(of: &Description, feature: &Feature, number: u32) -> Result<Made, Refused
             let reliefs = items.iter().map(crater).collect::<Result<_, Refused>>()?;
             Made { reliefs, left_out, ..Made::default() }
         }
-        Kind::Area(_) | Kind::Boulder { .. } | Kind::Boulders { .. } => Made::default(),
+        Kind::Area(_) | Kind::Texture(_) | Kind::Boulder { .. } | Kind::Boulders { .. } => Made::default(),
     };
     Ok(made)
 }
@@ -158,6 +158,6 @@ fn extent(of: &Description, feature: &Feature, made: &Made) -> Option<Area> {
         Kind::Area(area) => Some(*area),
         Kind::Craters { distribution, .. } => Some(range(distribution)),
         Kind::Crater(_) | Kind::Growth(_) => made.reliefs.first().map(|relief| relief.area),
-        Kind::Boulder { .. } | Kind::Boulders { .. } => None,
+        Kind::Texture(_) | Kind::Boulder { .. } | Kind::Boulders { .. } => None,
     }
 }

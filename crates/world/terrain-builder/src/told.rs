@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use crate::base::Base;
 use crate::description::Kind;
 use crate::frame::FrameWarning;
+use crate::grid::{Axis, Grid};
 use crate::ground::Ground;
 use crate::height_grid::Area;
 use crate::relief::Relief;
@@ -22,7 +23,7 @@ pub struct FeatureTold {
     pub area: Option<Area>,
     /// Volume that it adds, less what it takes away (m3).
     pub volume: f64,
-    /// Share of the posts that it changes, 0 to 1.
+    /// Share of the posts that it changes, 0 to 1; of a texture, that it covers.
     pub share: f64,
     /// Lowest and highest that it adds at a post (m).
     pub range: [f64; 2],
@@ -112,7 +113,10 @@ impl Ground {
             is_enabled: feature.is_enabled,
             area: self.reliefs_of(number).map(|relief| relief.area).reduce(around),
             volume: added.iter().enumerate().map(volume).sum(),
-            share: changed as f64 / added.len() as f64,
+            share: match &feature.kind {
+                Kind::Texture(wish) => covered(grid, wish.tile),
+                _ => changed as f64 / added.len() as f64,
+            },
             range: added.iter().fold([0.0; 2], |[low, high], height| [low.min(*height), high.max(*height)]),
             mean_roughness: self.made[number].mean_roughness,
             craters: self.reliefs_of(number).filter(|relief| relief.crater().is_some()).count(),
@@ -154,6 +158,15 @@ impl Ground {
                 .map(|all| Warning::Outside(id(), all)),
         );
     }
+}
+
+/// Share of the posts that a texture covers.
+fn covered(grid: &Grid, tile: Option<[usize; 2]>) -> f64 {
+    let share = |axis: &Axis, tile: usize| {
+        let is_last = tile + 1 == axis.tiles();
+        (axis.tile_cells() + usize::from(is_last)) as f64 / axis.posts() as f64
+    };
+    tile.map_or(1.0, |[row, column]| share(&grid.north, row) * share(&grid.east, column))
 }
 
 /// Whether all of an area lies outside another, where a part does.

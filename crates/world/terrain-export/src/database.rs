@@ -3,14 +3,15 @@
 use terrain_builder::{Axis, Ground, Heights, LightMap, PlacedBoulder, Shape as BuiltShape};
 use terrain_database::{Boulder, Contents, Database, Frame, Map, Shape, Unfit};
 
-/// The database of a landscape with these heights. `sidecar` is the text of the landscape file, `step` that of the heights (m).
+/// The database of a landscape with these heights, light, and luminance of the albedo on every post (16 bits). `sidecar` is the text of the
+/// landscape file, `step` that of the heights (m).
 ///
 /// # Errors
 /// If the tiles have a single cell, or a value is out of range.
 pub fn database(
     ground: &Ground,
     heights: &Heights,
-    light: Option<&LightMap>,
+    (light, albedo): (Option<&LightMap>, Option<Vec<u16>>),
     step: Option<f64>,
     sidecar: &str,
 ) -> Result<Database, Unfit> {
@@ -24,6 +25,7 @@ pub fn database(
     Database::new(Contents {
         step,
         light,
+        albedo: albedo.map(Map::U16),
         boulders: ground.boulders().iter().map(boulder).collect(),
         sidecar: sidecar.into(),
         ..Contents::new(frame, grid.north.exponent, places, heights.values().to_vec())

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use files::{FileError, FolderError};
 use landscape::bank_file::BankFileError;
+use picture::PictureError;
 use solids::SolidError;
 use survey::SurveyError;
 use terrain_database::Unfit;
@@ -26,6 +27,9 @@ pub enum ExportError {
         /// What is wrong with the polyhedron.
         source: SolidError,
     },
+    /// A picture of the albedo that cannot be made.
+    #[error("albedo.png: {0}")]
+    Albedo(#[from] PictureError),
     /// A bank that cannot be written.
     #[error(transparent)]
     Bank(#[from] BankFileError),

@@ -1,15 +1,16 @@
 //! All that a landscape becomes, in memory.
 
+use picture::AnyPicture;
 use serde_json::Value;
 use survey::{Survey, SurveyOptions, survey};
-use terrain_builder::{Export, Ground, Heights, LightMap};
+use terrain_builder::{Export, Ground, Heights, LightMap, Textures};
 use terrain_database::Database;
 
 use crate::bodies::{Object, objects};
 use crate::database::database;
 use crate::error::ExportError;
 use crate::light::light_map;
-use crate::{scenario, told};
+use crate::{albedo, scenario, told};
 
 /// Posts a region along each axis unless asked otherwise: 16 samples for nine words.
 const POSTS_A_REGION: f64 = 4.0;
@@ -34,6 +35,8 @@ pub struct Exported {
     pub craters: Export,
     /// Light on every post, where the landscape has a sun.
     pub light: Option<LightMap>,
+    /// Albedo of the ground from above, where the landscape has textures.
+    pub albedo: Option<AnyPicture>,
     /// Text of a scenario over these files.
     pub scenario: String,
     /// Errors of all conversions: schema `lunoid.terrain-export/1`.
@@ -42,12 +45,13 @@ pub struct Exported {
 }
 
 impl Exported {
-    /// Exports a landscape; `text` is that of its file. `progress` hears of every step in a word.
+    /// Exports a landscape under its textures; `text` is that of its file. `progress` hears of every step in a word.
     ///
     /// # Errors
     /// If the posts make no database, no bank can be fitted, or a boulder does not close.
     pub fn new(
         ground: &Ground,
+        textures: &Textures,
         text: &str,
         wishes: Wishes,
         progress: &mut dyn FnMut(&'static str),
@@ -56,8 +60,13 @@ impl Exported {
         let heights = ground.heights();
         progress("light");
         let light = light_map(ground, &heights);
+        progress("albedo");
+        let grid = &ground.description().grid;
+        let has_albedo = !textures.is_empty();
+        let albedo = has_albedo.then(|| albedo::picture(textures, grid)).transpose()?;
+        let on_posts = has_albedo.then(|| albedo::posts(textures, grid));
         progress("database");
-        let database = database(ground, &heights, light.as_ref(), wishes.step, text)?;
+        let database = database(ground, &heights, (light.as_ref(), on_posts), wishes.step, text)?;
         progress("craters");
         let craters = ground.exported();
         progress("bank");
@@ -65,10 +74,10 @@ impl Exported {
         progress("boulders");
         let [corner, _] = ground.description().grid.extent();
         let objects = objects(ground, corner)?;
-        let scenario = scenario::text(ground, &survey.bank, &craters, &objects);
+        let scenario = scenario::text(ground, &survey.bank, &craters, &objects, has_albedo);
         let quantised = quantised(&heights, &database);
-        let told = told::document(ground, &database, quantised, &craters, &survey);
-        Ok(Self { database, survey, craters, light, scenario, told, objects })
+        let told = told::document(ground, &database, quantised, &craters, &survey, albedo.as_ref());
+        Ok(Self { database, survey, craters, light, albedo, scenario, told, objects })
     }
 }
 

@@ -11,7 +11,8 @@ use crate::error::ExportError;
 use crate::exported::Exported;
 
 /// Names of all files and folders of an export, in alphabetical order.
-pub const FILES: [&str; 9] = [
+pub const FILES: [&str; 10] = [
+    "albedo.png",
     "boulders",
     "craters.csv",
     "export.json",
@@ -80,6 +81,10 @@ fn write_files(exported: &Exported, folder: &Path) -> Result<(), ExportError> {
     if let Some(light) = &exported.light {
         let [columns, rows] = exported.database.contents().places.each_ref().map(Vec::len);
         array(&folder.join("light.npy"), [rows, columns], light.shares())?;
+    }
+    if let Some(albedo) = &exported.albedo {
+        let bytes = albedo.encode_png(&[])?;
+        write_atomic(folder.join("albedo.png"), |file| file.write_all(&bytes))?;
     }
     make_folder(&folder.join("boulders"))?;
     for object in &exported.objects {

@@ -6,6 +6,7 @@
 //!                       craters of type 2                                          craters.csv
 //!                       boulders as closed polyhedra                               boulders/N.obj
 //!                       light on every post                                        light.npy
+//!  Textures               albedo as a picture                                        albedo.png
 //!                       a scenario over bank, craters and boulders                 scenario.toml
 //!                       errors of all conversions                                  export.json
 //! ```
@@ -26,6 +27,7 @@
 //!
 //! `docs/terrain.md` has the commands and their pictures.
 
+mod albedo;
 mod bodies;
 mod database;
 mod error;

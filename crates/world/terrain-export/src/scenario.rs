@@ -19,7 +19,13 @@ const DRIVE_SHARE: f64 = 0.02;
 const DRIVE_S: f64 = 10.0;
 
 /// Text of a scenario that drives north over the landscape, as near to its middle as it can.
-pub(crate) fn text(ground: &Ground, bank: &Bank, export: &Export, objects: &[Object]) -> String {
+pub(crate) fn text(
+    ground: &Ground,
+    bank: &Bank,
+    export: &Export,
+    objects: &[Object],
+    has_albedo: bool,
+) -> String {
     let description = ground.description();
     let grid = description.grid;
     let [[south, west], [north, east]] = grid.extent();
@@ -27,6 +33,7 @@ pub(crate) fn text(ground: &Ground, bank: &Bank, export: &Export, objects: &[Obj
     let drive = DRIVE_M.min(DRIVE_SHARE * size[0]);
     let [x, y] = start(ground, bank, export, drive);
     let (features, objects) = (features(!export.craters.is_empty()), objects_of(objects));
+    let albedo = if has_albedo { albedo(size) } else { String::new() };
     let [azimuth, elevation] = sun(ground);
     let (title, resolution) = (quoted(&description.title), grid.north.resolution);
     let (start, end) = (0.25 * resolution, size[0].max(size[1]));
@@ -41,7 +48,7 @@ duration_s = {DRIVE_S}
 [landscape]
 bank = \"ground.bank\"
 database = \"terrain.lod\"
-{features}
+{albedo}{features}
 [sun]
 azimuth_deg = {azimuth}
 elevation_deg = {elevation}
@@ -69,6 +76,13 @@ gamma = 2.2
 {objects}",
         finest = resolution.clamp(0.01, 1000.0),
         x_end = x + drive,
+    )
+}
+
+/// The picture of the albedo over ground of this size (north, east; m).
+fn albedo([north, east]: [f64; 2]) -> String {
+    format!(
+        "\n[landscape.albedo_map]\nfile = \"albedo.png\"\narea_m = [0, 0, {north}, {east}]\ncurve = \"linear\"\n"
     )
 }
 

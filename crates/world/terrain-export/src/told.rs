@@ -1,17 +1,20 @@
 //! Errors of the conversions of an export, as a document.
 
+use picture::AnyPicture;
 use serde_json::{Value, json};
 use survey::{Grid, Survey};
 use terrain_builder::{Export, Ground};
 use terrain_database::{Database, documented_bytes};
 
-/// A document of schema `lunoid.terrain-export/1`. `quantised` is the largest change of a height in the database (m).
+/// A document of schema `lunoid.terrain-export/1`. `quantised` is the largest change of a height in the database (m), `albedo` the picture of
+/// the albedo.
 pub(crate) fn document(
     ground: &Ground,
     database: &Database,
     quantised: f64,
     export: &Export,
     survey: &Survey,
+    albedo: Option<&AnyPicture>,
 ) -> Value {
     let description = ground.description();
     json!({
@@ -21,6 +24,7 @@ pub(crate) fn document(
         "craters": craters(ground, export),
         "bank": bank(survey),
         "boulders": ground.boulders().len(),
+        "albedo": albedo.map(|picture| of_albedo(ground, picture)),
         "warnings": ground.warnings().iter().map(ToString::to_string).collect::<Vec<_>>(),
     })
 }
@@ -36,6 +40,17 @@ fn of_database(database: &Database, quantised: f64) -> Value {
         "largest_change_m": quantised,
         "level_errors_m": levels.map(|level| database.error(level)).collect::<Vec<_>>(),
         "documented_bytes": documented_bytes(contents.order, (counts[0] * counts[1]) as u64),
+    })
+}
+
+/// Size of the picture, and what a pixel of it stands for. A code of 16 bits is 1/65535 of the albedo.
+fn of_albedo(ground: &Ground, picture: &AnyPicture) -> Value {
+    let east = &ground.description().grid.east;
+    json!({
+        "columns": picture.columns(),
+        "lines": picture.lines(),
+        "pixel_m": east.resolution * east.cells as f64 / picture.columns() as f64,
+        "colour": picture.is_colour(),
     })
 }
 

@@ -40,5 +40,6 @@ mod sight;
 mod stability;
 mod state;
 mod sun;
+mod terrain;
 mod timing;
 mod wishes;

@@ -1,11 +1,12 @@
 //! `[[feature]]`: one table a feature.
 
 use std::f64::consts::FRAC_PI_2;
+use std::path::Path;
 
 use diagnostics::Reader;
 use quantities::radians;
 
-use super::{checked, distributions, growth, range};
+use super::{checked, distributions, growth, range, texture};
 use crate::boulder::{Boulder, Shape, USUAL_BURIAL, USUAL_FACES};
 use crate::crater::{Crater, CraterForm, Decay, USUAL_CONSTANT, USUAL_EXTENT};
 use crate::description::{BoulderLook, Feature, Kind};
@@ -20,22 +21,24 @@ enum Word {
     Crater,
     Growth,
     Area,
+    Texture,
     Boulder,
     Craters,
     Boulders,
 }
 
-const WORDS: [(&str, Word); 6] = [
+const WORDS: [(&str, Word); 7] = [
     ("crater", Word::Crater),
     ("growth", Word::Growth),
     ("area", Word::Area),
+    ("texture", Word::Texture),
     ("boulder", Word::Boulder),
     ("craters", Word::Craters),
     ("boulders", Word::Boulders),
 ];
 
-/// Reads the table of one feature.
-pub fn feature(table: &Reader, frame: &Frame, grid: &Grid) -> Option<Feature> {
+/// Reads the table of one feature. Files that it names lie in `folder`.
+pub fn feature(table: &Reader, frame: &Frame, grid: &Grid, folder: &Path) -> Option<Feature> {
     let is_name =
         |name: &String| name.len() <= 64 && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '-');
     let id = table.string("id").must("letters, digits and hyphens, at most 64", is_name).required();
@@ -48,11 +51,12 @@ pub fn feature(table: &Reader, frame: &Frame, grid: &Grid) -> Option<Feature> {
         Word::Crater => crater(table, frame),
         Word::Growth => growth::growth(table, frame, grid),
         Word::Area => area(table, frame).map(Kind::Area),
+        Word::Texture => texture::texture(table, grid, folder).map(Kind::Texture),
         Word::Boulder => boulder(table, frame),
         Word::Craters => distributions::craters(table, frame),
         Word::Boulders => distributions::boulders(table, frame),
     };
-    let can_be_rough = !matches!(word, Word::Boulder | Word::Boulders);
+    let can_be_rough = !matches!(word, Word::Boulder | Word::Boulders | Word::Texture);
     let rough = if can_be_rough { table.optional_table("roughness") } else { None };
     let roughness = match rough {
         Some(table) => Some(roughness(&table, kind.as_ref(), grid)?),

@@ -13,6 +13,7 @@ mod grounds;
 mod growing;
 mod light;
 mod rough;
+mod textures;
 
 /// Radius of the Moon (m).
 const MOON: f64 = 1_737_400.0;

@@ -4,7 +4,7 @@ use terrain_builder::{Base, Description, Ground};
 use terrain_database::Shape;
 use terrain_export::{Exported, Wishes, shaded};
 
-use crate::{LANDSCAPE, USUAL, exported, ground};
+use crate::{LANDSCAPE, USUAL, bare, exported, ground};
 
 #[test]
 fn the_database_has_the_ground_at_every_post() {
@@ -100,7 +100,7 @@ fn threads_change_no_byte() {
 fn tiles_of_one_cell_are_refused() {
     let text = LANDSCAPE.replace("tile_exponent = 3", "tile_exponent = 0");
     let ground = ground(&text);
-    let error = Exported::new(&ground, &text, USUAL, &mut |_| {}).expect_err("no tiles");
+    let error = Exported::new(&ground, &bare(), &text, USUAL, &mut |_| {}).expect_err("no tiles");
     assert_eq!(error.to_string(), "terrain database: order is 0: expected a whole number from 1 to 12");
 }
 
@@ -108,7 +108,7 @@ fn tiles_of_one_cell_are_refused() {
 #[test]
 fn the_picture_is_shaded_by_slopes() {
     let crater = ground(LANDSCAPE);
-    let picture = shaded(&crater, [0.0, -0.8, 0.6], 60).unwrap();
+    let picture = shaded(&crater, &bare(), [0.0, -0.8, 0.6], 60).unwrap();
     assert_eq!(picture.columns().max(picture.lines()), 60);
     assert_eq!(picture.pixel(0, 0), [153], "level ground");
     let middle = picture.lines() / 2;
@@ -121,7 +121,7 @@ fn the_picture_is_shaded_by_slopes() {
 #[test]
 fn a_crater_over_the_border_stays_in_the_bank() {
     let text = LANDSCAPE.replace("longitude_deg = 3.02\n", "longitude_deg = 3.002\n");
-    let exported = Exported::new(&ground(&text), &text, USUAL, &mut |_| {}).unwrap();
+    let exported = Exported::new(&ground(&text), &bare(), &text, USUAL, &mut |_| {}).unwrap();
     let kept = exported.told["craters"]["kept_in_bank"][0].clone();
     assert!(exported.craters.craters.is_empty() && kept["feature"] == "round", "{kept}");
     assert!(kept["reason"].as_str().unwrap().starts_with("a crater over the border"), "{kept}");
@@ -132,7 +132,7 @@ fn an_empty_landscape_has_no_craters_to_list() {
     let text = LANDSCAPE.split("[[feature]]").next().unwrap();
     let description = Description::parse("ground.toml", text, std::path::Path::new("")).unwrap();
     let ground = Ground::new(description, Base::Level(7.0)).unwrap();
-    let exported = Exported::new(&ground, text, USUAL, &mut |_| {}).unwrap();
+    let exported = Exported::new(&ground, &bare(), text, USUAL, &mut |_| {}).unwrap();
     assert!(!exported.scenario.contains("[features]") && !exported.scenario.contains("[[object]]"));
     assert!(exported.survey.report.levels[0].rms < 1e-6);
 }

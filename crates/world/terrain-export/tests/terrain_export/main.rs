@@ -1,5 +1,6 @@
 //! Exports: every file against the ground that it came from, and folders that stay whole.
 
+mod albedo;
 mod files_of_export;
 mod folders;
 mod levels;
@@ -7,7 +8,7 @@ mod places;
 
 use std::path::Path;
 
-use terrain_builder::{Base, Description, Ground};
+use terrain_builder::{Base, Description, Ground, Textures};
 use terrain_export::{Exported, Wishes};
 
 /// A landscape of 3 x 3 tiles of 8 cells, the last ones cut short, with a sun.
@@ -68,9 +69,14 @@ fn ground(text: &str) -> Ground {
     Ground::new(description, Base::Level(0.0)).unwrap()
 }
 
+/// No textures.
+fn bare() -> Textures {
+    Textures::open(ground(LANDSCAPE).description()).unwrap()
+}
+
 fn exported(wishes: Wishes) -> (Ground, Exported) {
     let ground = ground(LANDSCAPE);
-    let exported = Exported::new(&ground, LANDSCAPE, wishes, &mut |_| {}).unwrap();
+    let exported = Exported::new(&ground, &bare(), LANDSCAPE, wishes, &mut |_| {}).unwrap();
     (ground, exported)
 }
 

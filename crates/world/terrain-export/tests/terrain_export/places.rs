@@ -5,7 +5,7 @@ use quantities::{Rate, degrees, radians};
 use scenario::{Pose, PoseTable, Scenario, Scenery};
 use terrain_export::{Exported, Wishes, write_folder};
 
-use crate::{USUAL, exported, ground};
+use crate::{USUAL, bare, exported, ground};
 
 /// Time (s), latitude and longitude (deg), altitude (m), heading, pitch and roll (deg).
 const DESCENT: [(f64, [f64; 2], f64, [f64; 3]); 4] = [
@@ -83,7 +83,7 @@ const SHIPPED: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../scenarios/b
 fn the_files_of_built_ground_are_the_export_of_its_landscape() {
     let text = std::fs::read_to_string(format!("{SHIPPED}/landscape.toml")).unwrap();
     let wishes = Wishes { step: Some(0.001), ..USUAL };
-    let exported = Exported::new(&ground(&text), &text, wishes, &mut |_| {}).unwrap();
+    let exported = Exported::new(&ground(&text), &bare(), &text, wishes, &mut |_| {}).unwrap();
     let folder = tempfile::tempdir().unwrap();
     let out = folder.path().join("built");
     write_folder(&exported, &out).unwrap();

@@ -7,16 +7,18 @@ use files::read_all;
 use limits::Limit;
 use terrain_builder::LandscapeFile;
 
-use crate::commands::terrain::{Landscape, edits::done};
+use crate::commands::terrain::edits::{described, done, from_folder};
+use crate::commands::terrain::{Landscape, textures};
 use crate::{Failure, values};
 
 const AFTER: &str = "Examples:
   lunoid terrain add runs/ground.toml --id west --crater 3.03,26.05,400 --wall-percent 4 --depth-percent 20
   lunoid terrain add runs/ground.toml --id stone --boulder 3.05,26.05,4 --shape rock
+  lunoid terrain add runs/ground.toml --id soil --texture soil.png
   lunoid terrain add runs/ground.toml --block field.toml
 
 A block is a file with one or more [[feature]] tables: craters, growth from control points, boulders, distributions,
-roughness (docs/terrain.md).";
+roughness, textures (docs/terrain.md).";
 
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]
@@ -24,7 +26,7 @@ pub struct Add {
     #[command(flatten)]
     landscape: Landscape,
     /// File with `[[feature]]` tables.
-    #[arg(long, value_name = "TOML", required_unless_present_any = ["crater", "boulder"])]
+    #[arg(long, value_name = "TOML", required_unless_present_any = ["crater", "boulder", "texture"])]
     block: Option<PathBuf>,
     /// Name of the feature: letters, digits and hyphens.
     #[arg(long, conflicts_with = "block")]
@@ -60,6 +62,12 @@ pub struct Add {
     /// Seed of the boulder: it turns the boulder and forms a rock.
     #[arg(long, requires = "boulder", value_parser = values::at_least(0_u64))]
     seed: Option<u64>,
+    /// Picture whose light is the albedo of the ground: PNG, JPEG or TIFF.
+    #[arg(long, value_name = "PICTURE", conflicts_with_all = ["block", "crater", "boulder"], requires = "id")]
+    texture: Option<PathBuf>,
+    /// Tile that the texture covers, from the south-western one; the whole ground if left out.
+    #[arg(long, value_name = "ROW,COLUMN", requires = "texture", value_parser = tile)]
+    tile: Option<[usize; 2]>,
     /// Print what was done as JSON.
     #[arg(long)]
     json: bool,
@@ -89,16 +97,35 @@ fn three(text: &str) -> Result<[f64; 3], String> {
     numbers.ok_or_else(|| "expected longitude, latitude and radius, as 3.03,26.05,400".into())
 }
 
+fn tile(text: &str) -> Result<[usize; 2], String> {
+    let numbers: Option<Vec<usize>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
+    let numbers = numbers.and_then(|numbers| numbers.try_into().ok());
+    numbers.ok_or_else(|| "expected row and column, as 0,3".into())
+}
+
 impl Add {
-    /// Adds the features; the file must then still be a landscape.
+    /// Adds the features; the file must then still be a landscape, and its pictures readable.
     pub fn run(&self) -> Result<(), Failure> {
-        let block = match &self.block {
-            Some(file) => text_of(file)?,
-            None => self.feature(),
+        let file = &self.landscape.file;
+        let block = match (&self.block, &self.texture) {
+            (Some(block), _) => text_of(block)?,
+            (None, Some(picture)) => self.of_texture(&from_folder(file, picture)?),
+            (None, None) => self.feature(),
         };
-        LandscapeFile::new(&self.landscape.file).add(&block)?;
+        let landscape = LandscapeFile::new(file);
+        let text = terrain_builder::add(&landscape.text()?, &block)
+            .map_err(|error| Failure::input(format!("{}: {error}", file.display())))?;
+        textures(file, &described(file, &text)?)?;
+        landscape.add(&block)?;
         let what = self.id.as_ref().map_or("features".into(), |id| format!("feature {id}"));
         done(&self.landscape.file, "add", &format!("added {what}"), self.json)
+    }
+
+    /// A texture as a block of text; `picture` is its path from the folder of the landscape.
+    fn of_texture(&self, picture: &str) -> String {
+        let [id, picture] = [self.id.as_deref().unwrap_or_default(), picture].map(serde_json::Value::from);
+        let tile = self.tile.map_or(String::new(), |[row, column]| format!("tile = [{row}, {column}]\n"));
+        format!("[[feature]]\nid = {id}\nkind = \"texture\"\nfile = {picture}\n{tile}")
     }
 
     /// The feature of the options as a block of text.

@@ -104,9 +104,7 @@ impl Import {
         let landscape = LandscapeFile::new(file);
         let text = terrain_builder::import(&landscape.text()?, &path, self.band)
             .map_err(|error| Failure::input(format!("{}: {error}", file.display())))?;
-        let folder = file.parent().unwrap_or(Path::new(""));
-        let description = Description::parse(&file.display().to_string(), &text, folder)?;
-        Base::open(&description).map_err(Failure::input)?;
+        Base::open(&described(file, &text)?).map_err(Failure::input)?;
         landscape.import(&path, self.band)?;
         done(file, "import", &format!("base {path}"), self.json)
     }
@@ -141,8 +139,14 @@ pub fn done(file: &Path, edit: &str, what: &str, json: bool) -> Result<(), Failu
     print(&format!("{}: {what}\n", file.display()))
 }
 
+/// What the landscape file says once it has this text.
+pub fn described(file: &Path, text: &str) -> Result<Description, Failure> {
+    let folder = file.parent().unwrap_or(Path::new(""));
+    Ok(Description::parse(&file.display().to_string(), text, folder)?)
+}
+
 /// Path of a file from the folder of the landscape, so that both can move together.
-fn from_folder(landscape: &Path, file: &Path) -> Result<String, Failure> {
+pub fn from_folder(landscape: &Path, file: &Path) -> Result<String, Failure> {
     let whole = |path: &Path| {
         let found = path.canonicalize();
         found.map_err(|error| {

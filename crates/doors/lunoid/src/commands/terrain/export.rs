@@ -7,7 +7,7 @@ use terrain_builder::LandscapeFile;
 use terrain_export::{Exported, FILES, Wishes, write_folder};
 use text::shortened;
 
-use crate::commands::terrain::{Landscape, built, opened};
+use crate::commands::terrain::{Landscape, built, opened, textures};
 use crate::loading::Threads;
 use crate::output::{Place, expect_outputs, print, print_json, tell, warn};
 use crate::{Failure, values};
@@ -16,7 +16,7 @@ const AFTER: &str = "Example:
   lunoid terrain export runs/ground.toml --out runs/ground
 
 Writes terrain.lod (terrain database), ground.bank and residuals.npy (fit of the ground without the listed craters),
-craters.csv, boulders/ (shape files), light.npy (with [light]), scenario.toml, and export.json with the error of every
+craters.csv, boulders/ (shape files), light.npy (with [light]), albedo.png (with textures), scenario.toml, and export.json with the error of every
 crater and region. An earlier export in the folder is replaced whole.";
 
 #[derive(Debug, Args)]
@@ -63,7 +63,8 @@ impl Export {
                     tell(&format!("export: {step}\n"));
                 }
             };
-            let exported = Exported::new(&ground, &text, wishes, &mut progress)?;
+            let textures = textures(file, ground.description())?;
+            let exported = Exported::new(&ground, &textures, &text, wishes, &mut progress)?;
             write_folder(&exported, &self.out)?;
             ground.warnings().iter().for_each(|warning| warn(&warning.to_string()));
             if self.json { print_json(&exported.told) } else { print(&self.words(&exported)) }

@@ -8,7 +8,7 @@ mod show;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
-use terrain_builder::{Base, Description, Ground};
+use terrain_builder::{Base, Description, Ground, Textures};
 
 use crate::{Failure, Verdict};
 
@@ -70,6 +70,11 @@ fn opened(file: &Path) -> Result<(Description, Base), Failure> {
 /// Builds a landscape over its base.
 fn built(file: &Path, description: Description, base: Base) -> Result<Ground, Failure> {
     Ground::new(description, base).map_err(|error| Failure::input(format!("{}: {error}", file.display())))
+}
+
+/// Reads the pictures over a landscape.
+fn textures(file: &Path, description: &Description) -> Result<Textures, Failure> {
+    Textures::open(description).map_err(|error| Failure::input(format!("{}: {error}", file.display())))
 }
 
 /// A landscape file that a command reads or edits.

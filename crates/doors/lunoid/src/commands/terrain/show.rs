@@ -6,10 +6,10 @@ use clap::Args;
 use picture::write_png;
 use quantities::{radians, sin_cos};
 use serde_json::{Value, json};
-use terrain_builder::{Effect, FeatureTold, Ground, effects};
+use terrain_builder::{Effect, FeatureTold, Ground, Textures, effects};
 use text::{shortened, table};
 
-use crate::commands::terrain::{Landscape, built, opened};
+use crate::commands::terrain::{Landscape, built, opened, textures};
 use crate::loading::Threads;
 use crate::output::{Place, expect_outputs, print, print_json};
 use crate::{Failure, values};
@@ -47,10 +47,11 @@ impl Show {
         expect_outputs(&plot.collect::<Vec<_>>(), &[Place::file("the landscape", file)])?;
         self.threads.pool()?.install(|| {
             let (description, base) = opened(file)?;
+            let textures = textures(file, &description)?;
             let effects = self.effects.then(|| effects(&description, &base)).transpose();
             let effects = effects.map_err(|error| Failure::input(format!("{}: {error}", file.display())))?;
             let ground = built(file, description, base)?;
-            self.draw(&ground)?;
+            self.draw(&ground, &textures)?;
             let told = ground.told();
             if self.json {
                 return print_json(&document(&ground, &told, effects.as_deref()));
@@ -59,10 +60,10 @@ impl Show {
         })
     }
 
-    fn draw(&self, ground: &Ground) -> Result<(), Failure> {
+    fn draw(&self, ground: &Ground, textures: &Textures) -> Result<(), Failure> {
         let Some(path) = &self.plot else { return Ok(()) };
         let [(sin, cos), (up, level)] = self.sun.map(|angle| sin_cos(radians(angle)));
-        let shaded = terrain_export::shaded(ground, [level * cos, level * sin, up], self.pixels);
+        let shaded = terrain_export::shaded(ground, textures, [level * cos, level * sin, up], self.pixels);
         let picture = shaded.map_err(Failure::output)?;
         Ok(write_png(path, &picture, &[("Title", &ground.description().title)])?)
     }

@@ -1,0 +1,141 @@
+//! `lunoid terrain`: ground under textures, from the picture to the frame.
+
+use std::fs;
+
+use picture::{Depth, GreyPicture, Limits, read_png, write_png};
+use serde_json::Value;
+
+use crate::scene::Scene;
+
+/// Ground of 61 x 55 posts, 50 m apart, with a crater.
+fn ground(scene: &Scene) {
+    let area = ["--longitude-deg", "3.0,3.1", "--latitude-deg", "26.0,26.1", "--resolution-m", "50"];
+    scene.expect(0, &[&["terrain", "new", "ground.toml"][..], &area].concat());
+    let crater =
+        ["--id", "west", "--crater", "3.03,26.05,400", "--wall-percent", "4", "--depth-percent", "20"];
+    scene.expect(0, &[&["terrain", "add", "ground.toml"][..], &crater].concat());
+}
+
+/// A picture of one code, in 8 bits.
+fn grey(scene: &Scene, name: &str, code: u16) {
+    write_png(scene.join(name), &GreyPicture::new(1, 1, Depth::Eight, vec![code]).unwrap(), &[]).unwrap();
+}
+
+fn shown(scene: &Scene) -> Value {
+    serde_json::from_str(&scene.expect(0, &["terrain", "show", "ground.toml", "--json"]).0).unwrap()
+}
+
+fn first_frame(scene: &Scene, export: &str, machine: &str) -> f64 {
+    let scenario = format!("{export}/scenario.toml");
+    let out = format!("{export}-{machine}");
+    let raster = [
+        "--frames",
+        "0..1",
+        "--no-page",
+        "--set",
+        "scenario.raster.columns=64",
+        "--set",
+        "scenario.raster.lines=64",
+    ];
+    scene.expect(
+        0,
+        &[
+            &[
+                "replay",
+                &scenario,
+                "--machine",
+                machine,
+                "--out",
+                &out,
+                "--set",
+                "scenario.display.gamma=1",
+                "--set",
+                "scenario.display.white=1",
+            ][..],
+            &raster,
+        ]
+        .concat(),
+    );
+    let picture = read_png(
+        scene.join(&format!("{out}/frames/{}", scene.list(&format!("{out}/frames"))[0])),
+        &Limits::default(),
+    )
+    .unwrap();
+    let codes = picture.codes();
+    codes.iter().map(|code| f64::from(*code)).sum::<f64>() / codes.len() as f64
+}
+
+/// A texture of one albedo darkens `exact` and the mesh by that albedo.
+#[test]
+fn a_texture_is_the_albedo_of_every_generator_that_draws_one() {
+    let scene = Scene::new();
+    ground(&scene);
+    scene.expect(0, &["terrain", "export", "ground.toml", "--out", "bare", "--no-progress"]);
+    // 137 of 255 is a quarter of the light under the usual curve.
+    grey(&scene, "soil.png", 137);
+    scene.expect(0, &["terrain", "add", "ground.toml", "--id", "soil", "--texture", "soil.png"]);
+    scene.expect(0, &["terrain", "export", "ground.toml", "--out", "dark", "--no-progress"]);
+    let told: Value =
+        serde_json::from_str(&fs::read_to_string(scene.join("dark/export.json")).unwrap()).unwrap();
+    assert_eq!(
+        (&told["albedo"]["colour"], &told["albedo"]["pixel_m"]),
+        (&false.into(), &50.0.into()),
+        "{told}"
+    );
+    scene.expect(0, &["check", "dark/scenario.toml"]);
+    for machine in ["exact", "lod-mesh"] {
+        let [bare, dark] = ["bare", "dark"].map(|export| first_frame(&scene, export, machine));
+        assert!((dark / bare - 0.25).abs() < 0.01, "{machine}: {dark} of {bare}");
+    }
+}
+
+#[test]
+fn textures_are_shown_removed_and_brought_back() {
+    let scene = Scene::new();
+    ground(&scene);
+    grey(&scene, "soil.png", 60);
+    let whole = ["terrain", "add", "ground.toml", "--id", "soil", "--texture", "soil.png"];
+    scene.expect(0, &[&whole[..], &["--tile", "1,0"]].concat());
+    let share = |shown: &Value| shown["features"][0]["share_of_posts"].as_f64().unwrap();
+    let (soil, heights) = (shown(&scene), shown(&scene)["heights_m"].clone());
+    assert_eq!(soil["features"][0]["kind"], "texture", "{soil}");
+    assert!(share(&soil) > 0.1 && share(&soil) < 0.5, "{soil}");
+    let text = fs::read_to_string(scene.join("ground.toml")).unwrap();
+    scene.expect(0, &["terrain", "remove", "ground.toml", "soil"]);
+    assert_eq!(shown(&scene)["heights_m"], heights);
+    scene.expect(0, &["terrain", "undo", "ground.toml"]);
+    assert_eq!(fs::read_to_string(scene.join("ground.toml")).unwrap(), text);
+    let plot = |name: &str| {
+        scene.expect(0, &["terrain", "show", "ground.toml", "--plot", name, "--pixels", "64"]);
+        read_png(scene.join(name), &Limits::default())
+            .unwrap()
+            .codes()
+            .iter()
+            .map(|code| u64::from(*code))
+            .sum::<u64>()
+    };
+    let dark = plot("dark.png");
+    scene.expect(0, &["terrain", "remove", "ground.toml", "soil"]);
+    assert!(plot("bare.png") > dark + dark / 20, "a dark texture darkens the picture");
+}
+
+#[test]
+fn a_texture_that_cannot_be_leaves_the_landscape_as_it_was() {
+    let scene = Scene::new();
+    ground(&scene);
+    grey(&scene, "soil.png", 60);
+    fs::write(scene.join("text.png"), "no picture").unwrap();
+    let text = fs::read_to_string(scene.join("ground.toml")).unwrap();
+    let add = ["terrain", "add", "ground.toml", "--id", "soil"];
+    for (code, arguments, said) in [
+        (3, &["--texture", "nowhere.png"][..], "nowhere.png"),
+        (3, &["--texture", "text.png"], "text.png"),
+        (3, &["--texture", "soil.png", "--tile", "9,0"], "tile"),
+        (2, &["--texture", "soil.png", "--tile", "1"], "0,3"),
+        (2, &["--tile", "0,0"], "--texture"),
+    ] {
+        let (_, err) = scene.expect(code, &[&add[..], arguments].concat());
+        assert!(err.contains(said), "{said} in {err}");
+        assert_eq!(fs::read_to_string(scene.join("ground.toml")).unwrap(), text, "{arguments:?}");
+    }
+}
