@@ -31,6 +31,24 @@ pub trait Detailed {
     /// # Errors
     /// If the pose cannot be drawn.
     fn drawn_ground(&self, frame: u64, pose: &Pose) -> Result<DrawnGround, FrameError>;
+
+    /// Heights of the ground of frame `frame` from `pose` as it is drawn, whether or not the camera shows it.
+    ///
+    /// # Errors
+    /// If the pose cannot be drawn, or the drawn ground has holes or other triangles than [`DrawnPosts`] says.
+    fn drawn_posts(&self, frame: u64, pose: &Pose) -> Result<DrawnPosts, FrameError>;
+}
+
+/// Drawn ground at the posts of the finest level. Each cell between them is cut from its north-western to its south-eastern post into two
+/// triangles, which are the drawn ones or parts of them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct DrawnPosts {
+    /// Places of the rows (m), the southernmost first.
+    pub north: Vec<f64>,
+    /// Places of the columns (m), the westernmost first.
+    pub east: Vec<f64>,
+    /// Heights above the datum (m), row by row.
+    pub heights: Vec<f64>,
 }
 
 /// The ground of a frame as it is drawn.

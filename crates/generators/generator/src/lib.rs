@@ -36,7 +36,7 @@ use std::ops::Range;
 
 pub use beam_list::BeamEntry;
 pub use counts::{Counter, FrameCounts, Joined};
-pub use detailed::{Detailed, DrawnGround, Errors, GroundLoss};
+pub use detailed::{Detailed, DrawnGround, DrawnPosts, Errors, GroundLoss};
 pub use error::{FrameError, PrepareError, check_eye, check_free_eye};
 pub use faces::{FaceScene, Look, Looks, ScreenFace};
 pub use fact::Fact;

@@ -2,9 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use generator::{Detailed, DrawnGround, FrameCounts, FrameError, Planes, Session as _};
+use generator::{Detailed, DrawnGround, DrawnPosts, FrameCounts, FrameError, Planes, Session as _};
 use glam::DVec3;
-use lod_tiles::TilePieces;
+use lod_tiles::{Edges, Stitch, TilePieces};
+use rayon::prelude::*;
 use scenario::Pose;
 use scene_sampler::{Camera, Shown};
 
@@ -48,5 +49,21 @@ impl Detailed for Session {
             triangles: pieces.iter().map(|pieces| pieces.inner + pieces.border).sum(),
             loss: loss(&self.prepared, &surface, &camera, tiles),
         })
+    }
+
+    fn drawn_posts(&self, frame: u64, pose: &Pose) -> Result<DrawnPosts, FrameError> {
+        self.check(frame, pose)?;
+        let (edges, stitch) = (self.prepared.run.edges, self.prepared.run.stitch);
+        // Tiles that leave out vertices of their edges have other triangles there; others have holes.
+        if edges != Edges::Shared || stitch != Stitch::CoarseSide {
+            let reason = "its ground is no surface over one grid of posts: expected lod.edges = \"shared\" and lod.stitch = \"coarse-side\"";
+            return Err(FrameError::Refused { frame, reason: reason.into() });
+        }
+        let state = ground::state(&self.prepared, DVec3::from_array(pose.eye));
+        let surface = ground::surface(&self.prepared, &state);
+        let [east, north] = self.prepared.posts.terrain.posts_along().map(<[f64]>::to_vec);
+        let row = |north: &f64| east.iter().map(|east| surface.under([*east, *north])).collect::<Vec<_>>();
+        let heights = north.par_iter().flat_map_iter(row).collect();
+        Ok(DrawnPosts { north, east, heights })
     }
 }

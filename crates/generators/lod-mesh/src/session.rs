@@ -290,8 +290,10 @@ impl GeneratorSession for Session {
         let mut omissions = scene_sampler::omissions(&self.prepared.stage, NAME);
         omissions.extend(photographs_beside(&self.prepared.stage.landscape, NAME));
         omissions.extend(face_lists_beside(&self.prepared.stage.scenery, NAME));
-        let has_albedo = self.prepared.stage.landscape.posts().is_some_and(|posts| posts.albedo.is_some());
-        if has_albedo && self.prepared.run.light != GroundLight::Stored {
+        let landscape = &self.prepared.stage.landscape;
+        let has_albedo = landscape.posts().is_some_and(|posts| posts.albedo.is_some());
+        // A scenario that has a map of albedo over the database says what is drawn.
+        if has_albedo && landscape.albedo_map().is_none() && self.prepared.run.light != GroundLight::Stored {
             omissions.push(Omission {
                 block: NAME,
                 what: "the albedo of the terrain database".into(),

@@ -10,6 +10,8 @@
 //
 //   trace PACKET NORTH EAST UP   traces a frame by packets of 16, 8 or 1 rays under the sun of that direction: SECONDS
 //   show PACKET                  traces a frame without sun: the first number of a normal is the light of its vertex: SECONDS
+//   light PACKET NORTH EAST UP LIFT   one ray from each vertex to the sun of that direction, from LIFT metres on; the picture has a value for
+//                                each vertex, 1 where nothing is in the way: SECONDS
 //   divide QUALITY               divides space anew, of quality low, medium or high: SECONDS
 //   picture PATH                 writes the last frame as floats, line by line from the top left: written
 //
@@ -175,13 +177,18 @@ template <> struct Packet<1> {
     }
 };
 
+/// What a frame asks.
+enum class Work { Sun, OwnLight, Vertices };
+
 /// A frame that threads trace together.
 struct Frame {
     const Scene &scene;
     RTCScene space;
     /// Direction of the sun; of no length where vertices have light of their own.
     float sun[3];
-    bool own_light;
+    Work work;
+    /// Where rays from vertices begin (m).
+    float lift;
     std::vector<float> &picture;
     std::atomic<unsigned> next{0};
 };
@@ -232,7 +239,7 @@ template <unsigned N> void trace_packet(Frame &frame, RTCIntersectContext &conte
             const float *a = frame.scene.vertices[corners[beyond ? 2 : 0]].normal,
                         *b = frame.scene.vertices[corners[beyond ? 3 : 1]].normal,
                         *c = frame.scene.vertices[corners[beyond ? 1 : 3]].normal;
-            if (frame.own_light) {
+            if (frame.work == Work::OwnLight) {
                 light[i] = w * a[0] + u * b[0] + v * c[0];
                 continue;
             }
@@ -288,10 +295,53 @@ template <unsigned N> void trace_tiles(Frame &frame) {
     }
 }
 
+/// Vertices that a thread takes at a time.
+constexpr unsigned RUN = 1024;
+
+/// One ray to the sun from each vertex, run by run.
+template <unsigned N> void light_vertices(Frame &frame) {
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+    const unsigned count = frame.scene.header.vertices;
+    for (unsigned first = RUN * frame.next++; first < count; first = RUN * frame.next++) {
+        const unsigned end = std::min(first + RUN, count);
+        for (unsigned vertex = first; vertex < end; vertex += N) {
+            alignas(64) int valid[N];
+            alignas(64) typename Packet<N>::Rays rays;
+            for (unsigned i = 0; i < N; i++) {
+                valid[i] = vertex + i < end ? -1 : 0;
+                const float *place = frame.scene.vertices[valid[i] ? vertex + i : vertex].place;
+                rays.org_x[i] = place[0];
+                rays.org_y[i] = place[1];
+                rays.org_z[i] = place[2];
+                rays.dir_x[i] = frame.sun[0];
+                rays.dir_y[i] = frame.sun[1];
+                rays.dir_z[i] = frame.sun[2];
+                rays.tnear[i] = frame.lift;
+                rays.tfar[i] = std::numeric_limits<float>::infinity();
+                rays.time[i] = 0.0f;
+                rays.mask[i] = ~0u;
+                rays.id[i] = i;
+                rays.flags[i] = 0;
+            }
+            Packet<N>::shade(valid, frame.space, &context, &rays);
+            for (unsigned i = 0; i < N; i++) {
+                if (valid[i]) frame.picture[vertex + i] = rays.tfar[i] < 0.0f ? 0.0f : 1.0f;
+            }
+        }
+    }
+}
+
+template <unsigned N> void work_by(Frame &frame) {
+    if (frame.work == Work::Vertices) light_vertices<N>(frame);
+    else trace_tiles<N>(frame);
+}
+
 void trace_by(unsigned packet, Frame &frame) {
-    if (packet == 16) trace_tiles<16>(frame);
-    else if (packet == 8) trace_tiles<8>(frame);
-    else trace_tiles<1>(frame);
+    if (packet == 16) work_by<16>(frame);
+    else if (packet == 8) work_by<8>(frame);
+    else work_by<1>(frame);
 }
 
 /// Numbers that are too small for the usual form count as 0: Embree asks for it.
@@ -378,11 +428,14 @@ int main(int count, char **arguments) {
             std::istringstream words(line);
             std::string what, path;
             unsigned packet = 0;
-            float sun[3] = {0.0f, 0.0f, 0.0f};
+            float sun[3] = {0.0f, 0.0f, 0.0f}, lift = 0.0f;
             words >> what >> packet;
             const bool whole = packet == 16 || packet == 8 || packet == 1;
-            if (whole && (what == "show" || (what == "trace" && words >> sun[0] >> sun[1] >> sun[2]))) {
-                Frame frame{scene, space, {sun[0], sun[1], sun[2]}, what == "show", picture};
+            const bool by_sun = (what == "trace" || what == "light") && words >> sun[0] >> sun[1] >> sun[2];
+            const bool of_vertices = what == "light" && by_sun && words >> lift && picture.size() == scene.vertices.size();
+            if (whole && (what == "show" || (what == "trace" && by_sun) || of_vertices)) {
+                const Work work = what == "show" ? Work::OwnLight : what == "trace" ? Work::Sun : Work::Vertices;
+                Frame frame{scene, space, {sun[0], sun[1], sun[2]}, work, lift, picture};
                 begin = std::chrono::steady_clock::now();
                 helpers.trace(packet, frame);
                 std::cout << seconds_since(begin) << std::endl;
@@ -402,7 +455,7 @@ int main(int count, char **arguments) {
                 if (!file.flush()) fail(path + ": cannot be written");
                 std::cout << "written" << std::endl;
             } else {
-                fail("expected 'trace PACKET NORTH EAST UP' or 'show PACKET' with packets of 16, 8 or 1, 'divide low|medium|high' or 'picture PATH', found '" + line + "'");
+                fail("expected 'trace PACKET NORTH EAST UP', 'show PACKET' or 'light PACKET NORTH EAST UP LIFT' (a pixel for each vertex) with packets of 16, 8 or 1, 'divide low|medium|high' or 'picture PATH', found '" + line + "'");
             }
         }
     }

@@ -70,6 +70,11 @@ impl Terrain {
         [0, 1].map(|end| [0, 1].map(|axis| self.places[axis][end * (self.places[axis].len() - 1)]))
     }
 
+    /// Places of the posts along x and along y (m, rising).
+    pub fn posts_along(&self) -> [&[f64]; 2] {
+        self.places.each_ref().map(Vec::as_slice)
+    }
+
     /// How many posts there are.
     pub fn posts(&self) -> u64 {
         self.heights.len() as u64

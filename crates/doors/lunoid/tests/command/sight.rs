@@ -8,6 +8,8 @@ use survey::ReadOptions;
 
 use crate::scene::Scene;
 
+const TINY: &str = include_str!("../tiny.toml");
+
 fn document(scene: &Scene, arguments: &[&str]) -> Value {
     serde_json::from_str(&scene.expect(0, &[&["sight"][..], arguments, &["--json"]].concat()).0).unwrap()
 }
@@ -180,7 +182,7 @@ fn what_cannot_be_looked_at_is_refused() {
     scenario(&["--to", "100,100", "--observer-height", "datum:-50"], "below the ground");
     scenario(&["--to", "100,100", "--observer-height", "-1"], "expected metres above the ground");
     scenario(&["--to", "100,100", "--path", "path.csv"], "cannot be used with");
-    scenario(&["--surface", "morphed"], "expected landscape, mesh, or level:N");
+    scenario(&["--surface", "morphed"], "expected landscape, mesh, shown, or level:N");
     scenario(&["--surface", "level:6"], "takes every 64th");
     scenario(&["--refraction", "1", "--to", "100,100"], "refraction coefficient is 1");
     scenario(&["--radius-m", "100", "--to", "390,200"], "distance to the target (m) is 190");
@@ -200,4 +202,45 @@ fn what_cannot_be_looked_at_is_refused() {
     refused(3, &uneven, "expected one spacing");
     refused(3, &["nothing.tif", "--from", "5,0"], "nothing.tif");
     assert_eq!(scene.list("."), ["ridge.npy", "tiny.toml"]);
+}
+
+/// Far ground is coarse in the picture, so it hides otherwise than the mesh of its posts does.
+#[test]
+fn the_ground_of_a_frame_hides_as_it_is_drawn() {
+    let scene = Scene::new();
+    let coarse = format!("{TINY}\n[lod]\nspacing_m = 12.5\norder = 3\nranges_m = [20, 40, 60, 80]\n");
+    scene.write("coarse.toml", coarse);
+    let look = |surface: &[&str]| {
+        let area = document(
+            &scene,
+            &[&["coarse.toml", "--from", "200,200", "--observer-height", "2"], surface].concat(),
+        );
+        (
+            area["surface"].as_str().unwrap().to_owned(),
+            number(&area["area"]["hidden"]),
+            number(&area["area"]["rows"]),
+        )
+    };
+    let shown = ["--surface", "shown", "--machine", "lod-mesh"];
+    let (word, drawn, rows) = look(&shown);
+    assert_eq!(word, "frame 0 as it is drawn");
+    let finest = look(&[&shown[..], &["--set", "lod.levels=1"]].concat());
+    let (_, mesh, of_mesh) = look(&["--surface", "mesh", "--cell-m", "12.5"]);
+    assert!((finest.1 - mesh).abs() <= 0.02 * rows * rows && rows <= of_mesh, "{finest:?} {mesh}");
+    assert!(drawn != finest.1, "{drawn} of {rows} rows");
+    for (code, arguments, said) in [
+        (2, &["--frame", "1"][..], "--frame: only with --surface shown"),
+        (2, &["--surface", "shown"], "it has no levels of detail"),
+        (2, &["--surface", "shown", "--machine", "lod-mesh", "--frame", "99999"], "--frame 99999"),
+        (2, &["--surface", "shown", "--machine", "lod-mesh", "--cell-m", "5"], "--cell-m"),
+        (3, &["--surface", "shown", "--machine", "lod-mesh", "--set", "lod.stitch=none"], "lod.stitch"),
+    ] {
+        let (_, err) =
+            scene.expect(code, &[&["sight", "coarse.toml", "--from", "200,200"][..], arguments].concat());
+        assert!(err.contains(said), "{said} in {err}");
+    }
+    ridge(&scene);
+    let (_, err) =
+        scene.expect(2, &["sight", "ridge.npy", "--spacing-m", "5", "--from", "5,0", "--surface", "shown"]);
+    assert!(err.contains("has no frames"), "{err}");
 }

@@ -2,6 +2,9 @@
 
 use generator::{DrawnGround, PlaneKind, Planes};
 use lod_mesh::{Parameters, Transition};
+use lod_tiles::{Edges, Stitch};
+use raster::Pattern;
+use sight::Posts;
 
 use crate::shots::{SIDE, draw, pose, run, session, stage};
 
@@ -67,4 +70,50 @@ fn a_camera_that_stands_sees_levels_go_on() {
     let changes = |levels| detailed.level_changes(0, &high, levels).unwrap();
     assert_eq!((changes([&high, &high]), changes([&high, &low])), (0, 1));
     assert!(detailed.level_changes(0, &high, [&high, &pose([SIDE, SIDE, -500.0], 0.0, -90.0)]).is_err());
+}
+
+/// Where a camera straight down sees the ground, the drawn posts have it too, at every level and fraction.
+#[test]
+fn drawn_posts_are_the_ground_of_the_picture() {
+    // One sampling point, in the middle of its pixel.
+    let sampling = scene_sampler::Parameters { pattern: Pattern::One, ..run().sampling };
+    let session = session(stage(64), Parameters { sampling, ..run() });
+    let detailed = session.detailed().unwrap();
+    let heights = |ground: &generator::DrawnPosts| {
+        let columns = ground.east.len();
+        let southwards = ground.heights.chunks(columns).rev().flatten().copied().collect();
+        Posts::new([ground.north.len(), columns], [SIDE, 0.0], 10.0, southwards).unwrap()
+    };
+    let finest = heights(&detailed.drawn_posts(0, &pose([800.0, 800.0, 60.0], 0.0, -90.0)).unwrap());
+    let mut moved: f64 = 0.0;
+    for eye in [[700.0, 760.0, 300.0], [731.0, 903.0, 500.0], [800.0, 800.0, 900.0]] {
+        let from = pose(eye, 0.0, -90.0);
+        let posts = heights(&detailed.drawn_posts(0, &from).unwrap());
+        let picture = draw(&*session, 64, &from);
+        let distances = picture.get(PlaneKind::Distance).unwrap();
+        for (pixel, distance) in distances.iter().enumerate() {
+            // The picture is upright to the north; its half is a tangent of 0.5.
+            let [right, down] = [pixel % 64, pixel / 64].map(|at| (at as f64 + 0.5) / 64.0 - 0.5);
+            let ahead = f64::from(*distance) / (1.0 + right * right + down * down).sqrt();
+            let place = [eye[0] - down * ahead, eye[1] + right * ahead];
+            let drawn = posts.height(place).unwrap();
+            assert!((drawn - (eye[2] - ahead)).abs() < 0.02, "{eye:?}, {pixel}: {drawn} at {place:?}");
+            moved = moved.max((drawn - finest.height(place).unwrap()).abs());
+        }
+    }
+    assert!(moved > 1.0, "coarse ground is off the finest one: {moved} m");
+}
+
+#[test]
+fn ground_with_holes_or_other_triangles_has_no_drawn_posts() {
+    let from = pose([800.0, 800.0, 500.0], 0.0, -90.0);
+    for wrong in [
+        Parameters { edges: Edges::PerTile, ..run() },
+        Parameters { stitch: Stitch::None, ..run() },
+        Parameters { stitch: Stitch::FineSide, ..run() },
+    ] {
+        let session = session(stage(64), wrong);
+        let refused = session.detailed().unwrap().drawn_posts(0, &from).unwrap_err().to_string();
+        assert!(refused.contains("lod.stitch = \"coarse-side\""), "{refused}");
+    }
 }

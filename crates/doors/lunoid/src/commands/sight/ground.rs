@@ -85,9 +85,7 @@ impl Site {
         let finest = landscape.level();
         let spacing = cell.unwrap_or(finest.region_size() / CELLS_A_REGION);
         let whole = finest.extent();
-        let map = landscape.bank().map().copied();
-        let frame = Frame::Plane(map.and_then(|map| map.projection));
-        let origin = map.map_or([0.0; 2], |map| map.origin);
+        let (origin, frame, title) = Self::map_of(&landscape, title);
         let Some(level) = level else {
             let targets = raster(area.unwrap_or(whole), spacing)?;
             let ground = Ground::Landscape(Box::new(Terrain::new(landscape)));
@@ -101,6 +99,13 @@ impl Site {
         let heights = (0..posts.size[0] * posts.size[1]).map(at).collect();
         let posts = Posts::new(posts.size, posts.corner, posts.spacing, heights).map_err(Failure::usage)?;
         Self::of_posts(posts, level, area, (origin, frame, title))
+    }
+
+    /// Origin of a landscape's axes in its map (m), the map, and its title.
+    pub fn map_of(landscape: &Landscape, title: String) -> ([f64; 2], Frame, String) {
+        let map = landscape.bank().map().copied();
+        let frame = Frame::Plane(map.and_then(|map| map.projection));
+        (map.map_or([0.0; 2], |map| map.origin), frame, title)
     }
 
     /// A level of a mesh.

@@ -8,15 +8,18 @@ mod options;
 mod path;
 mod profile;
 mod rows;
+mod shown;
 
 use std::path::PathBuf;
 
 use clap::Args;
+use landscape::Landscape;
 use sight::{Height, Point, SightError};
 
 use self::ground::{Site, Source};
 use self::options::{Bending, Layer, Surface};
 use self::path::targets;
+use self::shown::ShownArgs;
 use crate::commands::elevation::{ElevationArgs, sources};
 use crate::loading::{StageArgs, Threads};
 use crate::output::{Place, expect_outputs};
@@ -25,6 +28,7 @@ use crate::{Failure, Verdict, values};
 const AFTER: &str = "Examples:
   lunoid sight first-light --from 1000,1000 --to 2500,1800 --out runs/sight-line.png
   lunoid sight scenarios/own-ground/site.asc --from 612200,0 --out runs/sight.tif --out runs/sight.png
+  lunoid sight lod-landing --surface shown --frame 20 --from 2500,2500 --out runs/sight-shown.png
 
 Between two points (--to), from the observer to the places of a path (--path), or over an area (--area, or all of the
 ground). GROUND is a scenario, a bank, or an elevation file that `lunoid survey` reads. Places are metres north and east:
@@ -56,13 +60,16 @@ pub struct SightCommand {
     /// Height of the targets: metres above the ground, or datum:METRES above the datum.
     #[arg(long, value_name = "HEIGHT", value_parser = options::height, default_value = "0", allow_hyphen_values = true)]
     target_height: Height,
-    /// Surface: landscape (the closed form), mesh (triangles between posts), level:N (between every 2^N-th post). The landscape for
-    /// scenarios and banks, the mesh for elevation files, if left out.
+    /// Surface: landscape (the closed form), mesh (triangles between posts), level:N (between every 2^N-th post), shown (triangles as a
+    /// generator with levels of detail draws them in a frame). The landscape for scenarios and banks, the mesh for elevation files, if left
+    /// out.
     #[arg(long, value_name = "SURFACE", value_parser = options::surface)]
     surface: Option<Surface>,
     /// Size of a cell of an area, and distance of the posts of a mesh, for scenarios and banks; a quarter of a region if left out.
     #[arg(long, value_name = "METRES", value_parser = values::metres)]
     cell_m: Option<f64>,
+    #[command(flatten)]
+    shown: ShownArgs,
     #[command(flatten)]
     bending: Bending,
     /// Answer for each place of an area.
@@ -93,6 +100,11 @@ impl SightCommand {
     /// Looks along the line, to the places of the path, or over the area.
     pub fn run(&self) -> Result<Verdict, Failure> {
         self.expect_outputs()?;
+        if let Some(option) = self.shown.given().filter(|_| self.surface != Some(Surface::Shown)) {
+            return Err(Failure::usage(format!(
+                "{option}: only with --surface shown; leave it out, or ask for that surface"
+            )));
+        }
         let pool = self.threads.pool()?;
         pool.install(|| match (&self.to, &self.path) {
             (Some(to), _) => lines::one(self, *to),
@@ -118,13 +130,15 @@ impl SightCommand {
     /// The ground with room for the observer and some targets.
     fn site(&self, targets: &[Point]) -> Result<Site, Failure> {
         match (Source::of(&self.ground)?, self.surface) {
+            (Source::Landscape(landscape, title), Some(Surface::Shown)) => self.drawn(&landscape, title),
             (Source::Landscape(landscape, title), surface) => {
                 let level = match surface {
-                    None | Some(Surface::Landscape) => None,
+                    None | Some(Surface::Landscape | Surface::Shown) => None,
                     Some(Surface::Mesh(level)) => Some(level),
                 };
                 Site::of_landscape(*landscape, title, self.area, self.cell_m, level)
             }
+            (Source::Elevation, Some(Surface::Shown)) => Err(self.not_shown()),
             (Source::Elevation, Some(Surface::Landscape)) => Err(Failure::usage(format!(
                 "--surface landscape: {} is an elevation file, which has no closed form; expected mesh or level:N; or make a bank of \
                  it with `lunoid survey`",
@@ -137,11 +151,29 @@ impl SightCommand {
         }
     }
 
+    /// The ground of a scenario as it is drawn in a frame.
+    fn drawn(&self, landscape: &Landscape, title: String) -> Result<Site, Failure> {
+        if self.ground.extension().is_none_or(|ending| ending != "toml") {
+            return Err(self.not_shown());
+        }
+        if self.cell_m.is_some() {
+            return Err(Failure::usage("--cell-m: drawn ground has posts of its own; leave the option out"));
+        }
+        Site::of_posts(self.shown.posts(&self.ground)?, 0, self.area, Site::map_of(landscape, title))
+    }
+
+    fn not_shown(&self) -> Failure {
+        Failure::usage(format!(
+            "--surface shown: {} has no frames; expected a scenario under a generator with levels of detail",
+            self.ground.display()
+        ))
+    }
+
     /// The mesh of an elevation file; of its finest level only the part that lines can cross is read.
     fn posts(&self, surface: Option<Surface>, targets: &[Point]) -> Result<Site, Failure> {
         let level = match surface {
             Some(Surface::Mesh(level)) => level,
-            None | Some(Surface::Landscape) => 0,
+            None | Some(Surface::Landscape | Surface::Shown) => 0,
         };
         let hull = (level == 0).then(|| self.hull(targets)).flatten();
         let (posts, frame, title) = elevation::posts(&self.ground, &self.reading.options(), hull)?;
@@ -170,6 +202,7 @@ impl SightCommand {
         match (&site.ground, self.surface) {
             (ground::Ground::Landscape(_), _) => "landscape".into(),
             (_, Some(Surface::Mesh(level))) if level > 0 => format!("level {level}"),
+            (_, Some(Surface::Shown)) => format!("frame {} as it is drawn", self.shown.frame.unwrap_or(0)),
             _ => "mesh".into(),
         }
     }

@@ -12,17 +12,20 @@ pub enum Surface {
     Landscape,
     /// Triangles between every 2^level-th post.
     Mesh(u32),
+    /// Triangles as a generator with levels of detail draws them in a frame.
+    Shown,
 }
 
-/// Reads `landscape`, `mesh` or `level:N`.
+/// Reads `landscape`, `mesh`, `level:N` or `shown`.
 pub fn surface(text: &str) -> Result<Surface, String> {
     let level = |word: &str| word.parse().ok().filter(|level| *level <= 20).map(Surface::Mesh);
     let found = match text {
         "landscape" => Some(Surface::Landscape),
         "mesh" => Some(Surface::Mesh(0)),
+        "shown" => Some(Surface::Shown),
         other => other.strip_prefix("level:").and_then(level),
     };
-    found.ok_or_else(|| "expected landscape, mesh, or level:N with N from 0 to 20".into())
+    found.ok_or_else(|| "expected landscape, mesh, shown, or level:N with N from 0 to 20".into())
 }
 
 /// Reads metres above the ground, or `datum:` and metres above the datum.
@@ -125,7 +128,7 @@ mod tests {
 
     #[test]
     fn surfaces_by_name() {
-        assert_eq!(surface("landscape"), Ok(Surface::Landscape));
+        assert_eq!((surface("landscape"), surface("shown")), (Ok(Surface::Landscape), Ok(Surface::Shown)));
         assert_eq!((surface("mesh"), surface("level:3")), (Ok(Surface::Mesh(0)), Ok(Surface::Mesh(3))));
         for wrong in ["level", "level:", "level:21", "level:-1", "morphed"] {
             assert!(surface(wrong).is_err(), "{wrong}");

@@ -11,6 +11,8 @@ mod shadow;
 mod stability;
 mod tracks;
 
+pub use level_ladders::levelled;
+
 use clap::{Args, Subcommand};
 
 use crate::{Failure, Verdict};

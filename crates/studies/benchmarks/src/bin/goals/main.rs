@@ -1,6 +1,7 @@
 //! The whole table of goals: frames, missions, the control plane by itself, memory, start-up, an analog chain against ngspice,
 //! the ground against a ray tracer.
 
+mod built;
 mod guests;
 
 use std::env;
@@ -55,6 +56,8 @@ enum Part {
     Embree,
     /// Folds, loads and queues of a frame by Verilator, against the control plane.
     Verilator,
+    /// Light map and viewshed of built ground, against Embree and xarray-spatial.
+    Built,
     /// The other generators against themselves, the judge and Embree.
     Guests {
         /// Rows whose quantity has these words alone.
@@ -102,6 +105,7 @@ fn main() -> ExitCode {
             Part::Mesh,
             Part::Embree,
             Part::Verilator,
+            Part::Built,
             Part::Guests { words: String::new() },
             Part::GuestMemory,
         ],
@@ -128,6 +132,10 @@ fn run(part: &Part) -> Result<(), String> {
         Part::Mesh => mesh(),
         Part::Embree => embree(),
         Part::Verilator => verilator(),
+        Part::Built => {
+            println!("{}", built::table()?);
+            Ok(())
+        }
         Part::Guests { words } => {
             println!("{}", guests::table(words)?);
             Ok(())

@@ -92,6 +92,15 @@ impl Embree {
         self.seconds(&format!("show {packet}"))
     }
 
+    /// Traces one ray from each vertex to the sun of this direction (north, east, up), from `lift` (m) on, by packets of 16, 8 or 1 rays: the
+    /// time (s). The picture must have a pixel for each vertex; it is 1 where nothing is in the way, else 0.
+    ///
+    /// # Errors
+    /// If it does not answer so.
+    pub fn light(&mut self, packet: u32, [north, east, up]: [f64; 3], lift: f64) -> Result<f64, String> {
+        self.seconds(&format!("light {packet} {north} {east} {up} {lift}"))
+    }
+
     /// Divides space anew, of quality `low`, `medium` or `high`: the time (s).
     ///
     /// # Errors
