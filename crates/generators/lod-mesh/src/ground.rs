@@ -15,6 +15,9 @@ use crate::prepared::Prepared;
 use crate::slots::on_board;
 use crate::wires::FILL;
 
+/// Tiles that are made before they are put into the mesh. Chosen: enough for all threads, and little memory.
+const CHUNK: usize = 256;
+
 /// The tiles of a frame as a mesh, in the axes of the map.
 #[derive(Debug, Default)]
 pub struct Mesh {
@@ -90,9 +93,12 @@ pub fn in_view(prepared: &Prepared, camera: &Camera) -> Vec<Tile> {
 
 /// Tiles of a surface, seen by a camera.
 pub fn mesh(surface: &Surface<'_>, tiles: &[Tile], camera: &Camera) -> Mesh {
-    let parts: Vec<Mesh> = tiles.par_iter().map(|tile| Mesh::of_tile(surface, *tile, camera)).collect();
     let mut mesh = Mesh::default();
-    parts.into_iter().for_each(|part| mesh.append(part));
+    for tiles in tiles.chunks(CHUNK) {
+        let part = |tile: &Tile| Mesh::of_tile(surface, *tile, camera);
+        let parts: Vec<Mesh> = tiles.par_iter().map(part).collect();
+        parts.into_iter().for_each(|part| mesh.append(part));
+    }
     mesh
 }
 

@@ -1,6 +1,7 @@
 //! Posts of a landscape's ground, stored or sampled, cut into tiles.
 
 use std::ops::RangeInclusive;
+use std::sync::Arc;
 
 use generator::{PrepareError, Stage};
 use landscape::Landscape;
@@ -61,7 +62,7 @@ impl Posts {
         }
         let places = axes.map(|axis| places(&axis));
         match sampled(landscape, &places, spacing) {
-            Some(ground) => Self::cut(run.order, places, axes, ground),
+            Some((heights, slopes)) => Self::cut(run.order, places, axes, (heights.into(), slopes)),
             None => Err(refused("ground with holes".into(), "give it a bank whose levels nest")),
         }
     }
@@ -90,11 +91,12 @@ impl Posts {
         order: u32,
         [rows, columns]: [Vec<f64>; 2],
         axes: [Axis; 2],
-        (heights, slopes): (Vec<f64>, Vec<[f32; 2]>),
+        (heights, slopes): (Arc<Vec<f64>>, Vec<[f32; 2]>),
     ) -> Result<Self, PrepareError> {
-        let terrain = Terrain::new(order, [columns, rows], heights)
+        let terrain = Terrain::shared(order, [columns, rows], heights)
             .map_err(|error| refused(error.to_string(), "choose another lod.order or lod.spacing_m"))?;
-        let heights = terrain.tiles().map(|tile| heights_of(&terrain, tile)).collect();
+        let tiles: Vec<Tile> = terrain.tiles().collect();
+        let heights = tiles.into_par_iter().map(|tile| heights_of(&terrain, tile)).collect();
         Ok(Self { terrain, slopes, axes, heights })
     }
 }
@@ -164,12 +166,16 @@ fn sampled(
     [rows, columns]: &[Vec<f64>; 2],
     spacing: f64,
 ) -> Option<(Vec<f64>, Vec<[f32; 2]>)> {
-    let at = |post: usize| {
+    let count = rows.len() * columns.len();
+    let (mut heights, mut slopes) = (vec![0.0; count], vec![[0.0; 2]; count]);
+    let posts = heights.par_iter_mut().zip(&mut slopes).enumerate();
+    posts.try_for_each(|(post, (height, slopes))| {
         let (north, east) = (rows[post / columns.len()], columns[post % columns.len()]);
         let ground = landscape.at_spacing(north, east, spacing)?;
-        Some((ground.height, ground.slopes.map(|slope| slope as f32)))
-    };
-    (0..rows.len() * columns.len()).into_par_iter().map(at).collect()
+        (*height, *slopes) = (ground.height, ground.slopes.map(|slope| slope as f32));
+        Some(())
+    })?;
+    Some((heights, slopes))
 }
 
 fn heights_of(terrain: &Terrain, tile: Tile) -> RangeInclusive<f64> {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use glam::DVec3;
-use landscape::{Landscape, shade};
+use landscape::{Landscape, Photometry, shade};
 use photo_drape::{Drape, Footprint};
 
 /// What the ground looks like at the posts of a grid on the map, linear between them; or what photographs show of it.
@@ -75,8 +75,13 @@ impl GroundMap {
         match &self.0 {
             Texels::Colours { axes, colours } => between(axes, colours, place),
             Texels::Slopes { axes, slopes, landscape, sun } => {
-                let to_eye = (eye - place).normalize_or_zero().to_array();
-                let light = shade(*sun, between(axes, slopes, place), to_eye, *landscape.photometry());
+                let photometry = *landscape.photometry();
+                // Only these laws ask from where the ground is seen, and a root for each pixel costs.
+                let to_eye = match photometry {
+                    Photometry::Lambert => DVec3::ZERO,
+                    _ => (eye - place).normalize_or_zero(),
+                };
+                let light = shade(*sun, between(axes, slopes, place), to_eye.to_array(), photometry);
                 landscape.albedo_at(place.x, place.y).map(|albedo| (albedo * light).clamp(0.0, 1.0))
             }
             Texels::Photographs { drape, half_pixel, unseen } => {
@@ -94,10 +99,18 @@ impl GroundMap {
 
 /// Texels at the four posts around a place, mixed.
 fn between<const N: usize>(axes: &[Axis; 2], texels: &[[f32; N]], place: DVec3) -> [f64; N] {
-    let [(row, v), (column, u)] = [axes[0].cell(place.x), axes[1].cell(place.y)];
-    let post = |row: usize, column: usize| texels[row * axes[1].posts + column].map(f64::from);
-    let [a, b] = [row, row + 1].map(|row| mix(post(row, column), post(row, column + 1), u));
-    mix(a, b, v)
+    let ((row, v), (column, u)) = (axes[0].cell(place.x), axes[1].cell(place.y));
+    let first = row * axes[1].posts + column;
+    let along = |first: usize| mix(&doubles(&texels[first]), &doubles(&texels[first + 1]), u);
+    mix(&along(first), &along(first + axes[1].posts), v)
+}
+
+fn doubles<const N: usize>(texel: &[f32; N]) -> [f64; N] {
+    let mut doubles = [0.0; N];
+    for channel in 0..N {
+        doubles[channel] = f64::from(texel[channel]);
+    }
+    doubles
 }
 
 /// Whether a grid has as many posts.
@@ -105,8 +118,12 @@ fn holds(axes: &[Axis; 2], texels: usize) -> bool {
     axes.iter().all(|axis| axis.posts >= 2) && axes[0].posts * axes[1].posts == texels
 }
 
-fn mix<const N: usize>(a: [f64; N], b: [f64; N], share: f64) -> [f64; N] {
-    std::array::from_fn(|channel| (1.0 - share) * a[channel] + share * b[channel])
+fn mix<const N: usize>(a: &[f64; N], b: &[f64; N], share: f64) -> [f64; N] {
+    let mut mixed = [0.0; N];
+    for channel in 0..N {
+        mixed[channel] = (1.0 - share) * a[channel] + share * b[channel];
+    }
+    mixed
 }
 
 #[cfg(test)]

@@ -68,6 +68,7 @@ impl Feature {
     /// two features have one distance, the higher `priority` is seen. Where these are equal too, the lower `id` is seen.
     ///
     /// # Errors If the translucency is no share, or a channel is below 0 or not finite.
+    #[inline]
     pub fn surface(
         id: u32,
         priority: i32,
@@ -100,6 +101,7 @@ impl Feature {
         Self { id, priority, kind: Kind::Surface, translucency: 0.0, light: [0.0; 3], shading }
     }
 
+    #[inline]
     fn new(
         id: u32,
         priority: i32,
@@ -111,11 +113,9 @@ impl Feature {
         if !(0.0..=1.0).contains(&translucency) {
             return Err(FeatureError::Translucency { id, value: translucency });
         }
-        if let Some(&value) = colour.iter().find(|channel| !is_light(**channel)) {
-            return Err(FeatureError::Colour { id, value });
-        }
-        let light = colour.map(|channel| factor * channel);
-        match light.iter().find(|channel| !is_light(**channel)) {
+        let [red, green, blue] = colour;
+        let light = [factor * red, factor * green, factor * blue];
+        match colour.iter().chain(&light).find(|channel| !is_light(**channel)) {
             Some(&value) => Err(FeatureError::Colour { id, value }),
             None => Ok(Self { id, priority, kind, translucency, light, shading: None }),
         }

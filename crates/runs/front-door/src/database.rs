@@ -24,7 +24,7 @@ pub(crate) fn posts(file: &Path, bank: [f64; 4]) -> Result<Posts, StageError> {
         [0, 1].map(|axis| places[axis].iter().map(|place| place - frame.origin[axis]).collect::<Vec<f64>>());
     let ranges = ranges.into_iter().map(|range| [range.end, range.share]).collect();
     let [light, albedo] = [light, albedo].map(|map| map.map(|map| shares(&map)));
-    let posts = Posts { order, places: [north, east], heights, ranges, light, albedo };
+    let posts = Posts { order, places: [north, east], heights: heights.into(), ranges, light, albedo };
     let [south, west, north, east] = posts.extent();
     let is_apart = south >= bank[2] || north <= bank[0] || west >= bank[3] || east <= bank[1];
     match is_apart {

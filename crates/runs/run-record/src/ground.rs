@@ -69,7 +69,7 @@ impl From<&AlbedoMap> for AlbedoMapRecord {
 /// Hash of everything that a terrain database says of the ground.
 fn posts_hash(posts: &Posts) -> String {
     let places = posts.places.iter().flatten();
-    let numbers = places.chain(&posts.heights).chain(posts.ranges.iter().flatten());
+    let numbers = places.chain(posts.heights.iter()).chain(posts.ranges.iter().flatten());
     let mut bytes: Vec<u8> = posts.order.to_le_bytes().into();
     posts.places.iter().for_each(|places| bytes.extend((places.len() as u64).to_le_bytes()));
     bytes.extend(numbers.flat_map(|number| number.to_le_bytes()));

@@ -41,6 +41,10 @@ impl Sun {
 /// [`Sun::shade`] by the sun's unit vector, for whoever shades many places under one sun.
 pub fn shade(sun: [f64; 3], [hx, hy]: [f64; 2], to_eye: [f64; 3], photometry: Photometry) -> f64 {
     let mu0 = reflectivity(sun, [hx, hy]);
+    // Lambert's law does not ask from where the ground is seen.
+    if photometry == Photometry::Lambert {
+        return mu0;
+    }
     let mu = (to_eye[2] - hx * to_eye[0] - hy * to_eye[1]) / (1.0 + hx * hx + hy * hy).sqrt();
     let cos_g = sun[0] * to_eye[0] + sun[1] * to_eye[1] + sun[2] * to_eye[2];
     mu0 * photometry.factor(mu0, mu, cos_g)

@@ -1,5 +1,7 @@
 //! Ground as posts in tiles, for generators that draw levels of detail.
 
+use std::sync::Arc;
+
 /// Heights on a grid of posts, beside the bank: the same ground with what no bank can hold.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Posts {
@@ -8,7 +10,7 @@ pub struct Posts {
     /// Places of rows to the north and of columns to the east (m), rising.
     pub places: [Vec<f64>; 2],
     /// Heights (m), row by row from the south, each row from the west.
-    pub heights: Vec<f64>,
+    pub heights: Arc<Vec<f64>>,
     /// Ends of the ranges of levels (m) with the shares (0 to 1) over which they morph, the finest first; empty where none are stored.
     pub ranges: Vec<[f64; 2]>,
     /// Share of full light on each post, 0 to 1, as it was worked out once for one sun; none where it is not stored.

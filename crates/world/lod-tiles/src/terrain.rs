@@ -1,5 +1,7 @@
 //! Posts of the ground, cut into tiles.
 
+use std::sync::Arc;
+
 use crate::TileError;
 
 /// Largest order of a tile: 4097 posts a side.
@@ -19,7 +21,7 @@ pub struct Tile {
 pub struct Terrain {
     order: u32,
     places: [Vec<f64>; 2],
-    heights: Vec<f64>,
+    heights: Arc<Vec<f64>>,
 }
 
 /// The two vertices between which vertex i, j of a level lies at the next one; `None` if that level has it too.
@@ -37,7 +39,15 @@ impl Terrain {
     ///
     /// # Errors
     /// If the posts make no whole tiles, or a height is no number.
-    pub fn new(order: u32, [x, y]: [Vec<f64>; 2], heights: Vec<f64>) -> Result<Self, TileError> {
+    pub fn new(order: u32, places: [Vec<f64>; 2], heights: Vec<f64>) -> Result<Self, TileError> {
+        Self::shared(order, places, heights.into())
+    }
+
+    /// The same over heights that others hold too.
+    ///
+    /// # Errors
+    /// Those of [`Terrain::new`].
+    pub fn shared(order: u32, [x, y]: [Vec<f64>; 2], heights: Arc<Vec<f64>>) -> Result<Self, TileError> {
         if !(1..=LARGEST_ORDER).contains(&order) {
             return Err(TileError::Order(order));
         }

@@ -162,28 +162,3 @@ fn tile_of(axis: &Axis, place: f64) -> Option<usize> {
         }
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{repeated, tile_of};
-    use crate::grid::Axis;
-
-    #[test]
-    fn a_picture_repeats_and_keeps_both_borders() {
-        assert_eq!([0.0, 0.25, 1.0, 1.25, 2.0, -0.25].map(repeated), [0.0, 0.25, 1.0, 0.25, 0.0, 0.75]);
-    }
-
-    #[test]
-    fn a_border_belongs_to_the_tile_behind_it_and_the_last_one_to_the_last() {
-        // Three tiles of four cells; the last is stretched over two.
-        let axis = Axis { first: -3.0, resolution: 0.1, cells: 10, exponent: 2 };
-        let borders = [0, 4, 8, 12].map(|post| axis.place(post));
-        assert_eq!(borders.map(|place| tile_of(&axis, place)), [Some(0), Some(1), Some(2), Some(2)]);
-        let middles = [0, 1, 2].map(|tile| 0.5 * (borders[tile] + borders[tile + 1]));
-        assert_eq!(middles.map(|place| tile_of(&axis, place)), [Some(0), Some(1), Some(2)]);
-        assert_eq!(
-            [borders[0] - 1e-9, borders[3] + 1e-9, f64::NAN].map(|place| tile_of(&axis, place)),
-            [None; 3]
-        );
-    }
-}

@@ -10,8 +10,8 @@ use crate::shots::{draw, generator, pose, run, session, stage};
 
 /// The stage with posts whose heights rise by 0.3 m a metre to the east.
 fn stored(places: [Vec<f64>; 2], ranges: Vec<[f64; 2]>) -> Stage {
-    let heights = places[0].iter().flat_map(|_| places[1].iter().map(|east| 0.3 * east)).collect();
-    let posts = Posts { order: 2, places, heights, ranges, light: None, albedo: None };
+    let heights: Vec<f64> = places[0].iter().flat_map(|_| places[1].iter().map(|east| 0.3 * east)).collect();
+    let posts = Posts { order: 2, places, heights: heights.into(), ranges, light: None, albedo: None };
     over(posts)
 }
 
@@ -70,7 +70,7 @@ fn a_last_tile_may_be_narrower_and_other_posts_are_refused() {
 fn stored_light_is_drawn_with_stored_albedo() {
     let stored = |light: Option<Vec<f32>>, albedo: Option<Vec<f32>>| {
         let (places, heights) = ([every(100.0, 17), every(100.0, 9)], vec![0.0; 17 * 9]);
-        over(Posts { order: 2, places, heights, ranges: Vec::new(), light, albedo })
+        over(Posts { order: 2, places, heights: heights.into(), ranges: Vec::new(), light, albedo })
     };
     let run = Parameters { light: GroundLight::Stored, ..Parameters::default() };
     let light: Vec<f32> = (0..17 * 9).map(|post| 1.0 - (post % 9) as f32 / 8.0).collect();

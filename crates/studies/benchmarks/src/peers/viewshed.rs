@@ -26,10 +26,10 @@ pub struct Lookout {
     pub turns: usize,
 }
 
-/// What it found.
+/// What it found of the ground.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Seen {
-    /// Version of xarray-spatial.
+    /// Version of xarray-spatial that answered.
     pub version: String,
     /// Time of each call (s).
     pub seconds: Vec<f64>,
@@ -49,7 +49,7 @@ struct Said {
 /// # Errors
 /// If it does not answer as it should.
 pub fn viewshed(heights: &[f64], lookout: &Lookout) -> Result<Result<Seen, String>, String> {
-    let Some(python) = env::var_os(PYTHON) else {
+    let Some(python) = env::var_os(PYTHON).filter(|python| !python.is_empty()) else {
         return Ok(Err(skipped(
             &format!("a Python with xarray-spatial, named by {PYTHON},"),
             "xarray-spatial",

@@ -61,6 +61,7 @@ fn the_upper_line_of_a_picture_lies_in_the_north() {
     corners.iter().for_each(|(share, albedo)| near(grey(&textures, *share), *albedo, 1e-6));
     let [north, east] = place([1.0, 1.0]);
     assert_eq!(textures.at([north + 0.1, east]), None, "no ground, no texture");
+    assert_eq!(textures.at([f64::NAN, east]), None);
     assert!(!textures.is_colourful());
 }
 

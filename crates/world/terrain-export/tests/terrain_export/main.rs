@@ -69,7 +69,7 @@ fn ground(text: &str) -> Ground {
     Ground::new(description, Base::Level(0.0)).unwrap()
 }
 
-/// No textures.
+/// The textures of ground without any.
 fn bare() -> Textures {
     Textures::open(ground(LANDSCAPE).description()).unwrap()
 }

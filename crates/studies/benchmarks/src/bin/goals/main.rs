@@ -146,7 +146,8 @@ fn run(part: &Part) -> Result<(), String> {
         }
         Part::GuestPeak { scenario, machine, set } => {
             let set = set.iter().cloned().collect();
-            let choice = SideChoice { scenario: scenario.clone(), machine: machine.clone(), set };
+            let choice =
+                SideChoice { scenario: scenario.clone(), machine: machine.clone(), set, whole: false };
             println!("{}", guests::peak(&choice)?);
             Ok(())
         }

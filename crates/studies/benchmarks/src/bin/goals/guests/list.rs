@@ -92,6 +92,9 @@ pub struct SideChoice {
     /// Keys with their values, as `--set` takes them.
     #[serde(default)]
     pub set: BTreeMap<String, String>,
+    /// Whether its frames are spread over the whole mission; the first ones otherwise.
+    #[serde(default)]
+    pub whole: bool,
 }
 
 impl Guests {

@@ -36,9 +36,13 @@ impl Side {
         let wishes = Wishes { machine: choice.machine.clone(), set, ..Wishes::default() };
         let opened = open(&path, &wishes).map_err(|error| error.to_string())?;
         let stage = opened.stage().map_err(|error| error.to_string())?;
-        let last = opened.frames().min(FRAMES);
-        let poses = opened.poses(&stage, 0..last).map_err(|problems| problems.to_string())?;
-        let poses = (0..).zip(poses.rows().iter().map(|row| row.pose)).collect();
+        let (all, count) = (opened.frames(), opened.frames().min(FRAMES));
+        let pose = |turn: u64| {
+            let frame = if choice.whole { (2 * turn + 1) * all / (2 * count) } else { turn };
+            let table = opened.poses(&stage, frame..frame + 1).map_err(|problems| problems.to_string())?;
+            Ok((frame, table.rows()[0].pose))
+        };
+        let poses = (0..count).map(pose).collect::<Result<Vec<_>, String>>()?;
         let colours = [PlaneKind::Intensity, PlaneKind::Red, PlaneKind::Green, PlaneKind::Blue];
         let kinds = if opened.generator.draws_colour(&stage) { &colours[..] } else { &colours[..1] };
         let planes = Planes::new(stage.view.columns as usize, stage.view.lines as usize, kinds);
