@@ -34,7 +34,7 @@ pub(crate) fn text(
     let [x, y] = start(ground, bank, export, drive);
     let (features, objects) = (features(!export.craters.is_empty()), objects_of(objects));
     let albedo = if has_albedo { albedo(size) } else { String::new() };
-    let [azimuth, elevation] = sun(ground);
+    let sun = sun(ground);
     let (title, resolution) = (quoted(&description.title), grid.north.resolution);
     let (start, end) = (0.25 * resolution, size[0].max(size[1]));
     format!(
@@ -50,8 +50,7 @@ bank = \"ground.bank\"
 database = \"terrain.lod\"
 {albedo}{features}
 [sun]
-azimuth_deg = {azimuth}
-elevation_deg = {elevation}
+{sun}
 
 [shadows]
 finest_m = {finest}
@@ -102,12 +101,27 @@ fn objects_of(objects: &[Object]) -> String {
     text
 }
 
-/// Azimuth and elevation of the sun at the centre (degrees).
-fn sun(ground: &Ground) -> [f64; 2] {
-    let Some(light) = ground.description().light else { return USUAL_SUN_DEG };
-    let direction = sun_direction(ground.description().frame.centre(), light.sub_solar);
-    let [elevation, azimuth] = elevation_and_azimuth(direction).map(degrees);
-    if elevation > 0.0 { [azimuth, elevation] } else { USUAL_SUN_DEG }
+/// Keys of the sun: the landscape's sub-solar point, over the centre of the area.
+fn sun(ground: &Ground) -> String {
+    let centre = ground.description().frame.centre();
+    let light = ground.description().light;
+    match light.filter(|light| elevation_and_azimuth(sun_direction(centre, light.sub_solar))[0] > 0.0) {
+        Some(light) => {
+            let [[latitude, longitude], [north, east]] = [centre, light.sub_solar].map(in_degrees);
+            format!(
+                "sub_solar_deg = [{north}, {east}]\nplace = {{ longitude_deg = {longitude}, latitude_deg = {latitude} }}"
+            )
+        }
+        None => {
+            let [azimuth, elevation] = USUAL_SUN_DEG;
+            format!("azimuth_deg = {azimuth}\nelevation_deg = {elevation}")
+        }
+    }
+}
+
+/// Angles in degrees, without what their rounding leaves.
+fn in_degrees(angles: [f64; 2]) -> [f64; 2] {
+    angles.map(|angle| (degrees(angle) * 1e10).round() / 1e10)
 }
 
 /// A text between quotes, as TOML has it: control characters, quotes and backslashes are escaped as in JSON.

@@ -95,3 +95,21 @@ fn the_files_of_built_ground_are_the_export_of_its_landscape() {
         assert!(made == shipped, "{file} is not what `lunoid terrain export` makes of landscape.toml");
     }
 }
+
+/// The scenario of an export has the sun of its light map, wherever the bank has its middle.
+#[test]
+fn the_scenario_has_the_sun_of_the_landscape() {
+    let (ground, exported) = exported(USUAL);
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("built");
+    write_folder(&exported, &out).unwrap();
+    let scenario = Scenario::read(out.join("scenario.toml")).unwrap_or_else(|list| panic!("{list}"));
+    let bank = bank_file::read(out.join("ground.bank")).unwrap();
+    let landscape = Landscape::new(bank, 0.5);
+    let sun = Scenery::of(&scenario, &landscape, rate()).unwrap_or_else(|e| panic!("{e}")).sun(0.0);
+    let centre = ground.description().frame.centre();
+    let lit = ephemeris::sun_direction(centre, ground.description().light.unwrap().sub_solar);
+    let [elevation, azimuth] = ephemeris::elevation_and_azimuth(lit);
+    assert!((sun.elevation - elevation).abs() < 1e-9 && (sun.azimuth - azimuth).abs() < 1e-9, "{sun:?}");
+    assert!(exported.scenario.contains("sub_solar_deg = [1.5, 80]"), "{}", exported.scenario);
+}
