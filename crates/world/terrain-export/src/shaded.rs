@@ -10,8 +10,8 @@ use crate::albedo;
 /// Grey of full light.
 const WHITE: f64 = 255.0;
 
-/// The ground from above, north at the top, shaded by its slope to a sun of a direction (north, east, up; unit vector) and darkened by the
-/// luminance of its textures. The longer side has `longest` pixels. Shadows that the ground casts are left out, and boulders.
+/// The ground from above, north at the top, shaded by its slope to a sun of a direction (north, east, up; unit vector) and darkened where
+/// its textures are darker than elsewhere. The longer side has `longest` pixels. Shadows that the ground casts are left out, and boulders.
 ///
 /// # Errors
 /// If there are no pixels.
@@ -33,12 +33,15 @@ pub fn shaded(
         .into_par_iter()
         .map(|index| ground.height(place(index / (columns + 1), index % (columns + 1))))
         .collect();
+    let albedo = |index: usize| intensity(albedo::at(textures, place(index / columns, index % columns)));
+    let albedos: Vec<f64> = (0..lines * columns).into_par_iter().map(albedo).collect();
+    // The brightest ground has all of its light: dark soil is not a dark picture.
+    let brightest = albedos.iter().copied().fold(f64::MIN_POSITIVE, f64::max);
     let code = |index: usize| {
         let at = index / columns * (columns + 1) + index % columns;
         let slope =
             [heights[at] - heights[at + columns + 1], heights[at + 1] - heights[at]].map(|rise| rise / pixel);
-        let albedo = intensity(albedo::at(textures, place(index / columns, index % columns)));
-        (WHITE * albedo * share(slope, sun)).round() as u16
+        (WHITE * (albedos[index] / brightest) * share(slope, sun)).round() as u16
     };
     GreyPicture::new(columns, lines, Depth::Eight, (0..lines * columns).map(code).collect())
 }
