@@ -290,7 +290,9 @@ impl From<ExportError> for Failure {
             ExportError::Database(_) | ExportError::Boulder { .. } | ExportError::Albedo(_) => {
                 Self::input(error)
             }
-            ExportError::Strange { .. } | ExportError::System { .. } => Self::output(error),
+            ExportError::Strange { .. } | ExportError::NoFolder { .. } | ExportError::System { .. } => {
+                Self::output(error)
+            }
         }
     }
 }

@@ -20,7 +20,7 @@ pub(crate) fn machine(run: &Run) -> Markup {
                     figcaption { "Blocks and wires. Broken lines: left out with all that joins them. A dot: parts of it are left out." }
                 }
             } @else {
-                p.lead { "Drawn by " b { (run.generator) } ": closed form and root finding, without blocks, sweeps or samples." }
+                p.lead { "Drawn by " b { (run.generator) } ", without the blocks and sweeps of the hybrid machine." }
             }
             h3 { "Left out" }
             (omissions(&run.omissions))

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use landscape::{LUNOID_RADIUS, Posts};
+use landscape::{LUNOID_RADIUS, MapFrame, Posts};
+use quantities::sin_cos;
 use terrain_database::{Contents, Database, Map};
 
 use crate::StageError;
@@ -10,15 +11,28 @@ use crate::StageError;
 /// By how much the radius of the body may be another, as a share. Chosen: that of the Moon is known to less.
 const SAME_BODY: f64 = 1e-3;
 
-/// Reads the posts of the database in `file`, over a bank with these borders (south, west, north, east; m).
+/// Share of the ground's longer side by which the middle of a database may lie elsewhere than the bank's map has it. Chosen: the middle of a
+/// bank's regions lies within one region of the middle of the posts.
+const SAME_PLACE: f64 = 0.1;
+
+/// Reads the posts of the database in `file`, over a bank with these borders (south, west, north, east; m) and this map.
 ///
 /// # Errors
-/// If the file is no sound database, is of another body, or has no ground in common with the bank.
-pub(crate) fn posts(file: &Path, bank: [f64; 4]) -> Result<Posts, StageError> {
+/// If the file is no sound database, is of another body or of another place, or has no ground in common with the bank.
+pub(crate) fn posts(file: &Path, bank: [f64; 4], map: Option<&MapFrame>) -> Result<Posts, StageError> {
     let database = Database::open(file).map_err(Box::new)?;
     let Contents { frame, order, places, heights, ranges, light, albedo, .. } = database.into_contents();
     if (frame.radius - LUNOID_RADIUS).abs() > SAME_BODY * LUNOID_RADIUS {
         return Err(StageError::OtherBody { file: file.into(), radius: frame.radius });
+    }
+    let stated = [frame.latitude, frame.longitude];
+    let longer = [0, 1]
+        .map(|axis| places[axis].last().zip(places[axis].first()).map_or(0.0, |(end, begin)| end - begin));
+    let reach = SAME_PLACE * longer[0].max(longer[1]);
+    // The middle of the area has the axes of the database, whose origin is the bank's corner.
+    let mapped = map.and_then(|map| map.point([-frame.origin[1], -frame.origin[0]]));
+    if let Some(found) = mapped.filter(|found| apart(*found, stated) * LUNOID_RADIUS > reach) {
+        return Err(StageError::OtherPlace { file: file.into(), database: stated, bank: found });
     }
     let [east, north] =
         [0, 1].map(|axis| places[axis].iter().map(|place| place - frame.origin[axis]).collect::<Vec<f64>>());
@@ -31,6 +45,17 @@ pub(crate) fn posts(file: &Path, bank: [f64; 4]) -> Result<Posts, StageError> {
         true => Err(StageError::ApartDatabase { file: file.into(), posts: posts.extent(), bank }),
         false => Ok(posts),
     }
+}
+
+/// Angle (rad) between two places on a sphere, each a latitude and a longitude (rad).
+fn apart(one: [f64; 2], other: [f64; 2]) -> f64 {
+    let to = |[latitude, longitude]: [f64; 2]| {
+        let ((up, level), (east, north)) = (sin_cos(latitude), sin_cos(longitude));
+        [level * north, level * east, up]
+    };
+    let [a, b] = [one, other].map(to);
+    let chord = (0..3).map(|axis| (a[axis] - b[axis]) * (a[axis] - b[axis])).sum::<f64>().sqrt();
+    2.0 * libm::asin((0.5 * chord).min(1.0))
 }
 
 fn shares(map: &Map) -> Vec<f32> {
@@ -53,7 +78,7 @@ mod tests {
         let light = Some(Map::U8((0..15).map(|post| 17 * post).collect()));
         let contents = Contents { light, ..Contents::new(frame, 1, [places(5), places(3)], heights) };
         Database::new(contents).unwrap().write(&file).unwrap();
-        posts(&file, bank)
+        posts(&file, bank, None)
     }
 
     #[test]

@@ -13,6 +13,7 @@ use landscape::relief::ReliefError;
 use landscape::{AlbedoMapError, BankError, LUNOID_RADIUS, TextureError};
 use photograph::PhotoError;
 use photographs::PhotographFileError;
+use quantities::degrees;
 use scenario::{PathProblems, SceneryProblems};
 use terrain_database::DatabaseError;
 
@@ -141,6 +142,20 @@ pub enum StageError {
         file: PathBuf,
         /// Radius of its body (m).
         radius: f64,
+    },
+    /// The terrain database is of another place.
+    #[error(
+        "[landscape] database: {}: ground about latitude {:.4}, longitude {:.4} degrees, where the bank has {:.4}, {:.4}; expected the same \
+         ground, from one export",
+        file.display(), degrees(database[0]), degrees(database[1]), degrees(bank[0]), degrees(bank[1])
+    )]
+    OtherPlace {
+        /// File of the database.
+        file: PathBuf,
+        /// Latitude and longitude (rad) of its middle.
+        database: [f64; 2],
+        /// Those of the same place by the map of the bank.
+        bank: [f64; 2],
     },
     /// The terrain database and the bank are of different ground.
     #[error(

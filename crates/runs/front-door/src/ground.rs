@@ -26,7 +26,8 @@ pub fn landscape(bank: Bank, scenario: &Scenario) -> Result<Landscape, StageErro
     let texture = texture.transpose()?;
     let extent = level.extent();
     let map = scenario.albedo_map.as_ref().map(|wish| albedo_map(wish, extent)).transpose()?;
-    let posts = scenario.database.as_ref().map(|file| posts(file, extent)).transpose()?;
+    let place = bank.map();
+    let posts = scenario.database.as_ref().map(|file| posts(file, extent, place)).transpose()?;
     let landscape = Landscape::new(bank, scenario.albedo).with_albedo_map(map).with_posts(posts);
     let landscape = landscape.with_photographs(photographs(&scenario.photographs)?);
     let landscape = landscape.with_features(features).with_texture(texture);

@@ -13,6 +13,9 @@ use crate::refused::Refused;
 /// Posts a sample above which a grid finer than its file is warned of, along one direction (chosen).
 const MUCH_FINER: f64 = 8.0;
 
+/// By how much the radius of the body may be another, as a share. Chosen: that of the Moon is known to less.
+const SAME_BODY: f64 = 1e-3;
+
 /// Ground below all features.
 #[derive(Debug, Clone)]
 pub enum Base {
@@ -85,7 +88,7 @@ impl ElevationBase {
     /// lies in the middle of the frame.
     ///
     /// # Errors
-    /// If the file does not reach over all posts.
+    /// If the file does not reach over all posts, or is of another body.
     pub fn new(elevation: Elevation, frame: Frame, grid: &Grid) -> Result<Self, Refused> {
         let lay = Lay::of(&elevation, frame);
         let last = lay.size.map(|count| count as f64 - 1.0);
@@ -95,6 +98,11 @@ impl ElevationBase {
         if !lay.range(grid).is_some_and(is_in) {
             return Err(not_covered(lay.size));
         }
+        let is_of_body = |radius: f64| (radius - frame.radius()).abs() <= SAME_BODY * frame.radius();
+        if let Some(radius) = elevation.frame.sphere().filter(|radius| !is_of_body(*radius)) {
+            let expected = "a file of the body of the landscape, `area.radius_m`";
+            return Err(Refused::new("file", format!("of a body of {radius} m"), expected));
+        }
         let cell = lay.samples_a_step([grid.north.resolution, grid.east.resolution]).unwrap_or([1.0; 2]);
         Ok(Self { filled: elevation.filled(), elevation, lay, cell })
     }
@@ -102,6 +110,18 @@ impl ElevationBase {
     /// The part of the file that was read.
     pub fn elevation(&self) -> &Elevation {
         &self.elevation
+    }
+
+    /// Whether the file names no projection, so that its middle was laid under the middle of the landscape.
+    pub fn is_unplaced(&self) -> bool {
+        self.elevation.frame == survey::Frame::Plane(None)
+    }
+
+    /// Share of the samples under the landscape that are void, 0 to 1.
+    pub fn voids(&self) -> f64 {
+        let [lines, columns] = [self.elevation.lines, self.elevation.columns];
+        let is_void = |sample: &usize| self.elevation.height(sample / columns, sample % columns).is_none();
+        (0..lines * columns).filter(is_void).count() as f64 / (lines * columns) as f64
     }
 
     /// How many times finer the grid is than the file, where that is more than eight times.

@@ -1,6 +1,6 @@
 //! A landscape as its file describes it: nothing is built yet.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::boulder::Shape;
 use crate::crater::CraterForm;
@@ -31,6 +31,22 @@ pub struct Description {
     pub reported: Reported,
     /// Sun and surface, where the file has them.
     pub light: Option<Light>,
+}
+
+impl Description {
+    /// Files that it names: that of the base, and the pictures of enabled textures.
+    pub fn files(&self) -> impl Iterator<Item = &Path> {
+        let base = match &self.base {
+            BaseWish::File { path, .. } => Some(path),
+            BaseWish::Level(_) => None,
+        };
+        let enabled = self.features.iter().filter(|feature| feature.is_enabled);
+        let pictures = enabled.filter_map(|feature| match &feature.kind {
+            Kind::Texture(wish) => Some(&wish.path),
+            _ => None,
+        });
+        base.into_iter().chain(pictures).map(PathBuf::as_path)
+    }
 }
 
 /// What a file says about the base.

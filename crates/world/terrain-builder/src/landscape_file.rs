@@ -5,7 +5,7 @@ use std::thread;
 use std::time::Duration;
 
 use diagnostics::ProblemList;
-use files::{FileError, FolderError, Lock, read_all, write_atomic};
+use files::{FileError, FolderError, Lock, expect_output, read_all, write_atomic};
 use limits::Limit;
 
 use crate::description::Description;
@@ -190,6 +190,8 @@ impl LandscapeFile {
 
     /// The journal comes second: cut off in between, undo says that the text is not as the last edit left it.
     fn write(&self, text: &str, journal: &Journal) -> Result<(), LandscapeFileError> {
+        // Where the journal cannot be written, the landscape stays as it was.
+        expect_output(&self.journal_path())?;
         write_atomic(&self.path, |file| file.write_all(text.as_bytes()))?;
         write_atomic(self.journal_path(), |file| file.write_all(journal.text().as_bytes()))?;
         Ok(())

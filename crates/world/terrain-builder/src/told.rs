@@ -50,6 +50,10 @@ pub enum Warning {
     LeftOut(String, u64),
     /// Posts are this many times closer than the samples of the base.
     MuchFiner(f64),
+    /// The base names no projection: its middle lies under the middle of the landscape.
+    Unplaced,
+    /// This share of the samples of the base is void.
+    Voids(f64),
 }
 
 impl std::fmt::Display for Warning {
@@ -72,11 +76,33 @@ impl std::fmt::Display for Warning {
                 f,
                 "feature {id:?}: {count} items found no room at their `min_separation_m` and are left out"
             ),
+            Self::Unplaced => write!(
+                f,
+                "the elevation file names no projection: its coordinates are passed over, and its middle lies under the middle of the landscape"
+            ),
+            Self::Voids(share) => write!(
+                f,
+                "{:.2} % of the samples of the base are void: heights there are filled in from around them",
+                100.0 * share
+            ),
             Self::MuchFiner(times) => write!(
                 f,
                 "posts are {times:.1} times closer than the samples of the base: the ground between samples is smooth"
             ),
         }
+    }
+}
+
+impl Base {
+    /// What the author should know of an elevation file.
+    pub fn warnings(&self) -> Vec<Warning> {
+        let Self::Elevation(base) = self else { return Vec::new() };
+        let (is_unplaced, voids) = (base.is_unplaced(), base.voids());
+        [is_unplaced.then_some(Warning::Unplaced), (voids > 0.0).then_some(Warning::Voids(voids))]
+            .into_iter()
+            .flatten()
+            .chain(base.much_finer().map(Warning::MuchFiner))
+            .collect()
     }
 }
 
@@ -128,9 +154,7 @@ impl Ground {
     pub fn warnings(&self) -> Vec<Warning> {
         let mut warnings: Vec<Warning> =
             self.description().frame.warnings().into_iter().map(Warning::Frame).collect();
-        if let Base::Elevation(base) = self.base() {
-            warnings.extend(base.much_finer().map(Warning::MuchFiner));
-        }
+        warnings.extend(self.base().warnings());
         for number in 0..self.description().features.len() {
             self.warn_of(number, &mut warnings);
         }

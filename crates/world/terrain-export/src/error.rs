@@ -42,6 +42,12 @@ pub enum ExportError {
     /// A folder that cannot be made.
     #[error(transparent)]
     Folder(#[from] FolderError),
+    /// Something that an export does not replace.
+    #[error("{path}: a link or a file; expected a folder, or a new name; name the folder itself", path = .path.display())]
+    NoFolder {
+        /// Path that was named.
+        path: PathBuf,
+    },
     /// A folder with files that no export has written.
     #[error("{path}: a folder with {found:?} in it; expected an empty folder, or one from an export; choose another --out", path = .path.display())]
     Strange {

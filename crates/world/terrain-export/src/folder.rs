@@ -4,11 +4,14 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use files::{Npy, NpyData, folder_of, make_folder, rename, write_atomic, write_npy};
+use files::{Npy, NpyData, folder_of, make_folder, read_all, rename, write_atomic, write_npy};
 use landscape::bank_file;
+use limits::Limit;
+use serde_json::Value;
 
 use crate::error::ExportError;
 use crate::exported::Exported;
+use crate::told::SCHEMA;
 
 /// Names of all files and folders of an export, in alphabetical order.
 pub const FILES: [&str; 10] = [
@@ -31,7 +34,7 @@ pub const FILES: [&str; 10] = [
 pub fn write_folder(exported: &Exported, out: &Path) -> Result<(), ExportError> {
     let (new, old) = (hidden(out, "new"), hidden(out, "old"));
     restore(out, &old)?;
-    expect_ours(out)?;
+    expect_folder(out)?;
     make_folder(folder_of(out))?;
     remove(&new)?;
     make_folder(&new)?;
@@ -56,20 +59,54 @@ fn restore(out: &Path, old: &Path) -> Result<(), ExportError> {
     if old.is_dir() && !out.exists() { Ok(rename(old, out)?) } else { remove(old) }
 }
 
-fn expect_ours(out: &Path) -> Result<(), ExportError> {
+/// Sees that an export may take the place of what is there: nothing, an empty folder, or an earlier export and nothing else.
+///
+/// # Errors
+/// If there is something else.
+pub fn expect_folder(out: &Path) -> Result<(), ExportError> {
+    if out.is_symlink() || out.is_file() {
+        return Err(ExportError::NoFolder { path: out.into() });
+    }
     if !out.exists() {
         return Ok(());
     }
-    let system = |source| ExportError::System { path: out.into(), doing: "list this folder", source };
+    let names = listed(out)?;
+    let strange = match names.iter().find(|name| !FILES.contains(&name.as_str())) {
+        Some(name) => Some(name.clone()),
+        None if !names.is_empty() && !is_export(out) => names.first().cloned(),
+        None => strange_boulder(out)?,
+    };
+    strange.map_or(Ok(()), |found| Err(ExportError::Strange { path: out.into(), found }))
+}
+
+/// Names in a folder, sorted.
+fn listed(folder: &Path) -> Result<Vec<String>, ExportError> {
+    let system = |source| ExportError::System { path: folder.into(), doing: "list this folder", source };
     let mut names = Vec::new();
-    for entry in fs::read_dir(out).map_err(system)? {
+    for entry in fs::read_dir(folder).map_err(system)? {
         names.push(entry.map_err(system)?.file_name().to_string_lossy().into_owned());
     }
     names.sort();
-    match names.into_iter().find(|name| !FILES.contains(&name.as_str())) {
-        Some(found) => Err(ExportError::Strange { path: out.into(), found }),
-        None => Ok(()),
+    Ok(names)
+}
+
+/// Whether a folder says of itself that an export wrote it.
+fn is_export(folder: &Path) -> bool {
+    let text = read_all(&folder.join("export.json"), Limit::TextBytes);
+    let told: Option<Value> = text.ok().and_then(|text| serde_json::from_slice(&text).ok());
+    told.is_some_and(|told| told["schema"] == SCHEMA)
+}
+
+/// The first name in the folder of the boulders that no export gives.
+fn strange_boulder(out: &Path) -> Result<Option<String>, ExportError> {
+    let folder = out.join("boulders");
+    if !folder.exists() {
+        return Ok(None);
     }
+    let is_ours =
+        |name: &String| name.strip_suffix(".obj").is_some_and(|number| number.parse::<u64>().is_ok());
+    let names = if folder.is_symlink() { vec![String::new()] } else { listed(&folder)? };
+    Ok(names.into_iter().find(|name| !is_ours(name)).map(|name| format!("boulders/{name}")))
 }
 
 fn write_files(exported: &Exported, folder: &Path) -> Result<(), ExportError> {

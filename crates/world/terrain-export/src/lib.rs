@@ -42,6 +42,6 @@ mod told;
 pub use database::database;
 pub use error::ExportError;
 pub use exported::{Exported, Wishes};
-pub use folder::{FILES, write_folder};
+pub use folder::{FILES, expect_folder, write_folder};
 pub use light::light_map;
 pub use shaded::shaded;

@@ -6,6 +6,9 @@ use survey::{Grid, Survey};
 use terrain_builder::{Export, Ground};
 use terrain_database::{Database, documented_bytes};
 
+/// Schema of the document of an export.
+pub(crate) const SCHEMA: &str = "lunoid.terrain-export/1";
+
 /// A document of schema `lunoid.terrain-export/1`. `quantised` is the largest change of a height in the database (m), `albedo` the picture of
 /// the albedo.
 pub(crate) fn document(
@@ -18,7 +21,7 @@ pub(crate) fn document(
 ) -> Value {
     let description = ground.description();
     json!({
-        "schema": "lunoid.terrain-export/1",
+        "schema": SCHEMA,
         "title": description.title,
         "database": of_database(database, quantised),
         "craters": craters(ground, export),

@@ -139,3 +139,92 @@ fn a_texture_that_cannot_be_leaves_the_landscape_as_it_was() {
         assert_eq!(fs::read_to_string(scene.join("ground.toml")).unwrap(), text, "{arguments:?}");
     }
 }
+
+/// Neither the export nor the plot takes the place of a picture that the landscape reads.
+#[test]
+fn outputs_over_the_pictures_of_a_landscape_are_refused() {
+    let scene = Scene::new();
+    ground(&scene);
+    fs::create_dir(scene.join("out")).unwrap();
+    grey(&scene, "out/albedo.png", 60);
+    let picture = fs::read(scene.join("out/albedo.png")).unwrap();
+    scene.expect(0, &["terrain", "add", "ground.toml", "--id", "soil", "--texture", "out/albedo.png"]);
+    let (_, err) = scene.expect(2, &["terrain", "export", "ground.toml", "--out", "out"]);
+    assert!(err.contains("out/albedo.png"), "{err}");
+    let (_, err) = scene.expect(2, &["terrain", "show", "ground.toml", "--plot", "out/albedo.png"]);
+    assert!(err.contains("would replace a file of the landscape"), "{err}");
+    assert_eq!(fs::read(scene.join("out/albedo.png")).unwrap(), picture);
+}
+
+#[test]
+fn options_of_another_kind_are_refused_by_name() {
+    let scene = Scene::new();
+    ground(&scene);
+    grey(&scene, "soil.png", 60);
+    let text = fs::read_to_string(scene.join("ground.toml")).unwrap();
+    let crater = ["--crater", "3.04,26.05,300", "--wall-percent", "4", "--depth-percent", "20"];
+    let boulder = ["--boulder", "3.04,26.05,3"];
+    let soil = ["--texture", "soil.png"];
+    for (kind, stray, option) in [
+        (&crater[..], &["--shape", "rock"][..], "--shape"),
+        (&crater[..], &["--seed", "3"], "--seed"),
+        (&crater[..], &["--tile", "0,0"], "--tile"),
+        (&boulder[..], &["--tile", "0,0"], "--tile"),
+        (&boulder[..], &["--decay", "linear"], "--decay"),
+        (&soil[..], &["--seed", "3"], "--seed"),
+        (&soil[..], &["--shape", "cube"], "--shape"),
+    ] {
+        let (_, err) =
+            scene.expect(2, &[&["terrain", "add", "ground.toml", "--id", "more"][..], kind, stray].concat());
+        assert!(err.contains(option), "{option} in {err}");
+        assert_eq!(fs::read_to_string(scene.join("ground.toml")).unwrap(), text);
+    }
+}
+
+#[test]
+fn heights_without_a_place_and_voids_are_warned_of() {
+    let scene = Scene::new();
+    ground(&scene);
+    let row = |line: usize| {
+        (0..40).map(|at| if line < 10 && at < 20 { "-9999 " } else { "7 " }).collect::<String>()
+    };
+    let rows: Vec<String> = (0..40).map(row).collect();
+    let head = "ncols 40\nnrows 40\nxllcorner 5\nyllcorner 9\ncellsize 100\nNODATA_value -9999\n";
+    scene.write("heights.asc", format!("{head}{}\n", rows.join("\n")));
+    let (_, err) = scene.expect(0, &["terrain", "import", "ground.toml", "heights.asc"]);
+    assert!(err.contains("names no projection") && err.contains("are void"), "{err}");
+    let warnings = shown(&scene)["warnings"].to_string();
+    assert!(warnings.contains("names no projection") && warnings.contains("are void"), "{warnings}");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_journal_that_cannot_be_written_leaves_the_landscape() {
+    let scene = Scene::new();
+    let area = ["--longitude-deg", "3.0,3.1", "--latitude-deg", "26.0,26.1", "--resolution-m", "50"];
+    scene.expect(0, &[&["terrain", "new", "ground.toml"][..], &area].concat());
+    scene.write("elsewhere", "");
+    std::os::unix::fs::symlink(scene.join("elsewhere"), scene.join("ground.toml.journal")).unwrap();
+    let text = fs::read_to_string(scene.join("ground.toml")).unwrap();
+    let crater =
+        ["--id", "west", "--crater", "3.03,26.05,400", "--wall-percent", "4", "--depth-percent", "20"];
+    let output = scene.run(&[&["terrain", "add", "ground.toml"][..], &crater].concat());
+    assert!(!output.status.success());
+    assert_eq!(fs::read_to_string(scene.join("ground.toml")).unwrap(), text);
+}
+
+/// The database of ground elsewhere does not pass for that of the bank.
+#[test]
+fn a_database_of_another_place_is_refused() {
+    let scene = Scene::new();
+    for (name, longitude) in [("here", "3.0,3.1"), ("there", "13.0,13.1")] {
+        let file = format!("{name}.toml");
+        let area = ["--longitude-deg", longitude, "--latitude-deg", "26.0,26.1", "--resolution-m", "100"];
+        scene.expect(0, &[&["terrain", "new", &file][..], &area].concat());
+        scene.expect(0, &["terrain", "export", &file, "--out", name, "--no-progress"]);
+    }
+    scene.expect(0, &["check", "here/scenario.toml", "--machine", "lod-mesh"]);
+    fs::copy(scene.join("there/terrain.lod"), scene.join("here/terrain.lod")).unwrap();
+    let (_, err) = scene.expect(3, &["check", "here/scenario.toml", "--machine", "lod-mesh"]);
+    assert!(err.contains("longitude 13.05") && err.contains("from one export"), "{err}");
+}

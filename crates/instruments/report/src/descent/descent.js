@@ -35,7 +35,13 @@ const near = (list, pixel) => {
 };
 
 const draw = async (number) => {
-  shot = Math.max(0, Math.min(shots.length - 1, number));
+  const next = Math.max(0, Math.min(shots.length - 1, number));
+  // A place belongs to the picture in which it was clicked.
+  if (next !== shot && mark) {
+    mark = null;
+    at("place").textContent = "Click on the ground for its place.";
+  }
+  shot = next;
   const { frame, files, changes } = shots[shot];
   at("shot").value = shot;
   at("now").textContent = `frame ${frame}, ${times[indexOf(frame)].toFixed(2)} s, picture ${shot + 1} of ${shots.length}`;
@@ -97,7 +103,7 @@ const tell = async (way, pixel) => {
   const text = !place ? "No ground there."
     : `${place[0].toFixed(2)} m north, ${place[1].toFixed(2)} m east (pixel ${found[0]}, ${found[1]} of ${ways[way].name})\n`
       + (place.length > 2
-        ? `lunoid terrain add FILE --id mine --crater ${place[2].toFixed(7)},${place[3].toFixed(7)},RADIUS_M`
+        ? `lunoid terrain add FILE --id mine --crater ${place[2].toFixed(7)},${place[3].toFixed(7)},RADIUS_M --wall-percent 4 --depth-percent 20`
         : "This ground has no longitude and latitude; a ground of lunoid terrain has them, and is added to by them.");
   at("place").textContent = text;
   draw(shot);

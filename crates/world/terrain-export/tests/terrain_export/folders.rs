@@ -75,3 +75,41 @@ fn a_failed_export_leaves_the_old_folder() {
     write_folder(&other, &out).expect_err("no place for the new folder");
     assert_eq!(fs::read(out.join("terrain.lod")).unwrap(), before);
 }
+
+/// Files of the names of an export are not an export.
+#[test]
+fn somebody_elses_files_of_our_names_stay() {
+    let export = exported(USUAL).1;
+    for (name, content) in [
+        ("scenario.toml", "# my own scenario"),
+        ("ground.bank", "my bank"),
+        ("export.json", "{}"),
+        ("export.json", "{\"schema\": \"other/1\"}"),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        fs::write(folder.path().join(name), content).unwrap();
+        let error = write_folder(&export, folder.path()).expect_err(name).to_string();
+        assert!(error.contains(&format!("a folder with \"{name}\" in it")), "{error}");
+        assert_eq!(fs::read_to_string(folder.path().join(name)).unwrap(), content);
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("moon");
+    write_folder(&export, &out).unwrap();
+    fs::write(out.join("boulders/mine.obj"), "v 0 0 0").unwrap();
+    let error = write_folder(&export, &out).expect_err("a shape of somebody else").to_string();
+    assert!(error.contains("boulders/mine.obj"), "{error}");
+    assert!(out.join("boulders/mine.obj").exists());
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_is_not_replaced_by_a_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let (there, link) = (folder.path().join("there"), folder.path().join("link"));
+    let export = exported(USUAL).1;
+    write_folder(&export, &there).unwrap();
+    std::os::unix::fs::symlink(&there, &link).unwrap();
+    let error = write_folder(&export, &link).expect_err("a link").to_string();
+    assert!(error.contains("a link or a file; expected a folder"), "{error}");
+    assert!(link.is_symlink() && there.join("terrain.lod").exists());
+}

@@ -41,9 +41,9 @@ pub struct Add {
     /// Depth of the middle in per cent of the radius.
     #[arg(long, value_name = "PERCENT", requires = "crater", value_parser = values::percent)]
     depth_percent: Option<f64>,
-    /// How the wall falls off outside.
-    #[arg(long, value_enum, requires = "crater", default_value = "exponential")]
-    decay: DecayWord,
+    /// How the wall falls off outside; exponential if left out.
+    #[arg(long, value_enum, requires = "crater")]
+    decay: Option<DecayWord>,
     /// Elevation of the impact; 90 is straight down.
     #[arg(long, value_name = "DEGREES", requires = "crater", value_parser = values::finite)]
     impact_elevation_deg: Option<f64>,
@@ -53,9 +53,9 @@ pub struct Add {
     /// Place of a boulder (degrees), and its radius.
     #[arg(long, value_name = "LON,LAT,RADIUS_M", value_parser = three, conflicts_with = "block", requires = "id")]
     boulder: Option<[f64; 3]>,
-    /// Form of the boulder.
-    #[arg(long, value_enum, requires = "boulder", default_value = "rock")]
-    shape: ShapeWord,
+    /// Form of the boulder; rock if left out.
+    #[arg(long, value_enum, requires = "boulder")]
+    shape: Option<ShapeWord>,
     /// Share of the boulder's height below the ground, 0 to 0.9.
     #[arg(long, value_name = "SHARE", requires = "boulder", value_parser = values::not_negative)]
     burial: Option<f64>,
@@ -106,6 +106,11 @@ fn tile(text: &str) -> Result<[usize; 2], String> {
 impl Add {
     /// Adds the features; the file must then still be a landscape, and its pictures readable.
     pub fn run(&self) -> Result<(), Failure> {
+        if let Some((option, kind)) = self.stray() {
+            return Err(Failure::usage(format!(
+                "{option}: only with {kind}; leave it out, or add that feature by itself"
+            )));
+        }
         let file = &self.landscape.file;
         let block = match (&self.block, &self.texture) {
             (Some(block), _) => text_of(block)?,
@@ -119,6 +124,30 @@ impl Add {
         landscape.add(&block)?;
         let what = self.id.as_ref().map_or("features".into(), |id| format!("feature {id}"));
         done(&self.landscape.file, "add", &format!("added {what}"), self.json)
+    }
+
+    /// The first option that belongs to a feature of another kind, and to which.
+    fn stray(&self) -> Option<(&'static str, &'static str)> {
+        let of_crater = [
+            ("--wall-percent", self.wall_percent.is_some()),
+            ("--depth-percent", self.depth_percent.is_some()),
+            ("--decay", self.decay.is_some()),
+            ("--impact-elevation-deg", self.impact_elevation_deg.is_some()),
+            ("--impact-direction-deg", self.impact_direction_deg.is_some()),
+        ];
+        let of_boulder = [
+            ("--shape", self.shape.is_some()),
+            ("--burial", self.burial.is_some()),
+            ("--seed", self.seed.is_some()),
+        ];
+        let of_texture = [("--tile", self.tile.is_some())];
+        let of = |kind, is_asked: bool, options: &[(&'static str, bool)]| {
+            let stray = options.iter().find(|(_, is_given)| *is_given && !is_asked);
+            stray.map(|(option, _)| (*option, kind))
+        };
+        of("--crater", self.crater.is_some(), &of_crater)
+            .or_else(|| of("--boulder", self.boulder.is_some(), &of_boulder))
+            .or_else(|| of("--texture", self.texture.is_some(), &of_texture))
     }
 
     /// A texture as a block of text; `picture` is its path from the folder of the landscape.
@@ -145,7 +174,7 @@ impl Add {
 
     fn of_crater(&self) -> Vec<(&'static str, String)> {
         let number = |key, value: Option<f64>| value.map(|value| (key, format!("{value:?}")));
-        let decay = (self.decay == DecayWord::Linear).then(|| ("decay", "\"linear\"".to_owned()));
+        let decay = (self.decay == Some(DecayWord::Linear)).then(|| ("decay", "\"linear\"".to_owned()));
         [
             number("wall_percent", self.wall_percent),
             number("depth_percent", self.depth_percent),
@@ -160,9 +189,9 @@ impl Add {
 
     fn of_boulder(&self) -> Vec<(&'static str, String)> {
         let shape = match self.shape {
-            ShapeWord::Sphere => "sphere",
-            ShapeWord::Cube => "cube",
-            ShapeWord::Rock => "rock",
+            Some(ShapeWord::Sphere) => "sphere",
+            Some(ShapeWord::Cube) => "cube",
+            Some(ShapeWord::Rock) | None => "rock",
         };
         let burial = self.burial.map(|burial| ("burial", format!("{burial:?}")));
         let seed = self.seed.map(|seed| ("seed", seed.to_string()));

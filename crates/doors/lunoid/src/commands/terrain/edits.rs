@@ -7,7 +7,7 @@ use serde_json::json;
 use terrain_builder::{Base, Description, LandscapeFile};
 
 use crate::commands::terrain::Landscape;
-use crate::output::{print, print_json};
+use crate::output::{print, print_json, warn};
 use crate::{Failure, values};
 
 /// Radius of the Moon (m).
@@ -104,7 +104,8 @@ impl Import {
         let landscape = LandscapeFile::new(file);
         let text = terrain_builder::import(&landscape.text()?, &path, self.band)
             .map_err(|error| Failure::input(format!("{}: {error}", file.display())))?;
-        Base::open(&described(file, &text)?).map_err(Failure::input)?;
+        let base = Base::open(&described(file, &text)?).map_err(Failure::input)?;
+        base.warnings().iter().for_each(|warning| warn(&warning.to_string()));
         landscape.import(&path, self.band)?;
         done(file, "import", &format!("base {path}"), self.json)
     }

@@ -4,12 +4,12 @@ use std::path::PathBuf;
 
 use clap::Args;
 use terrain_builder::LandscapeFile;
-use terrain_export::{Exported, FILES, Wishes, write_folder};
+use terrain_export::{Exported, FILES, Wishes, expect_folder, write_folder};
 use text::shortened;
 
-use crate::commands::terrain::{Landscape, built, opened, textures};
+use crate::commands::terrain::{Landscape, built, expect_apart, opened, textures};
 use crate::loading::Threads;
-use crate::output::{Place, expect_outputs, print, print_json, tell, warn};
+use crate::output::{Place, print, print_json, tell, warn};
 use crate::{Failure, values};
 
 const AFTER: &str = "Example:
@@ -52,10 +52,11 @@ impl Export {
     /// Builds the landscape and writes the folder.
     pub fn run(&self) -> Result<(), Failure> {
         let file = &self.landscape.file;
-        expect_outputs(&[Place::folder("--out", &self.out, is_ours)], &[Place::file("the landscape", file)])?;
         self.threads.pool()?.install(|| {
             let text = LandscapeFile::new(file).text()?;
             let (description, base) = opened(file)?;
+            expect_apart(&[Place::folder("--out", &self.out, is_ours)], file, &description)?;
+            expect_folder(&self.out)?;
             let ground = built(file, description, base)?;
             let wishes = Wishes { step: self.step_m, region_size: self.region_size_m };
             let mut progress = |step: &str| {

@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 use clap::{Args, Subcommand};
 use terrain_builder::{Base, Description, Ground, Textures};
 
+use crate::output::{Place, expect_outputs};
 use crate::{Failure, Verdict};
 
 const AFTER: &str = "Example:
@@ -65,6 +66,13 @@ fn opened(file: &Path) -> Result<(Description, Base), Failure> {
     let description = Description::read(file)?;
     let base = Base::open(&description).map_err(Failure::input)?;
     Ok((description, base))
+}
+
+/// Sees that `outputs` replace neither a landscape nor a file that it names.
+fn expect_apart(outputs: &[Place], file: &Path, description: &Description) -> Result<(), Failure> {
+    let named = description.files().map(|path| Place::file("a file of the landscape", path));
+    let inputs: Vec<Place> = [Place::file("the landscape", file)].into_iter().chain(named).collect();
+    expect_outputs(outputs, &inputs)
 }
 
 /// Builds a landscape over its base.

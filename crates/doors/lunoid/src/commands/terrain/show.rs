@@ -9,9 +9,9 @@ use serde_json::{Value, json};
 use terrain_builder::{Effect, FeatureTold, Ground, Textures, effects};
 use text::{shortened, table};
 
-use crate::commands::terrain::{Landscape, built, opened, textures};
+use crate::commands::terrain::{Landscape, built, expect_apart, opened, textures};
 use crate::loading::Threads;
-use crate::output::{Place, expect_outputs, print, print_json};
+use crate::output::{Place, print, print_json};
 use crate::{Failure, values};
 
 #[derive(Debug, Args)]
@@ -44,9 +44,10 @@ impl Show {
     pub fn run(&self) -> Result<(), Failure> {
         let file = &self.landscape.file;
         let plot = Place::given([("--plot", &self.plot)]).into_iter().map(|place| place.ending_in(&["png"]));
-        expect_outputs(&plot.collect::<Vec<_>>(), &[Place::file("the landscape", file)])?;
+        let plot: Vec<Place> = plot.collect();
         self.threads.pool()?.install(|| {
             let (description, base) = opened(file)?;
+            expect_apart(&plot, file, &description)?;
             let textures = textures(file, &description)?;
             let effects = self.effects.then(|| effects(&description, &base)).transpose();
             let effects = effects.map_err(|error| Failure::input(format!("{}: {error}", file.display())))?;
