@@ -223,8 +223,8 @@ fn a_database_of_another_place_is_refused() {
         scene.expect(0, &[&["terrain", "new", &file][..], &area].concat());
         scene.expect(0, &["terrain", "export", &file, "--out", name, "--no-progress"]);
     }
-    scene.expect(0, &["check", "here/scenario.toml", "--machine", "lod-mesh"]);
+    scene.expect(0, &["check", "here/scenario.toml"]);
     fs::copy(scene.join("there/terrain.lod"), scene.join("here/terrain.lod")).unwrap();
-    let (_, err) = scene.expect(3, &["check", "here/scenario.toml", "--machine", "lod-mesh"]);
+    let (_, err) = scene.expect(3, &["check", "here/scenario.toml"]);
     assert!(err.contains("longitude 13.05") && err.contains("from one export"), "{err}");
 }
