@@ -36,7 +36,7 @@ pub enum TextureError {
         /// Name of the feature.
         feature: String,
         /// What is wrong with the file.
-        source: PhotographFileError,
+        source: Box<PhotographFileError>,
     },
     /// A picture without an albedo.
     #[error("feature {feature:?}: {source}")]
@@ -75,7 +75,7 @@ impl Textures {
             let Kind::Texture(wish) = &feature.kind else { continue };
             let id = || feature.id.clone();
             let picture = photographs::read(&wish.path)
-                .map_err(|source| TextureError::File { feature: id(), source })?;
+                .map_err(|source| TextureError::File { feature: id(), source: source.into() })?;
             let texels = Texels::of_picture(&picture, wish.curve, wish.ends);
             let size = [picture.columns(), picture.lines()];
             let map = AlbedoMap::new([0.0, 0.0, 1.0, 1.0], size, texels)

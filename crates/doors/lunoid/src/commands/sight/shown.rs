@@ -68,7 +68,7 @@ fn regular(drawn: &DrawnPosts) -> Result<Posts, Failure> {
         let is_off = |(index, place): (usize, &f64)| {
             (place - places[0] - index as f64 * spacing).abs() > REGULAR * spacing
         };
-        places.iter().enumerate().position(|post| is_off(post)).unwrap_or(places.len())
+        places.iter().enumerate().position(is_off).unwrap_or(places.len())
     };
     let [rows, columns] = [north, east].map(|places| whole(places));
     if [rows, columns] != [north.len(), east.len()] {
