@@ -35,7 +35,7 @@ pub struct Prepared {
     /// Places of the posts whose slopes light looks up: north, then east.
     light_axes: [Axis; 2],
     /// Slopes of those posts, as the map of the ground shares them.
-    slopes: Arc<[[f32; 2]]>,
+    slopes: Arc<Vec<[f32; 2]>>,
 }
 
 impl Prepared {

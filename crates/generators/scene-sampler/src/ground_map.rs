@@ -13,7 +13,7 @@ pub struct GroundMap(Texels);
 #[derive(Debug, Clone)]
 enum Texels {
     Colours { axes: [Axis; 2], colours: Arc<[[f32; 3]]> },
-    Slopes { axes: [Axis; 2], slopes: Arc<[[f32; 2]]>, landscape: Arc<Landscape>, sun: [f64; 3] },
+    Slopes { axes: [Axis; 2], slopes: Arc<Vec<[f32; 2]>>, landscape: Arc<Landscape>, sun: [f64; 3] },
     Photographs { drape: Arc<Drape>, half_pixel: f64, unseen: Arc<[f32]> },
 }
 
@@ -56,7 +56,7 @@ impl GroundMap {
     /// under the law of reflection of `landscape`, and has its albedo there.
     pub fn of_slopes(
         axes: [Axis; 2],
-        slopes: Arc<[[f32; 2]]>,
+        slopes: Arc<Vec<[f32; 2]>>,
         landscape: Arc<Landscape>,
         sun: [f64; 3],
     ) -> Option<Self> {

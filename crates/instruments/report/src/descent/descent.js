@@ -37,7 +37,7 @@ const near = (list, pixel) => {
 const draw = async (number) => {
   const next = Math.max(0, Math.min(shots.length - 1, number));
   // A place belongs to the picture in which it was clicked.
-  if (next !== shot && mark) {
+  if (next !== shot) {
     mark = null;
     at("place").textContent = "Click on the ground for its place.";
   }

@@ -95,10 +95,17 @@ fn a_jump_leads_to_its_tiles_and_the_ground_to_its_place() {
     assert_eq!(browser.value("document.querySelectorAll('.jumps button').length"), 1);
     browser.click("canvas[data-way=morphing]", [0.5, 0.75]);
     let expected = "964.00 m north, 48.00 m east (pixel 48, 36 of morphing)\n\
-                    lunoid terrain add FILE --id mine --crater 3.0480000,26.0000000,RADIUS_M";
+                    lunoid terrain add FILE --id mine --crater 3.0480000,26.0000000,RADIUS_M --wall-percent 4 --depth-percent 20";
     until(&browser, "document.getElementById('place').textContent", &expected.into());
     browser.click("canvas[data-way=switching]", [0.5, 0.1]);
     until(&browser, "document.getElementById('place').textContent", &"No ground there.".into());
+    // A place belongs to its picture.
+    browser.click("#after", [0.5, 0.5]);
+    until(
+        &browser,
+        "document.getElementById('place').textContent",
+        &"Click on the ground for its place.".into(),
+    );
     quiet(&browser);
 }
 

@@ -8,6 +8,11 @@ use crate::{MOON, angles, near};
 
 /// 16 samples a degree from 2 to 5 east and 25 to 28 north, north first, centres half a sample inside.
 fn file(height: impl Fn([f64; 2]) -> f64) -> Elevation {
+    file_on(MOON, height)
+}
+
+/// The same on a sphere of a radius (m).
+fn file_on(radius: f64, height: impl Fn([f64; 2]) -> f64) -> Elevation {
     let (side, step) = (48, radians(1.0 / 16.0));
     let first = [radians(28.0) - 0.5 * step, radians(2.0) + 0.5 * step];
     let place =
@@ -18,7 +23,7 @@ fn file(height: impl Fn([f64; 2]) -> f64) -> Elevation {
         side,
         heights,
         Affine { first, step: [-step, step] },
-        FileFrame::Geographic { radius: MOON },
+        FileFrame::Geographic { radius },
     )
 }
 
@@ -182,4 +187,15 @@ fn posts_much_closer_than_samples_are_warned_of() {
     let finer = base(file(plane), sample / 10.0).much_finer().unwrap();
     // A degree of longitude is shorter than one of latitude.
     near(finer, 10.0 * libm::cos(radians(26.25)), 1e-3);
+}
+
+#[test]
+fn a_file_of_another_body_is_refused() {
+    let frame = frame();
+    let over = |radius: f64| {
+        ElevationBase::new(file_on(radius, |_| 0.0), frame, &Grid::new(&frame, 300.0, 3).unwrap())
+    };
+    let refused = over(3_396_190.0).unwrap_err().to_string();
+    assert!(refused.contains("a body of 3396190 m") && refused.contains("`area.radius_m`"), "{refused}");
+    assert!(over(1_737_000.0).is_ok(), "the Moon's radius is known to less than a thousandth");
 }
