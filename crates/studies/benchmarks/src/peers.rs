@@ -6,7 +6,6 @@
 pub mod embree;
 mod process;
 pub mod verilator;
-pub mod viewshed;
 
 /// Root mean square of the difference of two pictures of one size.
 pub fn rms(picture: &[f32], right: &[f32]) -> f64 {

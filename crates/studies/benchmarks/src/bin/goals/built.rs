@@ -4,6 +4,7 @@
 //! Both look at the same posts. Medians count, of turns that both take; xarray-spatial is called in turns of its own.
 
 mod database;
+mod viewshed;
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -11,7 +12,6 @@ use std::time::Instant;
 
 use benchmarks::peers::embree::{EyeMesh, Program, Sight as MeshSight};
 use benchmarks::peers::median;
-use benchmarks::peers::viewshed::{Lookout, viewshed};
 use front_door::{Wishes, open};
 use glam::DVec3;
 use quantities::{radians, sin_cos};
@@ -19,6 +19,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use scenario::FieldOfView;
 use sight::{Curvature, Height, Point, Posts, Sight};
 use terrain_builder::{Frame, Grid, Heights, LightMap, Method};
+use viewshed::{Lookout, viewshed};
 
 /// Scenario whose ground is looked at, and how many posts of it along a side, so many metres apart.
 const SCENARIO: &str = "lod-descent";

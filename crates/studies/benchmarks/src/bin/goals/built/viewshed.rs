@@ -3,10 +3,9 @@
 use std::env;
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 
 use serde::Deserialize;
-
-use super::process::{run_tool, skipped};
 
 /// The program that calls it.
 const SOURCE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/peers/viewshed.py");
@@ -50,10 +49,10 @@ struct Said {
 /// If it does not answer as it should.
 pub fn viewshed(heights: &[f64], lookout: &Lookout) -> Result<Result<Seen, String>, String> {
     let Some(python) = env::var_os(PYTHON).filter(|python| !python.is_empty()) else {
-        return Ok(Err(skipped(
-            &format!("a Python with xarray-spatial, named by {PYTHON},"),
-            "xarray-spatial",
-        )));
+        let line = format!(
+            "skipped: no Python with xarray-spatial is named by {PYTHON}; install xarray-spatial and name it"
+        );
+        return Ok(Err(line));
     };
     let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
     let side = heights.len().isqrt();
@@ -63,8 +62,8 @@ pub fn viewshed(heights: &[f64], lookout: &Lookout) -> Result<Result<Seen, Strin
         [row.to_string(), column.to_string(), height.to_string(), spacing.to_string(), turns.to_string()];
     let arguments =
         [SOURCE, "heights.npy"].into_iter().chain(numbers.iter().map(String::as_str)).chain(["seen.npy"]);
-    let ended = run_tool(&python.to_string_lossy(), &arguments.collect::<Vec<_>>(), folder.path())?;
-    let ended = ended.ok_or_else(|| format!("{PYTHON} names no program: {}", python.to_string_lossy()))?;
+    let ended = Command::new(&python).args(arguments).current_dir(folder.path()).output();
+    let ended = ended.map_err(|error| format!("{PYTHON}: {}: {error}", python.to_string_lossy()))?;
     if !ended.status.success() {
         return Err(format!("{SOURCE}: {}", String::from_utf8_lossy(&ended.stderr)));
     }
