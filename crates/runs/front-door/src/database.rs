@@ -2,14 +2,11 @@
 
 use std::path::Path;
 
-use landscape::{LUNOID_RADIUS, MapFrame, Posts};
+use landscape::{LUNOID_RADIUS, MapFrame, Posts, is_same_body};
 use quantities::sin_cos;
 use terrain_database::{Contents, Database, Map};
 
 use crate::StageError;
-
-/// By how much the radius of the body may be another, as a share. Chosen: that of the Moon is known to less.
-const SAME_BODY: f64 = 1e-3;
 
 /// Share of the ground's longer side by which the middle of a database may lie elsewhere than the bank's map has it. Chosen: the middle of a
 /// bank's regions lies within one region of the middle of the posts.
@@ -22,7 +19,7 @@ const SAME_PLACE: f64 = 0.1;
 pub(crate) fn posts(file: &Path, bank: [f64; 4], map: Option<&MapFrame>) -> Result<Posts, StageError> {
     let database = Database::open(file).map_err(Box::new)?;
     let Contents { frame, order, places, heights, ranges, light, albedo, .. } = database.into_contents();
-    if (frame.radius - LUNOID_RADIUS).abs() > SAME_BODY * LUNOID_RADIUS {
+    if !is_same_body(frame.radius, LUNOID_RADIUS) {
         return Err(StageError::OtherBody { file: file.into(), radius: frame.radius });
     }
     let stated = [frame.latitude, frame.longitude];

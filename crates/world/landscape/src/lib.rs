@@ -41,7 +41,7 @@ pub use albedo::{AlbedoMap, AlbedoMapError, Texels};
 pub use axes::Attitude;
 pub use bank::{Bank, BankError, CornerWords, Georeference, Level, WORDS};
 pub use light::{GroupLight, Sun, SweepLight, shade};
-pub use lunoid::{LUNOID_RADIUS, parabolic_drop, spherical_drop};
+pub use lunoid::{LUNOID_RADIUS, is_same_body, parabolic_drop, spherical_drop};
 pub use map_frame::{FileCoordinates, MapFrame, SPACING_RULE};
 pub use photometry::Photometry;
 pub use posts::Posts;

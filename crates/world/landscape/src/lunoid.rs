@@ -3,6 +3,14 @@
 /// Mean lunar radius (m).
 pub const LUNOID_RADIUS: f64 = 1_737_400.0;
 
+/// By how much radii of one body may differ, as a share. Chosen: that of the Moon is known to less.
+const SAME_BODY: f64 = 1e-3;
+
+/// Whether two radii (m) are those of one body.
+pub fn is_same_body(one: f64, other: f64) -> bool {
+    (one - other).abs() <= SAME_BODY * other
+}
+
 /// How far the lunoid has dropped below its tangent plane at ground range `s` (m): `s^2 / 2R`.
 #[inline]
 pub fn parabolic_drop(s: f64) -> f64 {

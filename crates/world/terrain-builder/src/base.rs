@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use landscape::is_same_body;
 use survey::{Elevation, ReadOptions, SurveyError};
 
 use crate::description::{BaseWish, Description};
@@ -12,9 +13,6 @@ use crate::refused::Refused;
 
 /// Posts a sample above which a grid finer than its file is warned of, along one direction (chosen).
 const MUCH_FINER: f64 = 8.0;
-
-/// By how much the radius of the body may be another, as a share. Chosen: that of the Moon is known to less.
-const SAME_BODY: f64 = 1e-3;
 
 /// Ground below all features.
 #[derive(Debug, Clone)]
@@ -98,8 +96,8 @@ impl ElevationBase {
         if !lay.range(grid).is_some_and(is_in) {
             return Err(not_covered(lay.size));
         }
-        let is_of_body = |radius: f64| (radius - frame.radius()).abs() <= SAME_BODY * frame.radius();
-        if let Some(radius) = elevation.frame.sphere().filter(|radius| !is_of_body(*radius)) {
+        if let Some(radius) = elevation.frame.sphere().filter(|radius| !is_same_body(*radius, frame.radius()))
+        {
             let expected = "a file of the body of the landscape, `area.radius_m`";
             return Err(Refused::new("file", format!("of a body of {radius} m"), expected));
         }

@@ -16,8 +16,8 @@ pub(crate) fn pixels_a_cell(textures: &Textures, grid: &Grid) -> usize {
     (wanted as usize).clamp(1, MOST_A_CELL).min((MOST_PIXELS / cells).max(1))
 }
 
-/// The albedo of the ground from above, north at the top: 16 bits, linear, grey unless a texture has colour. Ground without a texture has
-/// albedo 1.
+/// The albedo of the ground from above, north at the top: 16 bits, linear, grey unless a texture has colour. It is 1 where no texture
+/// lies.
 ///
 /// # Errors
 /// If the picture would be too large.

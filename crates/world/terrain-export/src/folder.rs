@@ -92,7 +92,7 @@ fn listed(folder: &Path) -> Result<Vec<String>, ExportError> {
 
 /// Whether a folder says of itself that an export wrote it.
 fn is_export(folder: &Path) -> bool {
-    let text = read_all(folder.join("export.json"), Limit::TextBytes);
+    let text = read_all(folder.join("export.json"), Limit::BankBytes);
     let told: Option<Value> = text.ok().and_then(|text| serde_json::from_slice(&text).ok());
     told.is_some_and(|told| told["schema"] == SCHEMA)
 }

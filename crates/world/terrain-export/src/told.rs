@@ -9,8 +9,8 @@ use terrain_database::{Database, documented_bytes};
 /// Schema of the document of an export.
 pub(crate) const SCHEMA: &str = "lunoid.terrain-export/1";
 
-/// A document of schema `lunoid.terrain-export/1`. `quantised` is the largest change of a height in the database (m), `albedo` the picture of
-/// the albedo.
+/// A document of schema `lunoid.terrain-export/1`. `quantised` is the largest change of a height in the database (m), `albedo` its
+/// picture from above.
 pub(crate) fn document(
     ground: &Ground,
     database: &Database,

@@ -13,7 +13,6 @@ mod shown;
 use std::path::PathBuf;
 
 use clap::Args;
-use landscape::Landscape;
 use sight::{Height, Point, SightError};
 
 use self::ground::{Site, Source};
@@ -61,8 +60,7 @@ pub struct SightCommand {
     #[arg(long, value_name = "HEIGHT", value_parser = options::height, default_value = "0", allow_hyphen_values = true)]
     target_height: Height,
     /// Surface: landscape (the closed form), mesh (triangles between posts), level:N (between every 2^N-th post), shown (triangles as a
-    /// generator with levels of detail draws them in a frame). The landscape for scenarios and banks, the mesh for elevation files, if left
-    /// out.
+    /// generator draws them in a frame). If left out: the landscape for scenarios and banks, the mesh for elevation files.
     #[arg(long, value_name = "SURFACE", value_parser = options::surface)]
     surface: Option<Surface>,
     /// Size of a cell of an area, and distance of the posts of a mesh, for scenarios and banks; a quarter of a region if left out.
@@ -129,8 +127,10 @@ impl SightCommand {
 
     /// The ground with room for the observer and some targets.
     fn site(&self, targets: &[Point]) -> Result<Site, Failure> {
+        if self.surface == Some(Surface::Shown) {
+            return self.drawn();
+        }
         match (Source::of(&self.ground)?, self.surface) {
-            (Source::Landscape(landscape, title), Some(Surface::Shown)) => self.drawn(&landscape, title),
             (Source::Landscape(landscape, title), surface) => {
                 let level = match surface {
                     None | Some(Surface::Landscape | Surface::Shown) => None,
@@ -138,7 +138,6 @@ impl SightCommand {
                 };
                 Site::of_landscape(*landscape, title, self.area, self.cell_m, level)
             }
-            (Source::Elevation, Some(Surface::Shown)) => Err(self.not_shown()),
             (Source::Elevation, Some(Surface::Landscape)) => Err(Failure::usage(format!(
                 "--surface landscape: {} is an elevation file, which has no closed form; expected mesh or level:N; or make a bank of \
                  it with `lunoid survey`",
@@ -152,21 +151,18 @@ impl SightCommand {
     }
 
     /// The ground of a scenario as it is drawn in a frame.
-    fn drawn(&self, landscape: &Landscape, title: String) -> Result<Site, Failure> {
+    fn drawn(&self) -> Result<Site, Failure> {
         if self.ground.extension().is_none_or(|ending| ending != "toml") {
-            return Err(self.not_shown());
+            return Err(Failure::usage(format!(
+                "--surface shown: {} has no frames; expected a scenario under a generator with levels of detail",
+                self.ground.display()
+            )));
         }
         if self.cell_m.is_some() {
             return Err(Failure::usage("--cell-m: drawn ground has posts of its own; leave the option out"));
         }
-        Site::of_posts(self.shown.posts(&self.ground)?, 0, self.area, Site::map_of(landscape, title))
-    }
-
-    fn not_shown(&self) -> Failure {
-        Failure::usage(format!(
-            "--surface shown: {} has no frames; expected a scenario under a generator with levels of detail",
-            self.ground.display()
-        ))
+        let (posts, landscape, title) = self.shown.posts(&self.ground)?;
+        Site::of_posts(posts, 0, self.area, Site::map_of(&landscape, title))
     }
 
     /// The mesh of an elevation file; of its finest level only the part that lines can cross is read.

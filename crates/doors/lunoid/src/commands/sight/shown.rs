@@ -1,7 +1,11 @@
 //! Ground as a generator with levels of detail draws it in a frame.
 
+use std::path::Path;
+use std::sync::Arc;
+
 use clap::Args;
 use generator::DrawnPosts;
+use landscape::Landscape;
 use sight::Posts;
 
 use crate::commands::study::levelled;
@@ -36,8 +40,8 @@ impl ShownArgs {
         }
     }
 
-    /// The drawn ground of a scenario's frame, as posts from the north.
-    pub fn posts(&self, scenario: &std::path::Path) -> Result<Posts, Failure> {
+    /// The drawn ground of a scenario's frame, as posts from the north; the landscape behind it, and the title.
+    pub fn posts(&self, scenario: &Path) -> Result<(Posts, Arc<Landscape>, String), Failure> {
         let options = StageOptions { set: self.set.clone(), ..StageOptions::default() };
         let stage = StageArgs { machine: self.machine.clone(), options, ..StageArgs::of(scenario) };
         let opened = stage.load()?;
@@ -51,12 +55,13 @@ impl ShownArgs {
         }
         let stage = opened.stage()?;
         let table = opened.poses(&stage, frame..frame + 1).map_err(Failure::input)?;
+        let landscape = Arc::clone(&stage.landscape);
         let session = opened.generator.prepare(stage).map_err(Failure::input)?;
         let detailed = session.detailed();
         let detailed =
             detailed.ok_or_else(|| Failure::usage(format!("{}: no levels of detail", row.name)))?;
         let drawn = detailed.drawn_posts(frame, &table.rows()[0].pose).map_err(Failure::input)?;
-        regular(&drawn)
+        Ok((regular(&drawn)?, landscape, opened.scenario.title.clone()))
     }
 }
 
