@@ -7,7 +7,7 @@ use generator::{PrepareError, Stage};
 use lod_tiles::{State, TileState};
 use rayon::prelude::*;
 use scenario::Standing;
-use scene_sampler::{Axis, Camera, GroundMap};
+use scene_sampler::{Axis, Camera, GroundMap, Slopes};
 use solids::Kind;
 
 use crate::boulders::FewFaces;
@@ -35,7 +35,7 @@ pub struct Prepared {
     /// Places of the posts whose slopes light looks up: north, then east.
     light_axes: [Axis; 2],
     /// Slopes of those posts, as the map of the ground shares them.
-    slopes: Arc<Vec<[f32; 2]>>,
+    slopes: Slopes,
 }
 
 impl Prepared {
@@ -45,10 +45,10 @@ impl Prepared {
     /// If the ground is too large, ranges do not rise, or tiles are more than the slots of the board where that is refused.
     pub fn new(stage: Stage, run: Parameters, hardware: &Hardware) -> Result<Self, PrepareError> {
         let run = over_stored(&stage, run);
-        let mut posts = Posts::new(&stage, &run)?;
+        let (posts, slopes) = Posts::new(&stage, &run)?;
         let slots = hardware.board.uniform_slots;
         check_slots(&posts, &run, slots)?;
-        let (light_axes, slopes) = posts.take_slopes(run.light_level)?;
+        let (light_axes, slopes) = posts.slopes_of(run.light_level, slopes)?;
         let stage = placed(stage, run.boulders);
         let table = LevelTable::new(&posts.terrain, &run, focal(&stage))?;
         let tiles = vec![TileState { level: 0, fraction: 0.0 }; posts.heights.len()];
@@ -56,7 +56,6 @@ impl Prepared {
         let stored =
             if run.light == GroundLight::Stored { Some(stored_light(&stage, &posts)?) } else { None };
         let few_faces = if run.boulder_px > 0.0 { FewFaces::of(&stage)? } else { None };
-        let slopes = slopes.into();
         Ok(Self { few_faces, stored, stage, run, posts, table, finest, slots, light_axes, slopes })
     }
 

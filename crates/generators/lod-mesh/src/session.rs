@@ -10,6 +10,7 @@ use raster::Screen;
 use scenario::Pose;
 use scene_sampler::{
     Camera, Field, Fields, Filled, Scene, Shown, expect_course, judged_faces, record_pixel_rows,
+    small_craters,
 };
 use serde_json::Value;
 use signal::{Probe, Wire};
@@ -291,6 +292,11 @@ impl GeneratorSession for Session {
         omissions.extend(photographs_beside(&self.prepared.stage.landscape, NAME));
         omissions.extend(face_lists_beside(&self.prepared.stage.scenery, NAME));
         let landscape = &self.prepared.stage.landscape;
+        // Posts of a terrain database have what its export made of them.
+        if landscape.posts().is_none() {
+            let spacing = self.prepared.posts.spacing();
+            omissions.extend(small_craters(landscape, spacing, NAME, "ask for a smaller lod.spacing_m"));
+        }
         let has_albedo = landscape.posts().is_some_and(|posts| posts.albedo.is_some());
         // A scenario that has a map of albedo over the database says what is drawn.
         if has_albedo && landscape.albedo_map().is_none() && self.prepared.run.light != GroundLight::Stored {

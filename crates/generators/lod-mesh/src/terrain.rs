@@ -7,7 +7,7 @@ use generator::{PrepareError, Stage};
 use landscape::Landscape;
 use lod_tiles::{Terrain, Tile};
 use rayon::prelude::*;
-use scene_sampler::Axis;
+use scene_sampler::{Axis, Slopes, slopes_between};
 
 use crate::name::NAME;
 use crate::parameters::Parameters;
@@ -22,8 +22,6 @@ const MOST_POSTS: usize = 64_000_000;
 pub struct Posts {
     /// Heights, cut into tiles.
     pub terrain: Terrain,
-    /// Slopes of all posts to the north and to the east (m/m), row by row from the south.
-    pub slopes: Vec<[f32; 2]>,
     /// Places of rows and columns on the map: north, then east.
     pub axes: [Axis; 2],
     /// Lowest and highest height of each tile (m), in the order of the terrain.
@@ -31,11 +29,11 @@ pub struct Posts {
 }
 
 impl Posts {
-    /// The posts of a stage's ground.
+    /// The posts of a stage's ground, and the slopes of all of them.
     ///
     /// # Errors
     /// If there are too many, or the bank has no ground at one of them.
-    pub fn new(stage: &Stage, run: &Parameters) -> Result<Self, PrepareError> {
+    pub fn new(stage: &Stage, run: &Parameters) -> Result<(Self, Slopes), PrepareError> {
         match stage.landscape.posts() {
             Some(stored) => Self::stored(stored),
             None => Self::of_landscape(&stage.landscape, run),
@@ -43,15 +41,20 @@ impl Posts {
     }
 
     /// The posts of a terrain database. Slopes are those to the posts around each.
-    fn stored(stored: &landscape::Posts) -> Result<Self, PrepareError> {
+    fn stored(stored: &landscape::Posts) -> Result<(Self, Slopes), PrepareError> {
         let [rows, columns] = &stored.places;
         let axes = [even(rows)?, even(columns)?];
-        let height = |row: usize, column: usize| stored.heights[row * columns.len() + column];
-        let slopes = slopes_between([rows, columns], &height);
-        Self::cut(stored.order, [rows.clone(), columns.clone()], axes, (stored.heights.clone(), slopes))
+        let places = Arc::new(stored.places.clone());
+        let slopes = Slopes::Between { places, heights: stored.heights.clone() };
+        Ok((Self::cut(stored.order, stored.places.clone(), axes, stored.heights.clone())?, slopes))
     }
 
-    fn of_landscape(landscape: &Landscape, run: &Parameters) -> Result<Self, PrepareError> {
+    /// Distance (m) of most posts, the larger of both axes.
+    pub fn spacing(&self) -> f64 {
+        self.axes[0].step.max(self.axes[1].step)
+    }
+
+    fn of_landscape(landscape: &Landscape, run: &Parameters) -> Result<(Self, Slopes), PrepareError> {
         let [south, west, north, east] = extent(landscape);
         let spacing = run.spacing.unwrap_or((north - south).max(east - west) / USUAL_CELLS);
         let axes = [axis(south, north, spacing, run.order), axis(west, east, spacing, run.order)];
@@ -62,28 +65,32 @@ impl Posts {
         }
         let places = axes.map(|axis| places(&axis));
         match sampled(landscape, &places, spacing) {
-            Some((heights, slopes)) => Self::cut(run.order, places, axes, (heights.into(), slopes)),
+            Some((heights, slopes)) => {
+                Ok((Self::cut(run.order, places, axes, heights.into())?, Slopes::Listed(slopes.into())))
+            }
             None => Err(refused("ground with holes".into(), "give it a bank whose levels nest")),
         }
     }
 
-    /// Takes the slopes of the posts that level `level` has, with their places: its own where that is 0, else those to the posts of the level around each.
+    /// Slopes of the posts that level `level` has, with their places: `slopes`, those of all posts, where that is 0, else those to the posts of
+    /// the level around each.
     ///
     /// # Errors
     /// If the level has no two posts along an axis.
-    pub fn take_slopes(&mut self, level: u32) -> Result<([Axis; 2], Vec<[f32; 2]>), PrepareError> {
-        let slopes = std::mem::take(&mut self.slopes);
+    pub fn slopes_of(&self, level: u32, slopes: Slopes) -> Result<([Axis; 2], Slopes), PrepareError> {
         if level == 0 {
             return Ok((self.axes, slopes));
         }
         let step = 1_usize << level;
-        let [rows, columns] =
-            self.axes.map(|axis| places(&axis).into_iter().step_by(step).collect::<Vec<f64>>());
+        let posts = self.axes.map(|axis| places(&axis).into_iter().step_by(step).collect::<Vec<f64>>());
+        let [rows, columns] = &posts;
         let height = |row: usize, column: usize| {
             let (tile, within) = self.terrain.locate([columns[column], rows[row]]);
             self.terrain.height(tile, 0, within.map(|cell| cell.round() as usize))
         };
-        Ok(([even(&rows)?, even(&columns)?], slopes_between([&rows, &columns], &height)))
+        let of_post = |post| slopes_between(&posts, [post / columns.len(), post % columns.len()], height);
+        let slopes: Vec<[f32; 2]> = (0..rows.len() * columns.len()).into_par_iter().map(of_post).collect();
+        Ok(([even(rows)?, even(columns)?], Slopes::Listed(slopes.into())))
     }
 
     /// Cuts posts into tiles.
@@ -91,34 +98,18 @@ impl Posts {
         order: u32,
         [rows, columns]: [Vec<f64>; 2],
         axes: [Axis; 2],
-        (heights, slopes): (Arc<Vec<f64>>, Vec<[f32; 2]>),
+        heights: Arc<Vec<f64>>,
     ) -> Result<Self, PrepareError> {
         let terrain = Terrain::shared(order, [columns, rows], heights)
             .map_err(|error| refused(error.to_string(), "choose another lod.order or lod.spacing_m"))?;
         let tiles: Vec<Tile> = terrain.tiles().collect();
         let heights = tiles.into_par_iter().map(|tile| heights_of(&terrain, tile)).collect();
-        Ok(Self { terrain, slopes, axes, heights })
+        Ok(Self { terrain, axes, heights })
     }
 }
 
 fn refused(what: String, remedy: &str) -> PrepareError {
     PrepareError::Unsupported { generator: NAME, what, remedy: remedy.into() }
-}
-
-/// Slopes to the north and to the east (m/m) at posts in rows and columns, each by the posts around it.
-fn slopes_between(
-    [rows, columns]: [&[f64]; 2],
-    height: &(impl Fn(usize, usize) -> f64 + Sync),
-) -> Vec<[f32; 2]> {
-    let around = |places: &[f64], at: usize| (at.saturating_sub(1), (at + 1).min(places.len() - 1));
-    let slopes = |post: usize| {
-        let (row, column) = (post / columns.len(), post % columns.len());
-        let ((south, north), (west, east)) = (around(rows, row), around(columns, column));
-        let to_north = (height(north, column) - height(south, column)) / (rows[north] - rows[south]);
-        let to_east = (height(row, east) - height(row, west)) / (columns[east] - columns[west]);
-        [to_north as f32, to_east as f32]
-    };
-    (0..rows.len() * columns.len()).into_par_iter().map(slopes).collect()
 }
 
 /// The axis of stored places: evenly spaced, but for those of a last tile.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use generator::PrepareError;
 use landscape::Landscape;
 use photo_drape::{Drape, Ground};
-use scene_sampler::{Axis, GroundMap};
+use scene_sampler::{Axis, GroundMap, Slopes};
 
 use crate::prepared::refused;
 
@@ -13,7 +13,7 @@ use crate::prepared::refused;
 #[derive(Debug)]
 pub struct Relit {
     landscape: Arc<Landscape>,
-    slopes: Arc<Vec<[f32; 2]>>,
+    slopes: Slopes,
     axes: [Axis; 2],
 }
 
@@ -29,7 +29,7 @@ impl Relit {
         let map = albedo.map(ground, landscape.albedo()).map_err(|error| refused(&error, remedy))?;
         Ok(Self {
             landscape: Arc::new(landscape.clone().with_albedo_map(Some(map))),
-            slopes: ground.slopes().to_vec().into(),
+            slopes: Slopes::Listed(ground.slopes().to_vec().into()),
             axes: [0, 1].map(|axis| even(ground, axis)),
         })
     }

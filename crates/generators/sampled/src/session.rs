@@ -169,6 +169,9 @@ impl GeneratorSession for Session {
         let mut omissions = scene_sampler::omissions(&self.stage, NAME);
         omissions.extend(photographs_beside(&self.stage.landscape, NAME));
         omissions.extend(face_lists_beside(&self.stage.scenery, NAME));
+        let finest = self.rings.finest_step();
+        let remedy = "ask for more sampled.ground_cells";
+        omissions.extend(scene_sampler::small_craters(&self.stage.landscape, finest, NAME, remedy));
         omissions
     }
 

@@ -13,8 +13,55 @@ pub struct GroundMap(Texels);
 #[derive(Debug, Clone)]
 enum Texels {
     Colours { axes: [Axis; 2], colours: Arc<[[f32; 3]]> },
-    Slopes { axes: [Axis; 2], slopes: Arc<Vec<[f32; 2]>>, landscape: Arc<Landscape>, sun: [f64; 3] },
+    Slopes { axes: [Axis; 2], slopes: Slopes, landscape: Arc<Landscape>, sun: [f64; 3] },
     Photographs { drape: Arc<Drape>, half_pixel: f64, unseen: Arc<[f32]> },
+}
+
+/// Slopes of the posts of a map (to the north, to the east; m/m), row by row: posts along the second axis follow one another.
+#[derive(Debug, Clone)]
+pub enum Slopes {
+    /// As they are listed.
+    Listed(Arc<Vec<[f32; 2]>>),
+    /// Those to the posts around each, found where they are asked for: heights of many posts need no second list beside them.
+    Between {
+        /// Places of the posts along both axes (m).
+        places: Arc<[Vec<f64>; 2]>,
+        /// Heights of the posts (m), in the same order.
+        heights: Arc<Vec<f64>>,
+    },
+}
+
+impl Slopes {
+    /// Slopes of the post in a row and a column. There must be one.
+    pub fn at(&self, [row, column]: [usize; 2], columns: usize) -> [f32; 2] {
+        match self {
+            Self::Listed(slopes) => slopes[row * columns + column],
+            Self::Between { places, heights } => {
+                slopes_between(places, [row, column], |row, column| heights[row * columns + column])
+            }
+        }
+    }
+
+    /// How many posts they are of.
+    fn posts(&self) -> usize {
+        match self {
+            Self::Listed(slopes) => slopes.len(),
+            Self::Between { heights, .. } => heights.len(),
+        }
+    }
+}
+
+/// Slopes to the north and to the east (m/m) at the post in a row and a column, by the `height` (m) of the posts around it.
+pub fn slopes_between(
+    [rows, columns]: &[Vec<f64>; 2],
+    [row, column]: [usize; 2],
+    height: impl Fn(usize, usize) -> f64,
+) -> [f32; 2] {
+    let around = |places: &[f64], at: usize| (at.saturating_sub(1), (at + 1).min(places.len() - 1));
+    let ((south, north), (west, east)) = (around(rows, row), around(columns, column));
+    let to_north = (height(north, column) - height(south, column)) / (rows[north] - rows[south]);
+    let to_east = (height(row, east) - height(row, west)) / (columns[east] - columns[west]);
+    [to_north as f32, to_east as f32]
 }
 
 /// Posts along one axis of the map, evenly spaced but for the last of them.
@@ -52,15 +99,15 @@ impl GroundMap {
         holds(&axes, colours.len()).then_some(Self(Texels::Colours { axes, colours }))
     }
 
-    /// A map of slopes (to the north, to the east; m/m), in the same order. A place is lit by `sun`, a unit vector to it (north, east, up),
-    /// under the law of reflection of `landscape`, and has its albedo there.
+    /// A map of slopes. A place is lit by `sun`, a unit vector to it (north, east, up), under the law of reflection of `landscape`, and has its
+    /// albedo there. `None` if the number of slopes is not that of the posts.
     pub fn of_slopes(
         axes: [Axis; 2],
-        slopes: Arc<Vec<[f32; 2]>>,
+        slopes: Slopes,
         landscape: Arc<Landscape>,
         sun: [f64; 3],
     ) -> Option<Self> {
-        holds(&axes, slopes.len()).then_some(Self(Texels::Slopes { axes, slopes, landscape, sun }))
+        holds(&axes, slopes.posts()).then_some(Self(Texels::Slopes { axes, slopes, landscape, sun }))
     }
 
     /// What photographs show in pixels of half an angle `half_pixel` (rad). `unseen` is the light of each post of their ground where none shows it.
@@ -73,7 +120,10 @@ impl GroundMap {
     /// Colour (linear red, green, blue) at a place (north, east, up; m) for an eye; beyond the border that of the border.
     pub fn at(&self, place: DVec3, eye: DVec3) -> [f64; 3] {
         match &self.0 {
-            Texels::Colours { axes, colours } => between(axes, colours, place),
+            Texels::Colours { axes, colours } => {
+                let columns = axes[1].posts;
+                between(axes, place, |[row, column]| colours[row * columns + column])
+            }
             Texels::Slopes { axes, slopes, landscape, sun } => {
                 let photometry = *landscape.photometry();
                 // Only these laws ask from where the ground is seen, and a root for each pixel costs.
@@ -81,7 +131,9 @@ impl GroundMap {
                     Photometry::Lambert => DVec3::ZERO,
                     _ => (eye - place).normalize_or_zero(),
                 };
-                let light = shade(*sun, between(axes, slopes, place), to_eye.to_array(), photometry);
+                let columns = axes[1].posts;
+                let slopes = between(axes, place, |post| slopes.at(post, columns));
+                let light = shade(*sun, slopes, to_eye.to_array(), photometry);
                 landscape.albedo_at(place.x, place.y).map(|albedo| (albedo * light).clamp(0.0, 1.0))
             }
             Texels::Photographs { drape, half_pixel, unseen } => {
@@ -97,12 +149,15 @@ impl GroundMap {
     }
 }
 
-/// Texels at the four posts around a place, mixed.
-fn between<const N: usize>(axes: &[Axis; 2], texels: &[[f32; N]], place: DVec3) -> [f64; N] {
+/// Texels at the four posts around a place, mixed. Each is asked for by its row and column.
+fn between<const N: usize>(
+    axes: &[Axis; 2],
+    place: DVec3,
+    texel: impl Fn([usize; 2]) -> [f32; N],
+) -> [f64; N] {
     let ((row, v), (column, u)) = (axes[0].cell(place.x), axes[1].cell(place.y));
-    let first = row * axes[1].posts + column;
-    let along = |first: usize| mix(&doubles(&texels[first]), &doubles(&texels[first + 1]), u);
-    mix(&along(first), &along(first + axes[1].posts), v)
+    let along = |row: usize| mix(&doubles(&texel([row, column])), &doubles(&texel([row, column + 1])), u);
+    mix(&along(row), &along(row + 1), v)
 }
 
 fn doubles<const N: usize>(texel: &[f32; N]) -> [f64; N] {
@@ -162,5 +217,34 @@ mod tests {
     fn colours_must_be_as_many_as_posts() {
         let axis = Axis { first: 0.0, step: 1.0, whole: 1, last_step: 1.0, posts: 2 };
         assert!(GroundMap::of_colours([axis; 2], vec![[0.0; 3]; 3].into()).is_none());
+    }
+
+    #[test]
+    fn slopes_by_heights_are_those_that_a_list_has() {
+        let north = Axis { first: 0.0, step: 2.0, whole: 3, last_step: 2.0, posts: 4 };
+        let east = Axis { first: 5.0, step: 3.0, whole: 2, last_step: 1.0, posts: 5 };
+        let places = [vec![0.0, 2.0, 4.0, 6.0], vec![5.0, 8.0, 11.0, 12.0, 13.0]];
+        let heights: Vec<f64> = (0..20).map(|post| f64::from(post * post % 7)).collect();
+        let between = Slopes::Between { places: places.clone().into(), heights: heights.clone().into() };
+        let height = |row: usize, column: usize| heights[row * 5 + column];
+        let listed: Vec<_> =
+            (0..20).map(|post| slopes_between(&places, [post / 5, post % 5], height)).collect();
+        // By hand: over 4 m to the north; on both borders to the east over one cell of 3 m and of 1 m.
+        let by_hand = [height(2, 0) - height(0, 0), height(1, 1) - height(1, 0), height(3, 4) - height(3, 3)];
+        assert_eq!(between.at([1, 0], 5), [(by_hand[0] / 4.0) as f32, (by_hand[1] / 3.0) as f32]);
+        assert_eq!(between.at([3, 4], 5)[1], by_hand[2] as f32);
+        for post in 0..20 {
+            assert_eq!(between.at([post / 5, post % 5], 5), listed[post]);
+        }
+        let level = landscape::Level::new(100.0, [-50.0; 2], [2, 2], vec![[0.0; 9]; 4]).unwrap();
+        let bank = landscape::Bank::new("", vec![level], None).unwrap();
+        let ground = Arc::new(Landscape::new(bank, 0.5));
+        let sun = [0.6, 0.0, 0.8];
+        let map = |slopes| GroundMap::of_slopes([north, east], slopes, ground.clone(), sun).unwrap();
+        let maps = [map(between), map(Slopes::Listed(listed.into()))];
+        for place in [[0.0, 5.0], [1.3, 7.7], [3.9, 12.4], [6.0, 13.0], [9.0, 2.0]] {
+            let [a, b] = maps.each_ref().map(|map| map.at(DVec3::new(place[0], place[1], 0.0), DVec3::Z));
+            assert_eq!(a, b, "{place:?}");
+        }
     }
 }

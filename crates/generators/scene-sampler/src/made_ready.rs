@@ -1,6 +1,8 @@
 //! What all generators that draw with this crate say of a stage.
 
+use features::kept_share;
 use generator::{Omission, PrepareError, Stage, Weight};
+use landscape::Landscape;
 use raster::Screen;
 
 use crate::tile::SIDE;
@@ -34,4 +36,28 @@ pub fn omissions(stage: &Stage, block: &'static str) -> Vec<Omission> {
         weight: Weight::NotModelled,
     };
     lacks.into_iter().filter(|(is_there, _)| *is_there).map(|(_, what)| omission(what)).collect()
+}
+
+/// The craters that posts `spacing` (m) apart, the closest of the ground, lose or flatten; `None` if there are none. `remedy` names the key
+/// that brings posts closer.
+pub fn small_craters(
+    landscape: &Landscape,
+    spacing: f64,
+    block: &'static str,
+    remedy: &str,
+) -> Option<Omission> {
+    let features = landscape.features();
+    let count = features.craters().len() as u32;
+    let shares = (0..count).map(|index| kept_share(features.crater(index).outer() / spacing));
+    let [gone, flatter] = shares.fold([0, 0], |[gone, flatter], share| match share {
+        ..=0.0 => [gone + 1, flatter],
+        ..1.0 => [gone, flatter + 1],
+        _ => [gone, flatter],
+    });
+    (gone + flatter > 0).then(|| Omission {
+        block,
+        what: format!("{gone} of {count} craters, and a part of {flatter} more"),
+        why: format!("posts {spacing:.3} m apart cannot show them; {remedy}"),
+        weight: Weight::NotModelled,
+    })
 }
