@@ -370,7 +370,9 @@ impl From<InfoError> for Failure {
             InfoError::Picture(error) => error.into(),
             InfoError::Run(error) => error.into(),
             InfoError::Survey(error) => (*error).into(),
-            InfoError::Other(_) | InfoError::UnknownStart { .. } => Self::input(error),
+            InfoError::Database(_) | InfoError::Other(_) | InfoError::UnknownStart { .. } => {
+                Self::input(error)
+            }
         }
     }
 }

@@ -10,6 +10,7 @@ use photographs::PhotographFileError;
 use replay::ReplayError;
 use state::StateError;
 use survey::SurveyError;
+use terrain_database::DatabaseError;
 
 /// Why it cannot be said what a file holds.
 #[derive(Debug, thiserror::Error)]
@@ -19,7 +20,7 @@ pub enum InfoError {
     Other(String),
     /// The file begins like none that is known.
     #[error(
-        "{}: starts with {found}; expected a bank, a state of a machine, an elevation file (GeoTIFF, PDS3, PDS4, ISIS, ENVI, Arc ASCII, DTED, .hgt, .npy), a scenario or a hardware model (.toml), a grey PNG, or the folder of a run",
+        "{}: starts with {found}; expected a bank, a state of a machine, an elevation file (GeoTIFF, PDS3, PDS4, ISIS, ENVI, Arc ASCII, DTED, .hgt, .npy), a terrain database (.lod), a scenario, a hardware model or a landscape (.toml), a grey PNG, or the folder of a run",
         .file.display()
     )]
     UnknownStart {
@@ -49,6 +50,9 @@ pub enum InfoError {
     /// A run cannot be read.
     #[error(transparent)]
     Run(#[from] ReplayError),
+    /// A terrain database cannot be read.
+    #[error(transparent)]
+    Database(#[from] Box<DatabaseError>),
     /// An elevation file cannot be read.
     #[error(transparent)]
     Survey(Box<SurveyError>),

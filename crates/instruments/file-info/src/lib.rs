@@ -1,7 +1,7 @@
 //! What a file or the folder of a run holds, in words and as a document.
 //!
-//! [`Held::of`] knows banks, states of a machine, elevation files, scenarios, hardware models, pictures (PNG, JPEG), and run folders. Banks and models are
-//! also told by themselves ([`bank_text`], [`model_document_with`] and others).
+//! [`Held::of`] knows banks, states of a machine, elevation files, scenarios, hardware models, landscapes, terrain databases, pictures (PNG, JPEG),
+//! and run folders. Banks and models are also told by themselves ([`bank_text`], [`model_document_with`] and others).
 
 mod bank;
 mod elevation;
@@ -9,6 +9,7 @@ mod error;
 mod model;
 mod run;
 mod scenario;
+mod terrain;
 
 use std::io::Read;
 use std::path::Path;
@@ -49,6 +50,7 @@ impl Held {
                 Ok(Self { document: bank_document(path, &bank), text: bank_text(&bank) })
             }
             [b'L', b'U', b'N', b'O', b'S', b'T', b'A', b'T', ..] => state(path),
+            [0x89, b'L', b'O', b'D', b'G', b'R', b'N', b'D'] => terrain::database(path),
             [0x89, b'P', b'N', b'G', ..] | [0xFF, 0xD8, 0xFF, ..] => run::picture(path),
             _ if path.extension().is_some_and(|extension| extension == "toml") => toml(path),
             _ => elevation::elevation(path),
@@ -74,6 +76,7 @@ fn toml(path: &Path) -> Result<Held, InfoError> {
             let loaded = HardwareModel::read(path, &[], &[])?;
             return Ok(Held { document: model_document(&loaded), text: loaded.effective() });
         }
+        Kind::Terrain => return terrain::landscape(path),
         Kind::Sidecar => {
             "the description of a bank; expected the bank itself, the same name without .toml".to_owned()
         }

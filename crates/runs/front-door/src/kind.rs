@@ -24,6 +24,8 @@ pub enum Kind {
     Overlay,
     /// The description beside a bank, which only people read.
     Sidecar,
+    /// A landscape of features over a base, which `lunoid terrain` builds.
+    Terrain,
     /// What the program of a generator ran on.
     Gear(&'static Row),
     /// Differences to be laid over run parameters and gear of a generator.
@@ -37,7 +39,8 @@ pub enum Kind {
 /// The kinds that are known, each with the keys that it is known by.
 pub const KNOWN: &str = "a scenario (title, landscape, path or sun), a hardware model (name or base), differences from \
                          one (a table of its parts), what a generator ran on (computer, recorder, sampler, memory or \
-                         beam; with format, differences from it), a cartridge (scene) or the description of a bank (content_blake3)";
+                         beam; with format, differences from it), a cartridge (scene), a landscape (area or feature) or the description of a \
+                         bank (content_blake3)";
 
 impl Kind {
     /// What the keys of a file say, if it can be read.
@@ -50,6 +53,8 @@ impl Kind {
             Self::Sidecar
         } else if has(&["scene"]) {
             Self::Cartridge
+        } else if has(&["area", "feature"]) && !has(&["landscape"]) {
+            Self::Terrain
         } else if has(&["title", "landscape", "path", "sun"]) {
             Self::Scenario
         } else if has(&["name", "base"]) {
@@ -80,6 +85,7 @@ impl Kind {
             Self::Model => "hardware-model".into(),
             Self::Overlay => "overlay over ideal".into(),
             Self::Sidecar => "description of a bank".into(),
+            Self::Terrain => "landscape".into(),
             Self::Gear(row) => format!("hardware of {}", row.name),
             Self::GeneratorOverlay(row) => format!("overlay over {}", row.name),
             Self::Cartridge => "cartridge".into(),
@@ -110,6 +116,7 @@ impl Kind {
             Self::Model => "a hardware model (--machine)".into(),
             Self::Overlay => "differences from a hardware model (--overlay)".into(),
             Self::Sidecar => "the description of a bank".into(),
+            Self::Terrain => "a landscape (lunoid terrain)".into(),
             Self::Gear(row) => format!("what {} ran on", row.name),
             Self::GeneratorOverlay(row) => format!("differences from what {} draws by (--overlay)", row.name),
             Self::Cartridge => "a cartridge (lunoid cartridge run --folder)".into(),

@@ -11,6 +11,7 @@ use generator::Row;
 use hardware_model::{HardwareModel, ModelSource};
 use limits::Limit;
 use serde_json::{Value, json};
+use terrain_builder::{Base, Description, Ground, Textures};
 
 use crate::output::{Colour, print, print_json, tell, warn};
 use crate::values;
@@ -21,7 +22,8 @@ const AFTER: &str = "Example:
 
 A scenario is read with its machine, its ground is made and its path driven over it; nothing is drawn. A file of
 differences, with neither `name` nor `base`, is read as an overlay over the ideal machine. What the program of a
-generator ran on and cartridges are read too. Exit code 3 if there is any fault.";
+generator ran on and cartridges are read too, and a landscape of `lunoid terrain` is built. Exit code 3 if there is
+any fault.";
 
 /// Read scenarios, hardware models and whatever else is written in TOML, and list every fault.
 #[derive(Debug, Args)]
@@ -45,6 +47,7 @@ impl Check {
                 Kind::Model => check_model(file),
                 Kind::Overlay => check_overlay(file),
                 Kind::Sidecar => Ok(Sound::default()),
+                Kind::Terrain => check_terrain(file),
                 Kind::Gear(row) => of_generator(row, file, registry::check_gear),
                 Kind::GeneratorOverlay(row) => {
                     of_generator(row, file, |row, name, text| registry::overlay(row, name, text).map(drop))
@@ -124,6 +127,17 @@ fn of_generator(row: &Row, path: &Path, read: fn(&Row, &str, &str) -> Result<(),
 fn check_cartridge(path: &Path) -> Checked {
     let problem = |error: CartridgeError| Problem::of_file(error.place, error.message);
     of_file(path).map(|_| Sound::default()).map_err(|error| problem(error).into())
+}
+
+/// Builds a landscape over its base, with its pictures.
+fn check_terrain(path: &Path) -> Checked {
+    let name = path.display().to_string();
+    let of_file = |error: &dyn std::fmt::Display| Problem::of_file(&name, error.to_string());
+    let description = Description::read(path)?;
+    let base = Base::open(&description).map_err(|error| of_file(&error))?;
+    Textures::open(&description).map_err(|error| of_file(&error))?;
+    let ground = Ground::new(description, base).map_err(|error| of_file(&error))?;
+    Ok(ground.warnings().iter().map(|warning| format!("{name}: {warning}")).collect::<Vec<_>>().into())
 }
 
 fn of_no_kind(path: &Path) -> ProblemList {

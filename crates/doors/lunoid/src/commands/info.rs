@@ -11,7 +11,8 @@ use crate::{Failure, Verdict};
 /// Say what a file or a run folder holds.
 #[derive(Debug, Args)]
 #[command(after_help = "Example:\n  lunoid info moon.bank\n\n\
-    Knows banks, states of a machine, elevation files, scenarios, hardware models, pictures (PNG, JPEG), and run folders.")]
+    Knows banks, states of a machine, elevation files, scenarios, hardware models, landscapes, terrain databases,\n\
+    pictures (PNG, JPEG), and run folders.")]
 pub struct Info {
     /// File or folder to look into.
     file: PathBuf,

@@ -228,3 +228,35 @@ fn a_database_of_another_place_is_refused() {
     let (_, err) = scene.expect(3, &["check", "here/scenario.toml"]);
     assert!(err.contains("longitude 13.05") && err.contains("from one export"), "{err}");
 }
+
+#[test]
+fn a_landscape_and_its_database_say_what_they_hold() {
+    let scene = Scene::new();
+    ground(&scene);
+    scene.expect(0, &["terrain", "export", "ground.toml", "--out", "out"]);
+    let held = |file: &str| -> Value {
+        serde_json::from_str(&scene.expect(0, &["info", file, "--json"]).0).unwrap()
+    };
+    let landscape = held("ground.toml");
+    assert_eq!(landscape["posts"], held("out/terrain.lod")["posts"]);
+    assert_eq!(landscape["features"][0]["kind"], "crater");
+    let database = held("out/terrain.lod");
+    assert_eq!(database["radius_m"], 1_737_400.0);
+    let errors: Vec<f64> =
+        database["errors_m"].as_array().unwrap().iter().map(|e| e.as_f64().unwrap()).collect();
+    assert_eq!(errors.len(), 1 + database["order"].as_u64().unwrap() as usize);
+    assert!(errors[0] == 0.0 && errors[errors.len() - 1] > 1.0, "{errors:?}");
+    assert!(scene.expect(0, &["info", "out/terrain.lod"]).0.contains("terrain database"));
+    assert!(scene.expect(0, &["check", "ground.toml"]).0.contains("landscape, no fault"));
+
+    // A damaged database and a landscape out of range are refused with their place.
+    let mut bytes = fs::read(scene.join("out/terrain.lod")).unwrap();
+    let last = bytes.len() - 1;
+    bytes[last] ^= 1;
+    fs::write(scene.join("broken.lod"), bytes).unwrap();
+    assert!(scene.expect(3, &["info", "broken.lod"]).1.contains("broken.lod: the block of the text"));
+    let text = fs::read_to_string(scene.join("ground.toml")).unwrap();
+    fs::write(scene.join("deep.toml"), text.replace("depth_percent = 20", "depth_percent = 2000")).unwrap();
+    let told = scene.expect(3, &["check", "deep.toml"]).1;
+    assert!(told.contains("deep.toml:") && told.contains("depth_percent"), "{told}");
+}
