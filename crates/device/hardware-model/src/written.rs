@@ -113,6 +113,8 @@ fn laws(of: &LawTables) -> Option<Laws> {
     let visibility = |table: &Reader| words::body_visibility(table, "visibility").required();
     let body_visibility = of.polyhedra.as_ref().and_then(visibility);
     let shadowed = of.polyhedra.as_ref().and_then(|table| words::shadowed_bodies(table).required());
+    let shading = |table: &Reader| words::body_shading(table, "shading").required();
+    let body_shading = of.polyhedra.as_ref().and_then(shading);
     Some(Laws {
         projection: projection?,
         curvature: curvature?,
@@ -121,6 +123,7 @@ fn laws(of: &LawTables) -> Option<Laws> {
         feature_light: feature_light?,
         body_visibility: body_visibility?,
         shadowed_bodies: shadowed?,
+        body_shading: body_shading?,
         texture_in_shadow: texture?,
     })
 }

@@ -98,6 +98,7 @@ fn changes() -> Vec<(&'static str, Option<Setting>, String)> {
         ("mixing_unit.texture_in_shadow", None, "off".into()),
         ("polyhedron_generator.visibility", None, "as-reported".into()),
         ("polyhedron_generator.shadowed_bodies", None, "vanish".into()),
+        ("polyhedron_generator.shading", None, "smooth".into()),
         ("roll.step_deg", None, "0".into()),
         ("roll.rate_deg_s", None, "3".into()),
         ("roll.travel_deg", None, "30".into()),

@@ -18,7 +18,7 @@ pub(crate) struct Cover {
 
 impl Cover {
     /// Mixes runs, disjoint and from the top, into a row of lines.
-    pub fn mix(&mut self, runs: &[Run], row: &mut [f32], value: impl Fn(&Run) -> f32) {
+    pub fn mix(&mut self, runs: &[Run], row: &mut [f32], shown: impl Fn(&Run) -> Run) {
         // Whoever looks at the last line looks at some more.
         let room = row.len() + TOGETHER;
         if self.shares.len() < room {
@@ -26,14 +26,14 @@ impl Cover {
             self.sums.resize(room, 0.0);
         }
         dispatch!(Level::new(), simd => {
-            runs.iter().for_each(|run| self.add(simd, run, value(run), row.len()));
+            runs.iter().for_each(|run| self.add(simd, &shown(run), row.len()));
             self.take(simd, runs, row);
         });
     }
 
     /// Adds a run: how many lines it covers cannot be guessed, but nearly always they are looked at together.
     #[inline(always)]
-    fn add<V: Simd>(&mut self, simd: V, run: &Run, value: f32, lines: usize) {
+    fn add<V: Simd>(&mut self, simd: V, run: &Run, lines: usize) {
         let end = run.bottom.min(lines as f32);
         let mut first = run.top.max(0.0) as usize;
         while (first as f32) < end {
@@ -41,7 +41,15 @@ impl Cover {
             let [top, bottom] = [run.top, end].map(|end| f32x16::splat(simd, end));
             let cover = (bottom.min(line + 1.0) - top.max(line)).max(0.0);
             add(simd, &mut self.shares[first..first + TOGETHER], cover);
-            add(simd, &mut self.sums[first..first + TOGETHER], cover * value);
+            let sums = &mut self.sums[first..first + TOGETHER];
+            match run.ramp {
+                0.0 => add(simd, sums, cover * run.reflectivity),
+                // The mean over what is covered of a line: that in its middle.
+                ramp => {
+                    let middle = (bottom.min(line + 1.0) + top.max(line)) * 0.5;
+                    add(simd, sums, cover * ((middle - top) * ramp + run.reflectivity));
+                }
+            }
             first += TOGETHER;
         }
     }
@@ -90,27 +98,29 @@ mod tests {
         fn lines_side_by_side_are_what_each_is_alone(
             top in -40.0..20.0f32,
             steps in proptest::collection::vec((0..3u8, 0.0..30.0f32, 0.0..1.0f32), 0..12),
+            ramp in proptest::sample::select(vec![0.0f32, 0.01, -0.02]),
             lines in 0..90usize,
         ) {
             let mut at = top;
             let mut runs = Vec::new();
             for (kind, height, reflectivity) in steps {
                 let height = [0.0, 0.1 * height, height][kind as usize];
-                runs.push(Run { top: at, bottom: at + height, reflectivity });
+                runs.push(Run { top: at, bottom: at + height, reflectivity, ramp });
                 at += if reflectivity < 0.5 { height } else { 1.5 * height };
             }
             let mut cover = Cover::default();
             // What a row leaves behind would show in the next.
             for before in [0.25f32, 0.75] {
                 let mut row = vec![before; lines];
-                cover.mix(&runs, &mut row, |run| run.reflectivity);
+                cover.mix(&runs, &mut row, |run| *run);
                 for (number, mixed) in row.into_iter().enumerate() {
                     let (top, bottom) = (number as f32, number as f32 + 1.0);
                     let (mut share, mut sum) = (0.0f32, 0.0f32);
                     for run in &runs {
                         let part = (run.bottom.min(bottom) - run.top.max(top)).max(0.0);
                         share += part;
-                        sum += part * run.reflectivity;
+                        let middle = (run.bottom.min(bottom) + run.top.max(top)) * 0.5;
+                        sum += part * ((middle - run.top) * run.ramp + run.reflectivity);
                     }
                     let expected = if share > 0.0 { before * (1.0 - share).max(0.0) + sum } else { before };
                     prop_assert_eq!(mixed, expected, "line {}", number);

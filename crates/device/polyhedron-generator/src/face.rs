@@ -12,14 +12,32 @@ pub(crate) struct Corner {
     pub spread: f64,
     /// First sweep that passes through it or to the right of it.
     pub sweep: u32,
+    /// Reflectivity there, where light is smooth.
+    pub light: f64,
+}
+
+/// Where a sweep crosses an edge of a face.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(crate) struct Crossing {
+    pub place: Place,
+    /// Reflectivity there, linear along the edge on the view-plane.
+    pub light: f64,
+}
+
+impl Crossing {
+    /// At a share of the way along an edge.
+    fn on([from, to]: [&Corner; 2], share: f64) -> Self {
+        let light = from.light + share * (to.light - from.light);
+        Self { place: from.place.towards(&to.place, share), light }
+    }
 }
 
 impl Corner {
     /// Of a place, for sweeps at ascending `tangents`.
-    pub fn new(place: Place, sighting: &Sighting, tangents: &[f64]) -> Self {
+    pub fn new(Crossing { place, light }: Crossing, sighting: &Sighting, tangents: &[f64]) -> Self {
         let spread = sighting.spread(place.y);
         let across = place.x / spread;
-        Self { place, spread, sweep: tangents.partition_point(|&tangent| tangent < across) as u32 }
+        Self { place, spread, sweep: tangents.partition_point(|&tangent| tangent < across) as u32, light }
     }
 }
 
@@ -29,7 +47,7 @@ pub(crate) struct Outline {
     corners: Vec<Corner>,
     clipped: Vec<Corner>,
     /// Upper and lower crossing of each sweep, from the first that meets the face.
-    pub crossings: Vec<[Place; 2]>,
+    pub crossings: Vec<[Crossing; 2]>,
 }
 
 impl Outline {
@@ -57,10 +75,11 @@ impl Outline {
         self.clipped.clear();
         let inside = |place: &Place| side * place.y <= half_height;
         for (index, to) in self.corners.iter().enumerate() {
-            let from = &self.corners[(index + self.corners.len() - 1) % self.corners.len()].place;
-            if inside(from) != inside(&to.place) {
-                let share = (side * half_height - from.y) / (to.place.y - from.y);
-                let cut = Place { y: side * half_height, ..from.towards(&to.place, share) };
+            let from = &self.corners[(index + self.corners.len() - 1) % self.corners.len()];
+            if inside(&from.place) != inside(&to.place) {
+                let share = (side * half_height - from.place.y) / (to.place.y - from.place.y);
+                let mut cut = Crossing::on([from, to], share);
+                cut.place.y = side * half_height;
                 self.clipped.push(Corner::new(cut, sighting, tangents));
             }
             if inside(&to.place) {
@@ -85,7 +104,7 @@ impl Outline {
                 let tangent = tangents[sweep as usize];
                 let [off, beyond] = [left, right].map(|end| end.place.x - tangent * end.spread);
                 let share = off / (off - beyond);
-                crossings[(sweep - reach.start) as usize][end] = left.place.towards(&right.place, share);
+                crossings[(sweep - reach.start) as usize][end] = Crossing::on([left, right], share);
             }
         }
         reach.start

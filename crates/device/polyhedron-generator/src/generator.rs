@@ -6,15 +6,16 @@ use fearless_simd::{Level, dispatch};
 use glam::DVec3;
 use rayon::iter::{IndexedParallelIterator, ParallelIterator};
 use rayon::slice::ParallelSlice;
+use scenario::BodyShading;
 use signal::Number;
 use solids::{Body, Solid};
 
-use crate::face::Outline;
+use crate::face::{Corner, Crossing, Outline};
 use crate::likeness::{Eye, Likeness, UNSEEN};
 use crate::meetings::Meetings;
 use crate::table::Drawing;
 use crate::view::{Place, Sighting};
-use crate::{FaceLight, NEAREST, Span, SpanTable, ViewPlane};
+use crate::{FaceLight, NEAREST, RAMP_WORDS, Span, SpanTable, ViewPlane};
 
 /// Bodies that are looked at, and drawn, together.
 const TOGETHER: usize = 128;
@@ -50,6 +51,8 @@ pub struct Census {
     pub vertices: u64,
     /// Meetings of faces with sweeps; each is two edges.
     pub spans: u64,
+    /// Words that the ramps of these meetings take: none where light is flat.
+    pub ramp_words: u64,
 }
 
 /// The generator: its table, kept from frame to frame.
@@ -123,6 +126,7 @@ impl Census {
         self.too_near += other.too_near;
         self.vertices += other.vertices;
         self.spans += other.spans;
+        self.ramp_words += other.ramp_words;
     }
 }
 
@@ -148,9 +152,17 @@ impl Pencil {
             census.vertices += body.solid.vertices().len() as u64;
             let (object, foot_range) = (body.object, *foot_range as f32);
             let stamp = Span { body: number, object, foot_range, ..Span::default() };
-            self.draw(field, &drawn.aspect, stamp, &mut drawing);
+            match light.shading {
+                BodyShading::Smooth if body.solid.is_smooth() => {
+                    self.draw_smooth(field, light, &drawn, stamp, &mut drawing);
+                }
+                _ => self.draw(field, &drawn.aspect, stamp, &mut drawing),
+            }
         }
         census.spans = drawing.spans.len() as u64;
+        if light.shading == BodyShading::Smooth {
+            census.ramp_words = RAMP_WORDS * census.spans;
+        }
         drawing.shrink_to_fit();
         (census, drawing)
     }
@@ -184,14 +196,52 @@ impl Pencil {
             let begin = self.outline.cross(corners, half_height, &field.sighting, tangents);
             let stamp = Span { reflectivity, ..stamp };
             for (sweep, ends) in (first as u32 + begin..).zip(&self.outline.crossings) {
-                let span = field.span(ends, stamp);
-                if span.top < span.bottom {
-                    let mut stack = drawing.begin();
-                    drawing.add(&mut stack, span);
-                    drawing.end(sweep, stack);
+                add(drawing, sweep, field.span(ends, stamp));
+            }
+        }
+    }
+
+    /// Draws a body with normals at its corners, triangle by triangle: over four corners a ramp along a sweep would have no light of its
+    /// own in the middle. Triangles of a face begin at its first corner.
+    fn draw_smooth(
+        &mut self,
+        field: &Field<'_>,
+        light: &FaceLight,
+        Drawn { aspect, dark }: &Drawn<'_>,
+        stamp: Span,
+        drawing: &mut Drawing,
+    ) {
+        let Aspect { body, sweeps, .. } = aspect;
+        let (first, tangents) = (sweeps.start as u32, &field.tangents[sweeps.clone()]);
+        let (likeness, half_height) = (&self.likeness, field.view.tan_half_height);
+        let (turn, _) = body.to_ground();
+        for (number, face) in body.solid.faces().iter().enumerate() {
+            let normals = body.solid.corner_normals(number).unwrap_or_default();
+            if likeness.faces[number] == UNSEEN || normals.is_empty() {
+                continue;
+            }
+            let corner = |at: usize| {
+                let lit = light.reflectivity((turn * normals[at]).to_array(), face.albedo);
+                let light = if *dark { 0.0 } else { lit };
+                Corner { light, ..likeness.corner(face.corners[at], tangents) }
+            };
+            for last in 2..face.corners.len() {
+                let corners = [0, last - 1, last].into_iter().map(corner);
+                let begin = self.outline.cross(corners, half_height, &field.sighting, tangents);
+                for (sweep, ends) in (first + begin..).zip(&self.outline.crossings) {
+                    add(drawing, sweep, field.ramp(ends, stamp));
                 }
             }
         }
+    }
+}
+
+/// Adds a span by itself on a sweep, if it has any height.
+fn add(drawing: &mut Drawing, sweep: u32, span: Span) {
+    if span.top < span.bottom {
+        let mut stack = drawing.begin();
+        drawing.add(&mut stack, span);
+        drawing.end(sweep, stack);
     }
 }
 
@@ -276,11 +326,20 @@ impl<'a> Field<'a> {
         self.sighting.near(place)
     }
 
-    fn span(&self, ends: &[Place; 2], stamp: Span) -> Span {
-        let [top, bottom] = [0, 1].map(|end: usize| self.line(ends[end].y) as f32);
-        let near = [0, 1].map(|end: usize| self.near(&ends[end]) as f32);
-        let depth = [0, 1].map(|end: usize| ends[end].depth as f32);
+    fn span(&self, ends: &[Crossing; 2], stamp: Span) -> Span {
+        let [top, bottom] = [0, 1].map(|end: usize| self.line(ends[end].place.y) as f32);
+        let near = [0, 1].map(|end: usize| self.near(&ends[end].place) as f32);
+        let depth = [0, 1].map(|end: usize| ends[end].place.depth as f32);
         Span { top, bottom, near, depth, ..stamp }
+    }
+
+    /// The same with a ramp between the light of both ends.
+    fn ramp(&self, ends: &[Crossing; 2], stamp: Span) -> Span {
+        let span = self.span(ends, stamp);
+        let [above, below] = [0, 1].map(|end: usize| ends[end].light as f32);
+        let ramp = (below - above) / (span.bottom - span.top);
+        // Lower than numbers can tell apart, a span is dropped.
+        Span { reflectivity: above, ramp: if ramp.is_finite() { ramp } else { 0.0 }, ..span }
     }
 }
 

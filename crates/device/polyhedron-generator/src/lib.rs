@@ -50,7 +50,7 @@ mod view;
 
 pub use generator::{Census, Drawn, Field, PolyhedronGenerator};
 pub use hold::{Hold, NoHold};
-pub use light::FaceLight;
+pub use light::{FaceLight, RAMP_WORDS};
 pub use near_table::NearTable;
 pub use of_parts::{BodyFade, PartsSwitch};
 pub use overlay::{Overlay, Run, SIGNALS};

@@ -48,7 +48,7 @@ impl Likeness {
         let [x, y, depth, spread] = self.corners.as_flattened()[number as usize];
         let across = self.across.as_flattened()[number as usize];
         let sweep = tangents.partition_point(|&tangent| tangent < across) as u32;
-        Corner { place: Place { x, y, depth }, spread, sweep }
+        Corner { place: Place { x, y, depth }, spread, sweep, light: 0.0 }
     }
 
     /// Which of the sweeps at ascending `tangents` pass between the leftmost and the rightmost corner.
@@ -191,11 +191,11 @@ mod tests {
     use fearless_simd::{Level, dispatch};
     use glam::{DMat3, DVec3, EulerRot};
     use proptest::prelude::{prop_assert_eq, proptest};
-    use scenario::{Curvature, Projection};
+    use scenario::{BodyShading, Curvature, Projection};
     use solids::{Body, Kind, rocks};
 
     use super::{Eye, Likeness, UNSEEN};
-    use crate::face::{Corner, sweeps_of};
+    use crate::face::{Corner, Crossing, sweeps_of};
     use crate::view::{Sighting, project};
     use crate::{FaceLight, NEAREST, ViewPlane};
 
@@ -226,13 +226,13 @@ mod tests {
                 tan_half_height: 0.3,
                 lines: 500.0,
             });
-            let (light, place) = (FaceLight { sun: DVec3::new(-0.6, 0.48, 0.64) }, DVec3::new(0.1, 0.2, 1.5));
+            let (light, place) = (FaceLight { sun: DVec3::new(-0.6, 0.48, 0.64), shading: BodyShading::Flat }, DVec3::new(0.1, 0.2, 1.5));
             let tangents: Vec<f64> = (0..sweeps).map(|sweep| 0.02 * f64::from(sweep) - 0.6).collect();
 
             let vertices: Vec<DVec3> = body.vertices().collect();
             let ahead = |vertex: &DVec3| sighting.turn((*vertex - place).to_array());
             let corner = |vertex: &DVec3| {
-                Corner::new(project(ahead(vertex)), &sighting, &tangents)
+                Corner::new(Crossing { place: project(ahead(vertex)), light: 0.0 }, &sighting, &tangents)
             };
             let corners: Vec<Corner> = vertices.iter().map(corner).collect();
             let is_inside = corners.iter().all(|corner| corner.place.y.abs() <= 0.3);

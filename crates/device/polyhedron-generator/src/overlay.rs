@@ -25,8 +25,39 @@ pub struct Run {
     pub top: f32,
     /// Lower end: line position from the top of the picture.
     pub bottom: f32,
-    /// Reflectivity of the face.
+    /// Reflectivity of the face at the upper end.
     pub reflectivity: f32,
+    /// How it changes from line to line downwards (1/line): 0 on a face whose light is flat.
+    pub ramp: f32,
+}
+
+impl Run {
+    /// Reflectivity at a line position of the run.
+    #[inline(always)]
+    pub(crate) fn reflectivity_on(&self, line: f32) -> f32 {
+        self.reflectivity + self.ramp * (line - self.top)
+    }
+
+    /// The same of real parts, whose ramp stands still before the run and behind it.
+    pub(crate) fn reflectivity_at(&self, line: f64) -> f64 {
+        let [top, bottom] = [self.top, self.bottom].map(f64::from);
+        f64::from(self.reflectivity) + f64::from(self.ramp) * (line.clamp(top, bottom) - top)
+    }
+
+    /// The part of it whose reflectivity exceeds a threshold, if there is any: a ramp passes it once at most.
+    fn above(self, threshold: f32) -> Option<Self> {
+        let ends = [self.reflectivity, self.reflectivity_on(self.bottom)];
+        let passes = || (self.top + (threshold - ends[0]) / self.ramp).clamp(self.top, self.bottom);
+        match ends.map(|end| end > threshold) {
+            [true, true] => Some(self),
+            [true, false] if self.ramp != 0.0 => Some(Self { bottom: passes(), ..self }),
+            [false, true] if self.ramp != 0.0 => {
+                let top = passes();
+                Some(Self { top, reflectivity: self.reflectivity_on(top), ..self })
+            }
+            _ => None,
+        }
+    }
 }
 
 /// The switch of one sweep and its buffers; one a worker.
@@ -85,8 +116,10 @@ impl Overlay {
         for seen in &self.seen {
             self.layers.lay(&self.parts[seen.clone()], &choice);
         }
-        let reflectivity = |part: &Part| sweep.all[part.span as usize].reflectivity;
-        let run = |part: &Part| Run { top: part.top, bottom: part.bottom, reflectivity: reflectivity(part) };
+        let run = |&Part { top, bottom, span }: &Part| {
+            let span = &sweep.all[span as usize];
+            Run { top, bottom, reflectivity: span.reflectivity_on(top), ramp: span.ramp }
+        };
         self.runs.clear();
         self.runs.extend(self.layers.shown().iter().map(run));
     }
@@ -116,9 +149,15 @@ impl Overlay {
         }
     }
 
-    /// Drops the runs whose own video does not exceed `threshold`: they do not open a self-keyed switch (section 14).
+    /// Drops what of the runs does not exceed `threshold` by its own video: it does not open a self-keyed switch (section 14).
     pub fn key(&mut self, threshold: f32) {
-        self.runs.retain(|run| run.reflectivity > threshold);
+        self.runs.retain_mut(|run| match run.above(threshold) {
+            Some(above) => {
+                *run = above;
+                run.top < run.bottom
+            }
+            None => false,
+        });
     }
 
     /// The runs of the last composition.
@@ -144,24 +183,30 @@ impl Overlay {
 
     /// Lays the runs of the last composition over a row.
     pub fn write(&mut self, rule: PixelRule, row: &mut [f32]) {
-        self.lay(rule, row, |run| run.reflectivity);
+        self.lay(rule, row, |run| *run);
     }
 
     /// The gate: the share of each line over which a polyhedron is seen, added to a row of zeros.
     pub fn present(&mut self, rule: PixelRule, row: &mut [f32]) {
-        self.lay(rule, row, |_| 1.0);
+        self.lay(rule, row, |run| Run { reflectivity: 1.0, ramp: 0.0, ..*run });
     }
 
     #[inline(always)]
-    fn lay(&mut self, rule: PixelRule, row: &mut [f32], value: impl Fn(&Run) -> f32) {
+    fn lay(&mut self, rule: PixelRule, row: &mut [f32], shown: impl Fn(&Run) -> Run) {
         match rule {
             PixelRule::Centre => {
-                for run in &self.runs {
+                for run in self.runs.iter().map(shown) {
                     let [first, end] = [run.top, run.bottom].map(|end| line_from(end - 0.5, row.len()));
-                    row[first..end.max(first)].fill(value(run));
+                    let lines = &mut row[first..end.max(first)];
+                    match run.ramp {
+                        0.0 => lines.fill(run.reflectivity),
+                        _ => (first..)
+                            .zip(lines)
+                            .for_each(|(line, value)| *value = run.reflectivity_on(line as f32 + 0.5)),
+                    }
                 }
             }
-            PixelRule::LineMean => self.cover.mix(&self.runs, row, value),
+            PixelRule::LineMean => self.cover.mix(&self.runs, row, shown),
         }
     }
 }

@@ -7,8 +7,10 @@ pub struct Span {
     pub top: f32,
     /// Lower end, at or below the upper.
     pub bottom: f32,
-    /// Reflectivity of the face, 0..=1.
+    /// Reflectivity of the face at its upper end, 0..=1.
     pub reflectivity: f32,
+    /// How reflectivity changes from line to line downwards (1/line): 0 on a face whose light is flat.
+    pub ramp: f32,
     /// Inverse horizontal range from the eye (1/m), at top and bottom. Between them it is `depth` over a linear
     /// function.
     pub near: [f32; 2],
@@ -38,6 +40,12 @@ impl Span {
     pub fn near_at(&self, share: f32) -> f32 {
         let stretch = [self.depth[0] / self.near[0], self.depth[1] / self.near[1]];
         self.depth_at(share) / (stretch[0] + share * (stretch[1] - stretch[0]))
+    }
+
+    /// Reflectivity at a line position of the span.
+    #[inline(always)]
+    pub(crate) fn reflectivity_on(&self, line: f32) -> f32 {
+        self.reflectivity + self.ramp * (line - self.top)
     }
 
     /// Whether another goes on where it ends, as a part of the same object.

@@ -12,6 +12,7 @@ fn wall(lines: [f32; 2], range: f32, reflectivity: f32, object: u32, foot_range:
         top: lines[0],
         bottom: lines[1],
         reflectivity,
+        ramp: 0.0,
         near: [near; 2],
         depth: [near; 2],
         body: object,
@@ -302,4 +303,58 @@ proptest! {
             prop_assert_eq!(centre[line], middle.map_or(before, |run| run.reflectivity), "line {}", line);
         }
     }
+}
+
+/// A wall whose light runs from one reflectivity at the top to another at the bottom.
+fn ramped(lines: [f32; 2], reflectivities: [f32; 2]) -> Span {
+    let ramp = (reflectivities[1] - reflectivities[0]) / (lines[1] - lines[0]);
+    Span { ramp, ..wall(lines, 5.0, reflectivities[0], 0, 5.0) }
+}
+
+#[test]
+fn a_ramp_is_shown_by_its_mean_over_a_line_and_by_its_middle() {
+    // 0.2 at line 2.5 to 0.6 at line 6.5: a tenth a line.
+    let table = SpanTable::of_sweep(&[ramped([2.5, 6.5], [0.2, 0.6])]);
+    let shown = |rule: PixelRule| {
+        let mut row = vec![0.0; 8];
+        Overlay::default().overlay(table.sweep(0), BodyVisibility::Depth, OPEN, rule, &mut row);
+        row
+    };
+    let near = |found: Vec<f32>, expected: [f32; 8]| {
+        assert!(
+            found.iter().zip(expected).all(|(found, expected)| (found - expected).abs() < 1e-6),
+            "{found:?}"
+        );
+    };
+    // Half of line 2 has 0.2 to 0.25, half of line 6 0.55 to 0.6.
+    near(shown(PixelRule::LineMean), [0.0, 0.0, 0.5 * 0.225, 0.3, 0.4, 0.5, 0.5 * 0.575, 0.0]);
+    near(shown(PixelRule::Centre), [0.0, 0.0, 0.2, 0.3, 0.4, 0.5, 0.0, 0.0]);
+}
+
+#[test]
+fn a_ramp_opens_a_self_keyed_switch_where_it_exceeds_the_threshold() {
+    let keyed = |reflectivities: [f32; 2], threshold: f32| {
+        let mut overlay = Overlay::default();
+        let table = SpanTable::of_sweep(&[ramped([2.0, 6.0], reflectivities)]);
+        overlay.compose(table.sweep(0), BodyVisibility::Depth, OPEN);
+        overlay.key(threshold);
+        ends(overlay.runs())
+    };
+    let near = |found: &[[f32; 3]], expected: [f32; 3]| {
+        assert!(found.len() == 1 && (0..3).all(|k| (found[0][k] - expected[k]).abs() < 1e-6), "{found:?}");
+    };
+    near(&keyed([0.0, 0.4], 0.1), [3.0, 6.0, 0.1]);
+    near(&keyed([0.4, 0.0], 0.1), [2.0, 5.0, 0.4]);
+    near(&keyed([0.2, 0.4], 0.1), [2.0, 6.0, 0.2]);
+    assert!(keyed([0.0, 0.1], 0.1).is_empty() && keyed([0.1, 0.1], 0.1).is_empty());
+}
+
+#[test]
+fn what_a_nearer_face_hides_of_a_ramp_takes_nothing_from_the_rest() {
+    let spans = [ramped([2.0, 6.0], [0.2, 0.6]), wall([4.0, 8.0], 2.0, 0.9, 1, 2.0)];
+    let shown = runs(&spans, BodyVisibility::Depth, OPEN);
+    assert_eq!(ends(&shown), [[2.0, 4.0, 0.2], [4.0, 8.0, 0.9]]);
+    let spans = [ramped([2.0, 6.0], [0.2, 0.6]), wall([0.0, 4.0], 2.0, 0.9, 1, 2.0)];
+    let below = ends(&runs(&spans, BodyVisibility::Depth, OPEN))[1];
+    assert!(below[0] == 4.0 && (below[2] - 0.4).abs() < 1e-6, "{below:?}");
 }

@@ -2,14 +2,14 @@
 
 use std::sync::Arc;
 
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DVec3, EulerRot};
 use polyhedron_generator::{
     Census, Drawn, FaceLight, Field, LeftOut, NoHold, Overlay, PolyhedronGenerator, Sight, Span, ViewPlane,
 };
 use proptest::collection::vec;
-use proptest::prelude::{ProptestConfig, Strategy, prop_assert, proptest};
+use proptest::prelude::{ProptestConfig, Strategy, prop_assert, prop_assert_eq, proptest};
 use proptest::sample::select;
-use scenario::{BodyVisibility, Curvature, PixelRule, Projection};
+use scenario::{BodyShading, BodyVisibility, Curvature, PixelRule, Projection};
 use solids::{Body, Kind, Solid, rocks};
 
 const LAWS: [Projection; 3] = [Projection::Exact, Projection::AsReported, Projection::Corrected];
@@ -33,10 +33,19 @@ fn boxed(low: [f64; 3], high: [f64; 3], object: u32) -> Body {
 }
 
 fn light() -> FaceLight {
-    FaceLight { sun: DVec3::new(-0.6, 0.48, 0.64) }
+    FaceLight { sun: DVec3::new(-0.6, 0.48, 0.64), shading: BodyShading::Flat }
 }
 
 fn run<'a>(
+    view: &ViewPlane,
+    tangents: &[f64],
+    bodies: impl IntoIterator<Item = &'a Body>,
+) -> (PolyhedronGenerator, Census) {
+    run_under(&light(), view, tangents, bodies)
+}
+
+fn run_under<'a>(
+    light: &FaceLight,
     view: &ViewPlane,
     tangents: &[f64],
     bodies: impl IntoIterator<Item = &'a Body>,
@@ -45,7 +54,7 @@ fn run<'a>(
     let field = Field::new(view, tangents);
     let bodies: Vec<_> = bodies.into_iter().collect();
     let drawn = |body: &&'a Body| Some(Drawn { aspect: field.aspect(body)?, dark: false });
-    let census = generator.run(&field, &light(), &bodies, drawn);
+    let census = generator.run(&field, light, &bodies, drawn);
     (generator, census)
 }
 
@@ -66,7 +75,8 @@ fn a_cube_straight_ahead_has_its_closed_form_at_every_sweep() {
                 continue;
             }
             // The front face alone: from 0.5 m above to 1.5 m below the eye, 9 m ahead.
-            let &[Span { top, bottom, reflectivity, near, depth, body, object, foot_range }] = spans else {
+            let &[Span { top, bottom, reflectivity, ramp, near, depth, body, object, foot_range }] = spans
+            else {
                 panic!("{spans:?}");
             };
             let line = |y: f64| ((y / 0.3 + 1.0) * 0.5 * LINES as f64) as f32;
@@ -75,7 +85,7 @@ fn a_cube_straight_ahead_has_its_closed_form_at_every_sweep() {
             assert!(near.iter().all(|near| (near * range - 1.0).abs() < 1e-6));
             assert!(depth.iter().all(|depth| (depth * 9.0 - 1.0).abs() < 1e-6));
             assert!((reflectivity - 0.48).abs() < 1e-6, "0.8 of 0.6");
-            assert_eq!((body, object, foot_range), (0, 4, 10.0));
+            assert_eq!((body, object, foot_range, ramp), (0, 4, 10.0, 0.0));
         }
     }
 }
@@ -271,5 +281,109 @@ proptest! {
                 prop_assert!((f64::from(gate[line]) - mean[1]).abs() < 0.03);
             }
         }
+    }
+}
+
+/// A rock of the shapes of a seed with normals at its corners, before an eye at the origin that looks north.
+fn round_rock(shape: usize, foot: [f64; 3], turns: [f64; 3]) -> Body {
+    let solid = rocks::shapes(7).unwrap().swap_remove(shape).rounded();
+    let turn = DMat3::from_euler(EulerRot::ZYX, turns[0], turns[1], turns[2]);
+    Body::place(1, Kind::Rock, &Arc::new(solid), DVec3::from_array(foot), &turn, 1.5)
+}
+
+/// Triangles of a body that look at the eye, from the first corner of each face: places on the view-plane, and light at the corners.
+fn triangles(body: &Body) -> Vec<[[f64; 3]; 3]> {
+    let (turn, _) = body.to_ground();
+    let vertices: Vec<DVec3> = body.vertices().collect();
+    let mut triangles = Vec::new();
+    for (number, (face, normal)) in body.solid.faces().iter().zip(body.normals()).enumerate() {
+        if normal.dot(vertices[face.corners[0] as usize]) >= 0.0 {
+            continue;
+        }
+        let normals = body.solid.corner_normals(number).unwrap();
+        let corner = |at: usize| {
+            let place = vertices[face.corners[at] as usize];
+            let light = face.albedo * (turn * normals[at]).dot(light().sun).max(0.0);
+            [place.y / place.x, -place.z / place.x, light]
+        };
+        triangles.extend((2..face.corners.len()).map(|last| [0, last - 1, last].map(corner)));
+    }
+    triangles
+}
+
+/// Light at a place of the view-plane: that of the triangle which holds it, in proportion; how far inside the place is.
+fn light_on(triangles: &[[[f64; 3]; 3]], [x, y]: [f64; 2]) -> (f64, f64) {
+    let area =
+        |a: [f64; 2], b: [f64; 2], c: [f64; 2]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    let of = |corners: &[[f64; 3]; 3]| {
+        let [a, b, c] = corners.map(|[x, y, _]| [x, y]);
+        let at = [x, y];
+        let shares = [area(at, b, c), area(a, at, c), area(a, b, at)].map(|part| part / area(a, b, c));
+        let light = (0..3).map(|corner| shares[corner] * corners[corner][2]).sum();
+        (shares.into_iter().fold(f64::INFINITY, f64::min), light)
+    };
+    triangles.iter().map(of).max_by(|(a, _), (b, _)| a.total_cmp(b)).unwrap()
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    /// Rocks in the picture as a whole and in part: reflectivity runs along each sweep as it does on the triangles.
+    #[test]
+    fn smooth_light_is_linear_over_each_triangle(
+        shape in 0..rocks::SHAPES,
+        foot in [4.0..12.0f64, -2.0..2.0, -2.5..1.5],
+        turns in [-3.0..3.0f64, -3.0..3.0, -3.0..3.0],
+    ) {
+        let body = round_rock(shape, foot, turns);
+        let view = view(Projection::Exact, [0.0; 3], 0.0, 0.0);
+        let tangents = tangents(0.4, 97);
+        let smooth = FaceLight { shading: BodyShading::Smooth, ..light() };
+        let (generator, census) = run_under(&smooth, &view, &tangents, [&body]);
+        prop_assert_eq!(census.ramp_words, 2 * census.spans);
+        let triangles = triangles(&body);
+        for (sweep, &tangent) in tangents.iter().enumerate() {
+            for span in generator.table().sweep(sweep).spans() {
+                for share in [0.1, 0.5, 0.9] {
+                    let line = span.line_at(share);
+                    let y = (f64::from(line) / (0.5 * LINES as f64) - 1.0) * 0.3;
+                    let (inside, expected) = light_on(&triangles, [tangent, y]);
+                    // Beside an edge, rounding decides whose light it is.
+                    if inside > 1e-3 && span.bottom - span.top > 0.01 {
+                        let found = f64::from(span.reflectivity + span.ramp * (line - span.top));
+                        prop_assert!((found - expected).abs() < 1e-3, "{found} {expected}");
+                    }
+                }
+            }
+        }
+        // The outline is that of the body with flat light, whose picture does not know of normals.
+        let flat_solid = rocks::shapes(7).unwrap().swap_remove(shape);
+        let flat_body = body.rounded(&Arc::new(flat_solid));
+        let (flat, none) = run(&view, &tangents, [&body]);
+        let (plain, _) = run(&view, &tangents, [&flat_body]);
+        prop_assert_eq!(none.ramp_words, 0);
+        for sweep in 0..tangents.len() {
+            let [flat, plain, smooth] = [&flat, &plain, &generator].map(|of| of.table().sweep(sweep).spans());
+            prop_assert_eq!(flat, plain);
+            let covered = |spans: &[Span]| spans.iter().map(|span| span.bottom - span.top).sum::<f32>();
+            prop_assert!((covered(smooth) - covered(flat)).abs() < 1e-3);
+        }
+    }
+}
+
+#[test]
+fn a_rounded_rock_in_shadow_is_black() {
+    let body = round_rock(0, [6.0, 0.0, -1.0], [0.3, 0.1, 0.0]);
+    let view = view(Projection::Exact, [0.0; 3], 0.0, 0.0);
+    let tangents = tangents(0.4, 97);
+    let field = Field::new(&view, &tangents);
+    let smooth = FaceLight { shading: BodyShading::Smooth, ..light() };
+    let mut generator = PolyhedronGenerator::default();
+    let census =
+        generator.run(&field, &smooth, &[()], |()| Some(Drawn { aspect: field.aspect(&body)?, dark: true }));
+    assert!(census.spans > 20, "{census:?}");
+    for sweep in 0..tangents.len() {
+        let spans = generator.table().sweep(sweep).spans();
+        assert!(spans.iter().all(|span| span.reflectivity == 0.0 && span.ramp == 0.0));
     }
 }

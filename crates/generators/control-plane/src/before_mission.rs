@@ -5,7 +5,7 @@ use dpu::{HOME_SETS, home_load};
 use generator::FrameError;
 use hardware_model::{CrossingServer, Settings, Yoke};
 use remote_shadow::Tile;
-use scenario::Pose;
+use scenario::{BodyShading, Pose};
 use timing::Task;
 
 use crate::control_plane::ControlPlane;
@@ -47,8 +47,9 @@ impl ControlPlane {
     }
 
     /// What the processor works out of the sun: shadow on the ground that frame 0 can meet, place by place, and a reflectivity for
-    /// each face of the mission.
-    fn lights(&self, plan: &FramePlan, time: f64) -> [Task; 2] {
+    /// each face of the mission; with smooth light a brightness for each vertex too, at the cost of a face (inferred: a sum of normals, its
+    /// length, and the product with the sun).
+    fn lights(&self, plan: &FramePlan, time: f64) -> Vec<Task> {
         let cpu = &self.stage().settings.cpu;
         let shadows = self.blocks().shadows.as_ref().filter(|_| cpu.shadow_place() > 0);
         let foot = [plan.eye[0], plan.eye[1]];
@@ -57,11 +58,16 @@ impl ControlPlane {
         });
         let places = tiles * Tile::PLACES;
         let bodies = self.stage().scenery.bodies(time);
-        let faces = bodies.map(|body| body.solid.faces().len() as u64).sum::<u64>();
-        [
+        let sizes = bodies.map(|body| [body.solid.faces().len() as u64, body.solid.vertices().len() as u64]);
+        let [faces, vertices] = sizes.fold([0, 0], |sum, size| [0, 1].map(|of| sum[of] + size[of]));
+        let mut tasks = vec![
             task("cpu", "remote-shadows", places, places * cpu.shadow_place()),
             task("cpu", "face-reflectivities", faces, faces * cpu.face()),
-        ]
+        ];
+        if self.stage().settings.laws.body_shading == BodyShading::Smooth {
+            tasks.push(task("cpu", "vertex-brightnesses", vertices, vertices * cpu.face()));
+        }
+        tasks
     }
 
     /// Both levels have a loader of their own, side by side.

@@ -5,7 +5,7 @@ use generator::FrameError;
 use glam::DVec3;
 use hardware_model::ShadowParts;
 use landscape::Attitude;
-use polyhedron_generator::{Drawn, FaceLight, Field, LeftOut, PolyhedronGenerator, ViewPlane};
+use polyhedron_generator::{Census, Drawn, FaceLight, Field, LeftOut, PolyhedronGenerator, ViewPlane};
 use quantities::Tick;
 use rayon::prelude::*;
 use remote_shadow::{Footings, Outlines, Shade, Tile, UnderSun};
@@ -34,8 +34,8 @@ pub struct Delivery {
     pub gates: Vec<Gate>,
     /// Polyhedra in display-plane position.
     pub polyhedra: PolyhedronGenerator,
-    /// Number of bodies that were projected.
-    pub bodies: u64,
+    /// What the bodies took.
+    pub census: Census,
     /// Bodies too far to be seen.
     pub left_out: LeftOut,
     /// Craters that can be told; none unless the machine draws a preview.
@@ -108,7 +108,7 @@ impl Supply<'_> {
     pub fn deliver(&self, time: f64, out: &mut Delivery) {
         let (seen, left_out) = self.in_sight(time);
         let under_sun = self.blocks.shadows.as_ref().map(|shadows| self.under_sun(shadows));
-        let Delivery { gates, polyhedra, bodies, craters, .. } = out;
+        let Delivery { gates, polyhedra, census, craters, .. } = out;
         let bring_gates = || match (&self.blocks.shadows, &under_sun) {
             (Some(shadows), Some(under_sun)) => {
                 self.gates(shadows, &shadows.controller, under_sun, &seen, time, gates);
@@ -117,7 +117,7 @@ impl Supply<'_> {
         };
         let bring_bodies = || {
             if self.blocks.bodies {
-                *bodies = self.project(&seen, under_sun.as_ref(), polyhedra);
+                *census = self.project(&seen, under_sun.as_ref(), polyhedra);
             }
         };
         let bring_craters = || {
@@ -308,13 +308,13 @@ impl Supply<'_> {
         Outlines::of(&patches.iter().map(|patch| patch.corners).collect::<Vec<_>>())
     }
 
-    /// Leaves the spans of bodies in `polyhedra`; returns how many bodies were projected.
+    /// Leaves the spans of bodies in `polyhedra`; returns what they took.
     fn project(
         &self,
         seen: &[u32],
         under_sun: Option<&UnderSun<'_>>,
         polyhedra: &mut PolyhedronGenerator,
-    ) -> u64 {
+    ) -> Census {
         let laws = self.stage.settings.laws;
         let view = view_plane(self.stage, self.plan, &self.raster);
         let tangents: Vec<f64> =
@@ -329,8 +329,9 @@ impl Supply<'_> {
             let absent = self.absent_bodies.binary_search(&number).is_ok();
             (!vanishes && !hidden && !absent).then_some(Drawn { aspect, dark })
         };
-        let light = FaceLight { sun: DVec3::from_array(self.plan.sun.direction()) };
-        polyhedra.run(&field, &light, seen, drawn).drawn
+        let sun = DVec3::from_array(self.plan.sun.direction());
+        let light = FaceLight { sun, shading: laws.body_shading };
+        polyhedra.run(&field, &light, seen, drawn)
     }
 
     /// Whether nearer ground hides a foot point: the rule of the report, at the samples of the sweep through it.

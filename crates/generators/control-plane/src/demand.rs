@@ -9,7 +9,7 @@ use landscape::Level;
 use polyhedron_generator::LeftOut;
 use quantities::wrap_heading;
 use remote_shadow::{Footings, Outlines};
-use scenario::Pose;
+use scenario::{BodyShading, Pose};
 use shadow_controller::SEGMENT_WORDS;
 use solids::Body;
 use std::collections::BTreeSet;
@@ -24,8 +24,9 @@ use crate::squares::{Chains, SquareGrid, Stored, record_by_record};
 use crate::stage::MachineStage;
 use crate::ticks::frame_ticks;
 
-/// Words of a vertex: its three coordinates.
+/// Words of a vertex: its three coordinates; with smooth light its brightness too.
 const VERTEX_WORDS: usize = 3;
+const SMOOTH_VERTEX_WORDS: usize = VERTEX_WORDS + 1;
 
 /// Words of a face: its reflectivity.
 const FACE_WORDS: usize = 1;
@@ -84,7 +85,11 @@ impl Layouts {
         let banks = settings.kind_banks;
         let craters = landscape.features().craters();
         let mut features = (0..craters.len() as u32).map(|crater| stored_crater(craters.circle(crater)));
-        let mut bodies = scenery.standing().iter().map(|standing| stored_body(&standing.body));
+        let vertex_words = match settings.laws.body_shading {
+            BodyShading::Flat => VERTEX_WORDS,
+            BodyShading::Smooth => SMOOTH_VERTEX_WORDS,
+        };
+        let mut bodies = scenery.standing().iter().map(|standing| stored_body(&standing.body, vertex_words));
         Self([
             layout(DataKind::Features, banks.features, &mut features),
             layout(DataKind::Shadows, banks.shadows, &mut std::iter::empty()),
@@ -108,10 +113,10 @@ fn stored_crater((centre, outer): ([f64; 2], f64)) -> Stored {
     Stored { anchor: centre, low, high, words: CRATER_WORDS }
 }
 
-fn stored_body(body: &Body) -> Stored {
+fn stored_body(body: &Body, vertex_words: usize) -> Stored {
     let centre = [body.centre.x, body.centre.y];
     let [low, high] = [-body.radius, body.radius].map(|reach| centre.map(|place| place + reach));
-    let words = VERTEX_WORDS * body.solid.vertices().len() + FACE_WORDS * body.solid.faces().len();
+    let words = vertex_words * body.solid.vertices().len() + FACE_WORDS * body.solid.faces().len();
     Stored { anchor: [body.foot.x, body.foot.y], low, high, words: words as u32 }
 }
 

@@ -3,16 +3,16 @@
 
 use generator::{Omission, Weight};
 use landscape::Landscape;
-use scenario::{Effects, Scenery};
+use scenario::{BodyShading, Effects, Scenery};
 
 const POLYHEDRA: &str = "polyhedron-generator";
 
 /// What of a scene the machine draws otherwise, or not at all.
-pub fn guest_omissions(landscape: &Landscape, scenery: &Scenery) -> Vec<Omission> {
+pub fn guest_omissions(landscape: &Landscape, scenery: &Scenery, shading: BodyShading) -> Vec<Omission> {
     let has_map = landscape.albedo_map().is_some();
     let still = || scenery.standing().iter().map(|standing| &standing.body);
     let is_colourful = still().any(|body| body.solid.is_colourful());
-    let is_smooth = still().any(|body| body.solid.is_smooth());
+    let is_smooth = shading == BodyShading::Flat && still().any(|body| body.solid.is_smooth());
     let rows = [
         (
             scenery.all_effects().iter().any(|carried| has_surfaces(&carried.effects)),
@@ -42,7 +42,7 @@ pub fn guest_omissions(landscape: &Landscape, scenery: &Scenery) -> Vec<Omission
             is_smooth,
             POLYHEDRA,
             "normals at corners; every face has one light",
-            "a face of the report has one reflectivity; --machine exact draws smooth light",
+            "a face of the report has one reflectivity; polyhedron_generator.shading = \"smooth\" and --machine exact draw smooth light",
         ),
         (
             is_colourful,
@@ -148,7 +148,7 @@ mod tests {
         };
         let listed = |effects: Effects| {
             let scenery = Scenery::still(SUN).with_effects(vec![Carried::still(effects)]);
-            guest_omissions(&ground(), &scenery)
+            guest_omissions(&ground(), &scenery, BodyShading::Flat)
         };
         let lights = vec![light];
         assert!(listed(Effects { lights: lights.clone(), ..Effects::default() }).is_empty());
@@ -175,11 +175,11 @@ mod tests {
             (ground(), standing(cube(), |body| body.priority = 1), "priorities"),
         ];
         for (landscape, scenery, word) in cases {
-            let found = guest_omissions(&landscape, &scenery);
+            let found = guest_omissions(&landscape, &scenery, BodyShading::Flat);
             let [omission] = &found[..] else { panic!("{word}: {found:?}") };
             assert!(omission.what.contains(word) && omission.weight == Weight::NotModelled, "{omission:?}");
             assert!(omission.why.contains("--machine exact"), "{omission:?}");
         }
-        assert!(guest_omissions(&ground(), &standing(cube(), |_| ())).is_empty());
+        assert!(guest_omissions(&ground(), &standing(cube(), |_| ()), BodyShading::Flat).is_empty());
     }
 }

@@ -1,11 +1,12 @@
 //! A stage with the machine that draws it.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use generator::{Along, PrepareError, Scan, Stage};
 use hardware_model::Settings;
 use landscape::Landscape;
-use scenario::Scenery;
+use scenario::{BodyShading, Scenery, Standing};
 
 /// Name of the signal that says where a sample of a sweep is (m).
 pub const RANGE: &str = "sweep.range";
@@ -35,6 +36,10 @@ impl MachineStage {
                 remedy: "make the stage and the machine from the same settings".into(),
             });
         }
+        let scenery = match settings.laws.body_shading {
+            BodyShading::Flat => scenery,
+            BodyShading::Smooth => Arc::new(rounded(&scenery)),
+        };
         Ok(Self { landscape, scenery, settings })
     }
 
@@ -48,6 +53,18 @@ impl MachineStage {
     pub fn scan(&self) -> Scan {
         scan(&self.settings)
     }
+}
+
+/// The same scenery with normals at the corners of its bodies. Those of one shape share it afterwards too.
+fn rounded(scenery: &Scenery) -> Scenery {
+    let mut shapes = BTreeMap::new();
+    let round = |standing: &Standing| {
+        let solid = &standing.body.solid;
+        let shape = shapes.entry(Arc::as_ptr(solid) as usize).or_insert_with(|| Arc::new(solid.rounded()));
+        Standing { body: standing.body.rounded(shape), ..standing.clone() }
+    };
+    let standing = scenery.standing().iter().map(round).collect();
+    scenery.clone().with_bodies(standing)
 }
 
 /// How the signals of a machine of `settings` run.

@@ -81,7 +81,12 @@ impl LightSwitch {
             Some(parts) => {
                 self.runs.clear();
                 let reflectivity = point.added;
-                self.runs.extend(pieces.iter().map(|&[top, bottom]| Run { top, bottom, reflectivity }));
+                self.runs.extend(pieces.iter().map(|&[top, bottom]| Run {
+                    top,
+                    bottom,
+                    reflectivity,
+                    ramp: 0.0,
+                }));
                 parts.write_through(&self.runs, point.translucency, &mut self.fade, row);
             }
         }

@@ -110,7 +110,7 @@ impl Scene {
 
 fn wall(range: f32, [top, bottom]: [f32; 2]) -> Span {
     let near = [1.0 / range; 2];
-    Span { top, bottom, reflectivity: 0.0, near, depth: near, body: 0, object: 0, foot_range: range }
+    Span { top, bottom, near, depth: near, foot_range: range, ..Span::default() }
 }
 
 #[test]

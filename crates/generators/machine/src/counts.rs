@@ -60,6 +60,8 @@ counters! {
     bodies,
     /// Spans of sweeps that bodies cover.
     spans,
+    /// Words that the ramps of smooth light over these spans take.
+    ramp_words,
     /// Bodies that were too small to be drawn.
     bodies_left_out,
     /// Craters that looked too small to be drawn, at most: squares of the map beyond their sight are counted whole.
@@ -96,8 +98,9 @@ pub(crate) fn delivery_counts(delivery: &Delivery) -> MachineCounts {
     MachineCounts {
         shadow_toggles: gates().map(|gate| gate.toggles.len() as u64).sum(),
         dropped_segments: gates().map(|gate| u64::from(gate.dropped)).sum(),
-        bodies: delivery.bodies,
-        spans: delivery.polyhedra.table().len() as u64,
+        bodies: delivery.census.drawn,
+        spans: delivery.census.spans,
+        ramp_words: delivery.census.ramp_words,
         bodies_left_out: delivery.left_out.bodies,
         craters_left_out: delivery.craters.left_out.craters,
         pixels_left_out: [delivery.left_out.cells, delivery.craters.left_out.cells]

@@ -6,7 +6,7 @@ use generator::{Omission, Weight, face_lists_beside, photographs_beside};
 /// What the machine of `list` leaves out of `stage`.
 pub(crate) fn omissions(stage: &MachineStage, list: &Elaboration) -> Vec<Omission> {
     let mut omissions = list.omissions();
-    omissions.extend(guest_omissions(&stage.landscape, &stage.scenery));
+    omissions.extend(guest_omissions(&stage.landscape, &stage.scenery, stage.settings.laws.body_shading));
     omissions.extend(photographs_beside(&stage.landscape, "terrain-generator"));
     omissions.extend(face_lists_beside(&stage.scenery, "polyhedron-generator"));
     if let Some(texture) = stage.landscape.texture() {

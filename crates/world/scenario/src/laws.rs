@@ -82,6 +82,15 @@ pub enum ShadowedBodies {
     Dark,
 }
 
+/// How the light of a rock or a man-made thing runs over its faces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum BodyShading {
+    /// As reported: one reflectivity a face.
+    Flat,
+    /// A ramp along each sweep between the edges of a face, whose corners have normals (a study of Link for NASA Ames).
+    Smooth,
+}
+
 /// Whether texture lies in remote shadow too (section 14).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TextureInShadow {
@@ -108,6 +117,8 @@ pub struct Laws {
     pub body_visibility: BodyVisibility,
     /// Bodies in remote shadow.
     pub shadowed_bodies: ShadowedBodies,
+    /// Light over the faces of bodies.
+    pub body_shading: BodyShading,
     /// Texture in remote shadow.
     pub texture_in_shadow: TextureInShadow,
 }
@@ -123,6 +134,7 @@ impl Default for Laws {
             feature_light: FeatureLight::Combined,
             body_visibility: BodyVisibility::Depth,
             shadowed_bodies: ShadowedBodies::Dark,
+            body_shading: BodyShading::Flat,
             texture_in_shadow: TextureInShadow::Off,
         }
     }
@@ -145,6 +157,8 @@ pub struct LawWishes {
     pub body_visibility: Option<BodyVisibility>,
     /// Bodies in remote shadow.
     pub shadowed_bodies: Option<ShadowedBodies>,
+    /// Light over the faces of bodies.
+    pub body_shading: Option<BodyShading>,
     /// Texture in remote shadow.
     pub texture_in_shadow: Option<TextureInShadow>,
 }
@@ -160,6 +174,7 @@ impl From<Laws> for LawWishes {
             feature_light: Some(laws.feature_light),
             body_visibility: Some(laws.body_visibility),
             shadowed_bodies: Some(laws.shadowed_bodies),
+            body_shading: Some(laws.body_shading),
             texture_in_shadow: Some(laws.texture_in_shadow),
         }
     }
@@ -176,6 +191,7 @@ impl LawWishes {
             feature_light: self.feature_light.unwrap_or(model.feature_light),
             body_visibility: self.body_visibility.unwrap_or(model.body_visibility),
             shadowed_bodies: self.shadowed_bodies.unwrap_or(model.shadowed_bodies),
+            body_shading: self.body_shading.unwrap_or(model.body_shading),
             texture_in_shadow: self.texture_in_shadow.unwrap_or(model.texture_in_shadow),
         }
     }

@@ -73,7 +73,7 @@ pub use face_wishes::{
 };
 pub use guests::{Frame, Group, GroupSun, Guest, MoveStation, Moves};
 pub use laws::{
-    BodyVisibility, Curvature, FeatureLight, LawWishes, Laws, Occlusion, PixelRule, Projection,
+    BodyShading, BodyVisibility, Curvature, FeatureLight, LawWishes, Laws, Occlusion, PixelRule, Projection,
     ShadowedBodies, TextureInShadow,
 };
 pub use lights::{Flash, LightPoint, LightSource, Lobe};

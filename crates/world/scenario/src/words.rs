@@ -4,8 +4,8 @@ use diagnostics::{Field, Placed, Problem, Reader};
 use quantities::Rate;
 
 use crate::{
-    BodyVisibility, Curvature, FeatureLight, Occlusion, PixelRule, Projection, RangeLaw, RangeProgramme,
-    ShadowedBodies, TextureInShadow,
+    BodyShading, BodyVisibility, Curvature, FeatureLight, Occlusion, PixelRule, Projection, RangeLaw,
+    RangeProgramme, ShadowedBodies, TextureInShadow,
 };
 
 /// The name of a model: it is looked up, and is never a path.
@@ -49,6 +49,11 @@ pub fn body_visibility<'a>(table: &Reader<'a>, key: &str) -> Field<'a, BodyVisib
 /// Bodies in remote shadow.
 pub fn shadowed_bodies<'a>(table: &Reader<'a>) -> Field<'a, ShadowedBodies> {
     table.one_of("shadowed_bodies", &[("vanish", ShadowedBodies::Vanish), ("dark", ShadowedBodies::Dark)])
+}
+
+/// Light over the faces of bodies; models and scenarios have their own `key` for it.
+pub fn body_shading<'a>(table: &Reader<'a>, key: &str) -> Field<'a, BodyShading> {
+    table.one_of(key, &[("flat", BodyShading::Flat), ("smooth", BodyShading::Smooth)])
 }
 
 /// Texture in remote shadow.

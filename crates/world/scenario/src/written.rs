@@ -414,6 +414,7 @@ fn laws(table: &Reader) -> LawWishes {
         feature_light: words::feature_light(table, "feature_light").optional(),
         body_visibility: words::body_visibility(table, "body_visibility").optional(),
         shadowed_bodies: words::shadowed_bodies(table).optional(),
+        body_shading: words::body_shading(table, "body_shading").optional(),
         texture_in_shadow: words::texture_in_shadow(table).optional(),
     }
 }

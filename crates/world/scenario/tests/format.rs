@@ -344,6 +344,7 @@ const CHANGES: &[(&str, usize, &str, &str)] = &[
     ("laws.feature_light", 2, "feature_light = \"as-reported\"", "feature_light = \"combined\""),
     ("laws.body_visibility", 2, "body_visibility = \"as-reported\"", "body_visibility = \"depth\""),
     ("laws.shadowed_bodies", 2, "\"vanish\"", "\"dark\""),
+    ("laws.body_shading", 2, "\"smooth\"", "\"flat\""),
     ("laws.texture_in_shadow", 2, "texture_in_shadow = \"on\"", "texture_in_shadow = \"off\""),
     ("roll.display", 2, "\"yoke\"", "\"none\""),
     ("landscape.albedo_map.file", 2, "\"maria.png\"", "\"mast.obj\""),

@@ -107,6 +107,11 @@ impl Body {
         Self { scale: self.scale * by, radius: self.radius * by, centre, ..self.clone() }
     }
 
+    /// The same body with normals at its corners: `solid` is its own, [rounded](Solid::rounded).
+    pub fn rounded(&self, solid: &Arc<Solid>) -> Self {
+        Self { solid: solid.clone(), ..self.clone() }
+    }
+
     /// The same body in the shape of another solid.
     pub fn shaped(&self, solid: &Arc<Solid>) -> Self {
         let (turn, scale) = self.to_ground();

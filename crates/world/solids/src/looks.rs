@@ -67,6 +67,23 @@ impl Solid {
         self
     }
 
+    /// The same with a normal at each vertex, the mean of those of its faces in equal parts; a solid that has normals keeps them.
+    pub fn rounded(&self) -> Self {
+        if self.is_smooth() {
+            return self.clone();
+        }
+        let mut sums = vec![DVec3::ZERO; self.vertices.len()];
+        for Face { corners, normal, .. } in &self.faces {
+            corners.iter().for_each(|corner| sums[*corner as usize] += *normal);
+        }
+        self.clone().with_normals(|_, corner| Some(sums[corner as usize]))
+    }
+
+    /// Unit normals at the corners of a face (body axes), in their order; none of a solid whose light is flat.
+    pub fn corner_normals(&self, face: usize) -> Option<&[DVec3]> {
+        self.normals.as_ref().map(|normals| normals[face].as_slice())
+    }
+
     /// Whether its light follows normals at its corners.
     pub fn is_smooth(&self) -> bool {
         self.normals.is_some()

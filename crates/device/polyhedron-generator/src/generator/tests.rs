@@ -2,7 +2,7 @@ use std::sync::Arc;
 
 use glam::{DMat3, DVec3, EulerRot};
 use proptest::prelude::{prop_assert, prop_assert_eq, prop_assume, proptest};
-use scenario::{Curvature, Projection};
+use scenario::{BodyShading, Curvature, Projection};
 use solids::{Body, Kind, rocks};
 
 use super::{Aspect, Field, Pencil};
@@ -55,7 +55,7 @@ proptest! {
         let Some(aspect) = field.aspect(&body) else { return Ok(()) };
         let Aspect { sweeps, eye, .. } = &aspect;
         let (first, tangents) = (sweeps.start, &tangents[sweeps.clone()]);
-        let light = FaceLight { sun: DVec3::new(-0.6, 0.48, 0.64) };
+        let light = FaceLight { sun: DVec3::new(-0.6, 0.48, 0.64), shading: BodyShading::Flat };
         let (sighting, vectors, half_height) = (&field.sighting, field.vectors, view.tan_half_height);
         let eye = Eye { sighting, vectors, light: &light, place: *eye, half_height };
         let mut pencil = Pencil::default();

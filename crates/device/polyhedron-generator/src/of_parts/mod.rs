@@ -74,11 +74,19 @@ impl PartsSwitch {
             while run > 1 && begin(&runs[run - 2]) <= pair[0] {
                 run -= 1;
             }
-            let face = runs.get(run.wrapping_sub(1)).map_or(0.0, |run| f64::from(run.reflectivity));
             if from < to {
                 let ends = [work.fade.at(pair[0])[1], work.fade.at(pair[1])[0]];
                 let g = |time: f64| ends[0] + (ends[1] - ends[0]) * ((time - pair[0]) / (pair[1] - pair[0]));
-                line.lay([from, to], g, [opacity, on(face)], row);
+                match runs.get(run.wrapping_sub(1)) {
+                    Some(run) if run.ramp != 0.0 => {
+                        let face = |time: f64| on(run.reflectivity_at(lines - time));
+                        line.lay_ramp([from, to], g, (opacity, face), row);
+                    }
+                    run => {
+                        let face = run.map_or(0.0, |run| f64::from(run.reflectivity));
+                        line.lay([from, to], g, [opacity, on(face)], row);
+                    }
+                }
             }
         }
         line.mix(row);
@@ -101,6 +109,8 @@ impl BodyFade {
         self.cuts.clear();
         self.cuts.extend(self.fade.knots().iter().map(|knot| knot[0]));
         self.cuts.extend(runs.iter().map(|run| lines - f64::from(run.bottom)));
+        let ramps = runs.iter().filter(|run| run.ramp != 0.0);
+        self.cuts.extend(ramps.map(|run| lines - f64::from(run.top)));
         self.cuts.sort_by(f64::total_cmp);
         self.cuts.dedup();
     }
@@ -116,22 +126,38 @@ struct Line {
 
 impl Line {
     /// Adds a stretch over which `g` is straight. The open switch hides the share `opacity` of the line and adds `face`.
-    fn lay(
+    fn lay(&mut self, ends: [f64; 2], g: impl Fn(f64) -> f64, [opacity, face]: [f64; 2], row: &mut [f32]) {
+        self.each(ends, row, |line, [begin, end]| {
+            let cover = (end - begin).max(0.0) * g(0.5 * (begin + end));
+            line.cover += cover * opacity;
+            line.sum += cover * face;
+        });
+    }
+
+    /// The same where `face` is a ramp: its product with `g` is a parabola, whose mean Simpson's rule has.
+    fn lay_ramp(
         &mut self,
-        [from, to]: [f64; 2],
+        ends: [f64; 2],
         g: impl Fn(f64) -> f64,
-        [opacity, face]: [f64; 2],
+        (opacity, face): (f64, impl Fn(f64) -> f64),
         row: &mut [f32],
     ) {
+        self.each(ends, row, |line, [begin, end]| {
+            let (length, middle) = ((end - begin).max(0.0), 0.5 * (begin + end));
+            let lit = |time: f64| g(time) * face(time);
+            line.cover += length * g(middle) * opacity;
+            line.sum += length * (lit(begin) + 4.0 * lit(middle) + lit(end)) / 6.0;
+        });
+    }
+
+    /// Hands the part of each line that a stretch covers to `add`, and mixes each line that is done.
+    fn each(&mut self, [from, to]: [f64; 2], row: &mut [f32], add: impl Fn(&mut Self, [f64; 2])) {
         for index in from as usize..(to.ceil() as usize).min(row.len()) {
             if index != self.index {
                 self.mix(row);
                 *self = Self { index, ..Self::default() };
             }
-            let [begin, end] = [from.max(index as f64), to.min(index as f64 + 1.0)];
-            let cover = (end - begin).max(0.0) * g(0.5 * (begin + end));
-            self.cover += cover * opacity;
-            self.sum += cover * face;
+            add(self, [from.max(index as f64), to.min(index as f64 + 1.0)]);
         }
     }
 

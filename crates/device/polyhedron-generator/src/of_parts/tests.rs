@@ -17,7 +17,7 @@ fn switch(change: impl FnOnce(&mut AnalogParts)) -> PartsSwitch {
 }
 
 fn run(top: f32, bottom: f32, reflectivity: f32) -> Run {
-    Run { top, bottom, reflectivity }
+    Run { top, bottom, reflectivity, ramp: 0.0 }
 }
 
 fn write(switch: &PartsSwitch, runs: &[Run], ground: f32) -> Vec<f32> {
@@ -110,4 +110,29 @@ fn level_and_gain_are_those_of_the_part() {
     assert!((level(0.3) - level(0.6)).abs() < 1e-6 && level(0.3).abs() > 1e-4);
     assert!((gain(0.6) - 2.0 * gain(0.3)).abs() < 1e-6 && gain(0.3).abs() > 1e-4);
     assert_eq!(write(&switch(|_| {}), &[], 0.5), [0.5; LINES]);
+}
+
+/// Without faults a ramp lays its mean over each line; with a slow switch the product with the fade is integrated.
+#[test]
+fn a_ramp_goes_through_the_switch() {
+    let ramp = Run { top: 10.25, bottom: 20.5, reflectivity: 0.8, ramp: -0.05 };
+    let row = write(&switch(|_| {}), &[ramp], 0.0);
+    for (line, value) in row.iter().enumerate() {
+        let [top, bottom] = [(line as f32).max(ramp.top), (line as f32 + 1.0).min(ramp.bottom)];
+        let expected = (bottom - top).max(0.0) * (0.8 - 0.05 * (0.5 * (top + bottom) - ramp.top));
+        assert!((value - expected).abs() < 1e-6, "{line}: {value} {expected}");
+    }
+    // The fade of 400 ns takes four lines; it and the face by sums of small steps.
+    let row = write(&switch(|parts| parts.video_switch.time = 4e-7), &[ramp], 0.0);
+    let steps = 4000;
+    for (line, value) in row.iter().enumerate() {
+        let lit = |step: usize| {
+            let at = line as f32 + (step as f32 + 0.5) / steps as f32;
+            let edge = |from: f32| ((at - from) / 4.0 + 0.5).clamp(0.0, 1.0);
+            let gate = edge(ramp.top) - edge(ramp.bottom);
+            gate * (0.8 - 0.05 * (at.clamp(ramp.top, ramp.bottom) - ramp.top))
+        };
+        let expected = (0..steps).map(lit).sum::<f32>() / steps as f32;
+        assert!((value - expected).abs() < 1e-4, "{line}: {value} {expected}");
+    }
 }

@@ -9,6 +9,7 @@ use hardware_model::ShadowCache;
 use polyhedron_generator::{Drawn, FaceLight, Field, LeftOut, PolyhedronGenerator, Sight, ViewPlane};
 use quantities::sin_cos;
 use remote_shadow::Outlines;
+use scenario::BodyShading;
 use shadow_controller::ShadowController;
 use solids::Body;
 
@@ -61,7 +62,8 @@ pub(super) fn polyhedra() -> Work {
     };
     let sight = Sight::new(lines, 2.0 * libm::atan(field.tan_half_height));
     let (eye, mut out) = (DVec3::from_array(pose.eye), LeftOut::default());
-    let light = FaceLight { sun: DVec3::from_array(stage.scenery.sun(0.0).direction()) };
+    let light =
+        FaceLight { sun: DVec3::from_array(stage.scenery.sun(0.0).direction()), shading: BodyShading::Flat };
     let resolved = |body: &&Body| sight.resolves(eye, body, &mut out);
     let seen: Vec<Body> = stage.scenery.bodies(0.0).filter(resolved).cloned().collect();
     let mut generator = PolyhedronGenerator::default();
