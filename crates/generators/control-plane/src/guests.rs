@@ -86,8 +86,8 @@ mod tests {
     use glam::{DMat3, DVec3};
     use landscape::{AlbedoMap, Bank, Landscape, Level, Sun, Texels};
     use scenario::{
-        Carried, Effects, Frame, Group, GroupSun, Guest, LightPoint, LightSource, Medium, Scenery, Sheet,
-        Standing,
+        BodyShading, Carried, Effects, Frame, Group, GroupSun, Guest, LightPoint, LightSource, Medium,
+        Scenery, Sheet, Standing,
     };
     use solids::{Body, Kind, Solid};
 
@@ -181,5 +181,12 @@ mod tests {
             assert!(omission.why.contains("--machine exact"), "{omission:?}");
         }
         assert!(guest_omissions(&ground(), &standing(cube(), |_| ()), BodyShading::Flat).is_empty());
+    }
+
+    #[test]
+    fn normals_are_drawn_by_smooth_light() {
+        let places = cube().vertices().to_vec();
+        let smooth = cube().with_normals(|_, corner| Some(places[corner as usize]));
+        assert!(guest_omissions(&ground(), &standing(smooth, |_| ()), BodyShading::Smooth).is_empty());
     }
 }

@@ -151,6 +151,22 @@ mod tests {
     }
 
     #[test]
+    fn a_rounded_cube_has_the_mean_of_three_faces_at_each_corner() {
+        let round = cube().rounded();
+        for (number, face) in round.faces().iter().enumerate() {
+            for (corner, normal) in face.corners.iter().zip(round.corner_normals(number).unwrap()) {
+                let expected = round.vertices()[*corner as usize].normalize();
+                assert!((*normal - expected).length() < 1e-15, "{normal}");
+            }
+        }
+        // One that has normals keeps them.
+        let places = cube().vertices().to_vec();
+        let own = cube().with_normals(|_, corner| Some(places[corner as usize] + DVec3::X * 0.5));
+        assert_eq!(own.rounded(), own);
+        assert!(cube().corner_normals(0).is_none());
+    }
+
+    #[test]
     fn normals_that_say_nothing_leave_those_of_faces() {
         let places = cube().vertices().to_vec();
         let normals = cube().faces().iter().map(|face| face.normal).collect::<Vec<_>>();
