@@ -187,6 +187,7 @@ mod ground;
 mod light;
 mod line;
 mod lists;
+mod open_sea;
 mod outlook;
 mod profile;
 mod relief;

@@ -62,6 +62,10 @@ impl GeneratorSession for Session {
             (landscape.texture().is_some(), "texture"),
             (!landscape.silhouettes().is_empty(), "far silhouettes"),
             (view.shadows.is_some(), "remote shadow"),
+            (
+                scenery.face_lists().open_sea.is_some(),
+                "sea of true waves (`sea.waves`): `exact` alone has it",
+            ),
         ];
         let omission = |what: &str| Omission {
             block: NAME,

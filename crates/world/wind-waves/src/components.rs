@@ -64,9 +64,7 @@ impl WindWaves {
         let spectrum = WindSpectrum::new(wind.speed)?;
         let [long, short] = band(&spectrum, wind.shortest)?;
         let ratio = short / long;
-        let end = |number: u32| {
-            long * libm::pow(ratio, f64::from(number) / f64::from(wind.components))
-        };
+        let end = |number: u32| long * libm::pow(ratio, f64::from(number) / f64::from(wind.components));
         let component = |number| of_band(&spectrum, [end(number), end(number + 1)], wind, number);
         Ok(Self { components: (0..wind.components).map(component).collect() })
     }
