@@ -214,7 +214,7 @@ impl WaveTheory {
     /// # Errors
     /// If the wind is out of range, or the sun is not above the horizon.
     pub fn new(wind: &Wind, sun: Sun) -> Result<Self, StudyError> {
-        if !(sun.elevation > 0.0) {
+        if sun.elevation.is_nan() || sun.elevation <= 0.0 {
             return Err(StudyError::Ladder("the sun is not above the horizon: raise its elevation".into()));
         }
         let spectrum =
