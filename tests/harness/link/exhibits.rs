@@ -12,7 +12,6 @@ use crate::shipped::folder;
 const HALF_LENGTH: f64 = 171.6 / 2.0;
 
 const BY_DEPTH: &[(&str, &str)] = &[("faces.order", "depth")];
-const FACETED: &[(&str, &str)] = &[("faces.shading", "flat")];
 
 /// An effect of the library at a place with a heading.
 fn effect(scenario: &mut Scenario, name: &str, at: [f64; 2], heading: f64) {
@@ -43,8 +42,8 @@ fn oncoming_with(scenario: &mut Scenario, name: &str) {
     instead_of_wakes(scenario, name, HALF_LENGTH);
 }
 
-fn before_the_eye(sets: &'static [(&'static str, &'static str)], change: fn(&mut Scenario)) -> Shot {
-    Shot { scenario: "sea-state", frame: 0, sets, change }
+fn before_the_eye(change: fn(&mut Scenario)) -> Shot {
+    Shot { scenario: "sea-state", frame: 0, sets: &[], change }
 }
 
 fn at_sea(frame: u64, change: fn(&mut Scenario)) -> Shot {
@@ -66,12 +65,13 @@ fn crossings(stills: &[Still]) -> Vec<Measured> {
 /// All of them: the dropped means on the left, what replaced it on the right.
 pub(super) fn all() -> Vec<Figure> {
     let figure = |name, shots, measure| Figure { name, shots, measure };
-    let confused = || before_the_eye(&[], |it| instead_of_sea(it, "confused-sea"));
+    let confused = || before_the_eye(|it| instead_of_sea(it, "confused-sea"));
     let mounds = |it: &mut Scenario| instead_of_sea(it, "dropped/mounds");
+    let smooth = |it: &mut Scenario| instead_of_sea(it, "dropped/smooth-mounds");
     vec![
         figure(
             "dropped-mounds",
-            vec![before_the_eye(FACETED, mounds), before_the_eye(&[], mounds), confused()],
+            vec![before_the_eye(mounds), before_the_eye(smooth), confused()],
             |stills| {
                 let [faceted, smooth, instead] = [0, 1, 2].map(|k| told(contrast(&stills[k])));
                 vec![
@@ -83,12 +83,12 @@ pub(super) fn all() -> Vec<Figure> {
         ),
         figure(
             "dropped-outlined-mounds",
-            vec![before_the_eye(&[], |it| instead_of_sea(it, "dropped/outlined-mounds")), confused()],
+            vec![before_the_eye(|it| instead_of_sea(it, "dropped/outlined-mounds")), confused()],
             two_contrasts,
         ),
         figure(
             "dropped-overdrawn-mounds",
-            vec![before_the_eye(&[], |it| instead_of_sea(it, "dropped/overdrawn-mounds")), confused()],
+            vec![before_the_eye(|it| instead_of_sea(it, "dropped/overdrawn-mounds")), confused()],
             two_contrasts,
         ),
         figure(

@@ -1,9 +1,9 @@
 //! The figures of the study by number.
 
-use faces::{Pattern, SeaState};
+use faces::{Pattern, SeaState, TwoSine};
 use generator::Label;
 use quantities::radians;
-use scenario::Scenario;
+use scenario::{FieldWish, Scenario};
 
 use super::exhibits::instead_of_sea;
 use super::measured::{apart, contrast, largest_step, mean, told};
@@ -14,6 +14,9 @@ const LATER: u64 = 37;
 
 /// Frames of figure 13: faces 3, 10, 17 and 24 of 28, two frames each.
 const BOW_FRAMES: [u64; 4] = [6, 20, 34, 48];
+
+/// Tangent of half the field of the pictures of a bow.
+const HALF_FIELD: f64 = 0.2;
 
 const FLAT: &[(&str, &str)] = &[("faces.shading", "flat")];
 
@@ -30,14 +33,15 @@ fn state(scenario: &mut Scenario, state: SeaState) {
 /// A regular pattern of many intensities that stands still: frame 0.
 fn regular(scenario: &mut Scenario) {
     let sea = scenario.faces.sea.as_mut().expect("a sea");
-    sea.pattern = Pattern::MirrorRows { length: 80.0 };
+    sea.pattern = Pattern::TwoSine(TwoSine { lengths: [60.0, 35.0], turned: radians(60.0) });
 }
 
 /// The destroyer comes towards the eye.
 pub(super) fn oncoming(scenario: &mut Scenario) {
     let ship = &mut scenario.faces.ships[0];
-    (ship.at, ship.heading, ship.speed) = ([905.0, 1040.0], radians(200.0), 0.0);
+    (ship.at, ship.heading, ship.speed) = ([960.0, 1048.0], radians(200.0), 0.0);
     ship.stern_wake = None;
+    scenario.field = FieldWish::Across(HALF_FIELD);
 }
 
 fn one_contrast(stills: &[Still]) -> Vec<Measured> {
@@ -60,7 +64,11 @@ pub(super) fn all() -> Vec<Figure> {
     let bow = BOW_FRAMES.map(|frame| Shot { scenario: "sea-wakes", frame, sets: &[], change: oncoming });
     let deck = |sets| Shot { scenario: "ship-landing", frame: 330, sets, change: as_it_stands };
     vec![
-        figure("figure-01", vec![sea(0, &[], |it| instead_of_sea(it, "dropped/mounds"))], one_contrast),
+        figure(
+            "figure-01",
+            vec![sea(0, &[], |it| instead_of_sea(it, "dropped/smooth-mounds"))],
+            one_contrast,
+        ),
         figure("figure-02", vec![sea(0, FLAT, regular)], contrast_and_step),
         figure("figure-03", vec![sea(0, &[], regular)], contrast_and_step),
         figure("figure-04", vec![sea(0, &[], |it| state(it, SeaState::Calm))], |stills| {
@@ -89,7 +97,6 @@ pub(super) fn all() -> Vec<Figure> {
         }),
         figure("figure-14", vec![deck(FLAT), deck(&[])], |stills| {
             vec![
-                ("largest step of a line without smooth shading", told(largest_step(&stills[0]))),
                 ("contrast without smooth shading", told(contrast(&stills[0]))),
                 ("contrast with smooth shading", told(contrast(&stills[1]))),
             ]

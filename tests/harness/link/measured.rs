@@ -2,7 +2,7 @@
 
 use super::Still;
 
-/// Michelson contrast of 5th and 95th percentile over all pixels that show something.
+/// Michelson contrast of 5th and 95th percentile over all pixels of water.
 pub fn contrast(still: &Still) -> f64 {
     let mut light: Vec<f64> = still.shown().filter(|light| !light.is_nan()).collect();
     light.sort_by(f64::total_cmp);
@@ -11,7 +11,7 @@ pub fn contrast(still: &Still) -> f64 {
     (high - low) / (high + low)
 }
 
-/// Mean light of all pixels that show something.
+/// Mean light of all pixels of water.
 pub fn mean(still: &Still) -> f64 {
     let light: Vec<f64> = still.shown().filter(|light| !light.is_nan()).collect();
     light.iter().sum::<f64>() / light.len() as f64

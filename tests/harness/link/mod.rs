@@ -15,7 +15,7 @@ pub use still::Still;
 
 use std::path::{Path, PathBuf};
 
-use picture::{PictureError, beside, write_png};
+use picture::{PictureFileError, beside, write_png};
 use scenario::Scenario;
 
 use still::sea_faces;
@@ -69,10 +69,13 @@ impl Figure {
     ///
     /// # Errors
     /// If the file cannot be written.
-    pub fn leave(&self, folder: &Path, stills: &[Still]) -> Result<PathBuf, PictureError> {
+    ///
+    /// # Panics
+    /// If there is no still.
+    pub fn leave(&self, folder: &Path, stills: &[Still]) -> Result<PathBuf, PictureFileError> {
         let pictures: Vec<_> = stills.iter().map(|still| &still.picture).collect();
         let file = folder.join(format!("{}.png", self.name));
-        write_png(&file, &beside(&pictures)?, &[])?;
+        write_png(&file, &beside(&pictures).expect("pictures of one size"), &[])?;
         Ok(file)
     }
 }

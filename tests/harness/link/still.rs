@@ -33,11 +33,11 @@ impl Still {
         self.labels.iter().filter(|found| **found == code).count()
     }
 
-    /// Light of the pixels that show something, line by line; NaN where there is sky.
+    /// Light of the water and of what is laid upon it, line by line; NaN where there is sky or a ship.
     pub fn shown(&self) -> impl Iterator<Item = f64> {
-        let sky = f32::from(Label::Sky.code());
+        let others = [Label::Sky, Label::Ship].map(|label| f32::from(label.code()));
         let pixels = self.light.iter().zip(&self.labels);
-        pixels.map(move |(light, label)| if *label == sky { f64::NAN } else { f64::from(*light) })
+        pixels.map(move |(light, label)| if others.contains(label) { f64::NAN } else { f64::from(*light) })
     }
 
     /// Columns of the picture.
@@ -53,7 +53,8 @@ pub(super) fn sea_faces(shot: &Shot) -> Still {
         (shot.change)(scenario);
     });
     let usual = [("faces.ground", "false")];
-    let order = [("faces.order", "lists")].into_iter().filter(|(key, _)| shot.sets.iter().all(|set| set.0 != *key));
+    let order =
+        [("faces.order", "lists")].into_iter().filter(|(key, _)| shot.sets.iter().all(|set| set.0 != *key));
     let sets: Vec<(&str, &str)> = usual.into_iter().chain(order).chain(shot.sets.iter().copied()).collect();
     let generator =
         registry::configure_with(&smooth_faces::ROW, &sets).unwrap_or_else(|problems| panic!("{problems}"));
@@ -61,8 +62,7 @@ pub(super) fn sea_faces(shot: &Shot) -> Still {
     let [columns, lines] = RASTER.map(|pixels| pixels as usize);
     let mut planes = Planes::new(columns, lines, &KINDS);
     let pose = shipped.pose(shot.frame).pose;
-    let counts =
-        session.frame(shot.frame, &pose, &mut planes, &mut Probe::off()).expect("a shipped frame");
+    let counts = session.frame(shot.frame, &pose, &mut planes, &mut Probe::off()).expect("a shipped frame");
     let [light, red, green, blue, labels] = KINDS.map(|kind| planes.get(kind).expect("asked for"));
     let display = shipped.settings.display;
     let transfer = Transfer::new(display.white as f32, display.gamma as f32).expect("a shipped display");

@@ -90,7 +90,7 @@ fn waves_that_cannot_be_are_refused_with_their_place() {
     ] {
         scene.write("water.toml", SEA.replacen("wind_m_s = 6", written, 1));
         let (_, said) = scene.expect(3, &["check", "water.toml"]);
-        assert!(said.contains(expected) && said.contains("water.toml:18"), "{said}");
+        assert!(said.contains(expected) && said.contains("water.toml:17"), "{said}");
     }
 }
 
