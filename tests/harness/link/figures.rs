@@ -58,7 +58,7 @@ fn of_state(stills: &[Still], state: SeaState) -> Vec<Measured> {
     one_contrast(stills).into_iter().chain([corners]).collect()
 }
 
-/// All of them.
+/// All figures, by their numbers.
 pub(super) fn all() -> Vec<Figure> {
     let figure = |name, shots, measure| Figure { name, shots, measure };
     let bow = BOW_FRAMES.map(|frame| Shot { scenario: "sea-wakes", frame, sets: &[], change: oncoming });

@@ -208,6 +208,7 @@ mod stance;
 mod standing;
 mod view;
 mod walk;
+mod water_area;
 
 pub use ceilings::Ceilings;
 pub use column::{Fineness, LINE_MEAN_TOLERANCE, RIDGE_SHARE};

@@ -17,7 +17,7 @@ use crate::effects::{Layer, Screen};
 use crate::light::Light;
 use crate::lists::FaceLayer;
 use crate::scene::Scene;
-use crate::{Ceilings, Outlook, open_sea, stance};
+use crate::{Ceilings, Outlook, stance, water_area};
 
 /// Rays of a frame, and bodies in it.
 const COUNTERS: [Counter; 2] =
@@ -272,7 +272,7 @@ impl Session {
         let draw = |column| {
             let (mut pixels, mut rays) = self.column(scene, column, size);
             if scene.has_open_sea() {
-                rays += open_sea::area_means(scene, &screen, column, &mut pixels);
+                rays += water_area::area_means(scene, &screen, column, &mut pixels);
             }
             let faces = scene.faces().map_or(0, |faces| faces.over(scene, column, &mut pixels));
             let over = layer.as_ref().map_or(0, |layer| layer.over(column, &mut pixels));

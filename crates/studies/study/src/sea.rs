@@ -29,7 +29,7 @@ const KINDS: [PlaneKind; 2] = [PlaneKind::Intensity, PlaneKind::Label];
 /// Which part of which frames is looked at.
 #[derive(Debug, Clone)]
 pub struct SeaLook {
-    /// What is drawn.
+    /// Stage that both generators draw.
     pub stage: Stage,
     /// Columns of the picture.
     pub columns: Vec<usize>,
@@ -42,7 +42,7 @@ pub struct SeaLook {
 /// Light of a sea over frames.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SeaFilm {
-    /// Who drew it.
+    /// Name of the generator that drew.
     pub name: String,
     /// Light of each pixel, column by column, frame by frame.
     pub light: Vec<Vec<f64>>,
@@ -53,9 +53,9 @@ pub struct SeaFilm {
 /// Figures of a film.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SeaFigures {
-    /// Who drew it.
+    /// Name of the generator that drew.
     pub name: String,
-    /// Mean light.
+    /// Mean light of all pixels and frames.
     pub mean: f64,
     /// Michelson contrast of 5th and 95th percentile, mean of the frames.
     pub contrast: f64,

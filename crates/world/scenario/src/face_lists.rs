@@ -131,7 +131,7 @@ pub struct FaceLists {
 /// A sea of true waves within an area.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OpenSea {
-    /// Its waves.
+    /// Waves of its wind.
     pub waves: WindWaves,
     /// South, west, north, east edge (m).
     pub area: [f64; 4],

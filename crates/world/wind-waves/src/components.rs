@@ -29,14 +29,14 @@ pub struct Wind {
     pub shortest: f64,
 }
 
-/// A travelling sine.
+/// One travelling sine of the sum.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Component {
     /// Height of its crest (m).
     amplitude: f64,
     /// Wave vector: north, east (rad/m).
     vector: [f64; 2],
-    /// Frequency (rad/s).
+    /// Frequency of its travel (rad/s).
     frequency: f64,
     /// Phase at time 0 in the origin (rad).
     phase: f64,
