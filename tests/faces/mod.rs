@@ -2,6 +2,7 @@
 
 mod beacon;
 mod figures;
+mod link;
 mod lod;
 mod panels;
 mod smooth;

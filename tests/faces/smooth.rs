@@ -89,3 +89,33 @@ fn smooth_faces_differ_from_flat_ones() {
     let flat = drawn("smooth-site", 90, &[("faces.shading", "flat")], |_| {});
     assert_eq!(format!("{:.3}", rmse(&smooth, &flat)), "0.093");
 }
+
+#[test]
+fn four_windows_have_the_words_of_one_four_times() {
+    let [order, ground] = AT_SEA;
+    let words = |channels| {
+        drawn("ship-windows", 300, &[order, ground, ("faces.channels", channels)], |_| {}).counts["words"]
+    };
+    assert_eq!([words("4"), words("1")], [224, 56]);
+}
+
+/// Michelson contrast of 5th and 95th percentile over the pixels of a sea.
+fn sea_contrast(shown: &Shown) -> String {
+    let [light, labels] =
+        [PlaneKind::Intensity, PlaneKind::Label].map(|kind| shown.planes.get(kind).unwrap());
+    let sea = f32::from(Label::Sea.code());
+    let of_sea = light.iter().zip(labels).filter(|(_, label)| **label == sea);
+    let mut light: Vec<f32> = of_sea.map(|(light, _)| *light).collect();
+    light.sort_by(f32::total_cmp);
+    let [low, high] = [5, 95].map(|percent| light[percent * (light.len() - 1) / 100]);
+    format!("{:.2}", (high - low) / (high + low))
+}
+
+#[test]
+fn a_sea_of_false_normals_has_about_the_contrast_of_waves() {
+    let small = |scenario: &mut Scenario| {
+        (scenario.raster.columns, scenario.raster.lines) = (Some(120), Some(63));
+    };
+    let waves = Shipped::changed("sea-waves", None, small).exact(0);
+    assert_eq!([sea_contrast(&at_sea("sea-waves", 0, small)), sea_contrast(&waves)], ["0.24", "0.28"]);
+}

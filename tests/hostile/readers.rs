@@ -6,6 +6,7 @@ use std::path::Path;
 
 use diagnostics::Problem;
 use drive::{Drive, DriveError};
+use faces::{Effect, Setting};
 use hardware_model::{HardwareModel, ModelSource};
 use landscape::projection::{Method, Projection};
 use landscape::{Bank, FileCoordinates, Level, MapFrame};
@@ -15,6 +16,7 @@ use photo_camera::voids::Wishes;
 use photo_check::{Ground, fill_voids, read_points};
 use photograph::{Map, MapUnit, PhotoFile, Photograph, Placement};
 use picture::{Depth, GreyPicture};
+use quantities::Rate;
 use scenario::Scenario;
 use solids::shape_files::{self, Openness};
 use survey::{Affine, Elevation, Frame, ReadOptions, SurveyError};
@@ -39,7 +41,7 @@ pub struct Reader {
 }
 
 /// All readers that are given damaged files.
-pub const READERS: [Reader; 32] = [
+pub const READERS: [Reader; 33] = [
     Reader { name: "scenario", file: "scene.toml", read: |path| said(Scenario::read(path)) },
     Reader {
         name: "path-csv",
@@ -84,6 +86,7 @@ pub const READERS: [Reader; 32] = [
     Reader { name: "photo-file", file: "photo.json", read: |path| said(PhotoFile::read(path)) },
     Reader { name: "control-points", file: "points.csv", read: control_points },
     Reader { name: "message", file: "message.loop", read: message },
+    Reader { name: "effect", file: "effect.toml", read: effect },
 ];
 
 /// The reader of a folder of the corpus.
@@ -144,6 +147,12 @@ impl Home for Nowhere {
 fn shape(path: &Path) -> Result<(), String> {
     let closed = said(shape_files::read(path, Openness::Closed));
     closed.and(said(shape_files::read(path, Openness::Any)))
+}
+
+/// An effect at 30 frames a second. A pattern of few bytes has all the faces that a run allows; these are few.
+fn effect(path: &Path) -> Result<(), String> {
+    let frames = Rate::new(30, 1).expect("a rate");
+    said(Effect::read(path, Setting { frames, signals: &["pitch"], most: 2000 }))
 }
 
 fn model(path: &Path) -> Result<(), String> {

@@ -92,6 +92,14 @@ pub fn seeds(name: &str) -> Vec<Vec<u8>> {
             "right_ascension_deg;declination_deg;magnitude\r\n88,79;7,41;0,5\r\n",
         ],
         "obj" => &[CUBE],
+        "effect" => &[
+            include_str!("../../scenarios/effects/weapon-flash.toml"),
+            include_str!("../../scenarios/effects/rotor-downwash.toml"),
+            include_str!("../../scenarios/effects/confused-sea.toml"),
+            "format = 1\ntitle = \"Flag\"\nabout = \"By pitch\"\n[[group]]\nname = \"flag\"\npriority = 3\nvertices = [[0, 0, 0], [1, 0, 0], [1, 1, 0]]\n\
+             face = [{ corners = [0, 1, 2], colour = [1, 0, 0], shading = \"flat\" }, { corners = [2, 1, 0], colour = [0, 0, 1], sides = \"both\" }]\n\
+             [[group.sequence]]\nmembers = 2\nmode = \"driven\"\nsignal = \"pitch\"\nlow = -3\nstep = 1.5\n",
+        ],
         "envi" => &[ENVI],
         "prj" => &[SYSTEM],
         "ascii" => &[

@@ -110,7 +110,7 @@ pub fn of_generator(name: &str, baseline: &TimingRecord, sets: &[(&str, &str)]) 
 }
 
 /// Scenarios of smooth-shaded faces.
-const AT_SEA: [&str; 2] = ["sea-wakes", "ship-landing"];
+const AT_SEA: [&str; 3] = ["sea-wakes", "ship-landing", "ship-windows"];
 
 #[test]
 fn scenarios_of_generators_hold_their_baselines() {

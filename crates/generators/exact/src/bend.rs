@@ -33,6 +33,14 @@ impl Bend {
         }
     }
 
+    /// The drop at a range (m), and by how much it grows for each metre; the growth never falls.
+    pub fn drop_and_slope(self, range: f64) -> [f64; 2] {
+        match self {
+            Self::Parabola(bend) => [bend * range * range, 2.0 * bend * range],
+            Self::Sphere => below_plane(range).map(|part| -part),
+        }
+    }
+
     /// Its share that is a polynomial: a multiple of the square of range (1/m).
     pub fn square(self) -> f64 {
         match self {
@@ -93,6 +101,11 @@ mod tests {
         for range in [1.0, 3e4, 1.2e6] {
             let by_difference = (below_plane(range + 0.1)[0] - below_plane(range - 0.1)[0]) / 0.2;
             assert!((below_plane(range)[1] - by_difference).abs() < 1e-8, "{range}");
+            for bend in [Bend::Sphere, Bend::of(Curvature::Parabolic), Bend::FLAT] {
+                let [drop, slope] = bend.drop_and_slope(range);
+                let by_difference = (bend.drop(range + 0.1) - bend.drop(range - 0.1)) / 0.2;
+                assert!(drop == bend.drop(range) && (slope - by_difference).abs() < 1e-8, "{bend:?} {range}");
+            }
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use std::array;
 
+use generator::Label;
 use scenario::PixelRule;
 
 use crate::ground::Scratch;
@@ -197,6 +198,10 @@ fn settled([low, middle, high]: [&Sample; 3], share: f64, fineness: &Fineness) -
     // Over level ground the inverse range is linear in y.
     let nearness = |sample: &Sample| 1.0 / sample.seen.range;
     let ridge = bend(&nearness) > 0.5 * (nearness(low) - nearness(high)).abs();
+    // Water is drawn again by its area.
+    if [low, middle, high].iter().all(|sample| sample.seen.label == Label::Sea) {
+        return true;
+    }
     let is_known =
         |channel: usize| bend(&|sample| sample.seen.light[channel]) * share / 6.0 <= fineness.tolerance;
     (0..3).all(is_known) && !(ridge && share > fineness.ridge_share)

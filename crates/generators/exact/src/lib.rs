@@ -77,6 +77,14 @@
 //!   between the faces of a pixel, [`SUB_RAYS`] sub-rays say what is seen.
 //! - Faces throw no shadow and receive none. The normal of a sea in the planes is that of its face, not the false one.
 //!
+//! # Sea of waves
+//!
+//! - A sea of `wind-waves` takes the place of the flat sea and of levels upon it. It stands in true perspective, lowered by the drop of
+//!   the lunoid, within its area. A ray meets the first water: the water's bend bounds every step, so no crest is stepped over.
+//! - Light is `colour max(0, n.s)` under the scene's sun. A pixel that shows water, or whose neighbour above or below does, has the mean
+//!   over its area, whatever the pixel rule: five rays where they agree, else [`SUB_RAYS`].
+//! - Ground at or below the calm water hides none. Hulls are whole: the water hides them. Waves throw no shadow.
+//!
 //! # Effects
 //!
 //! Light points, sheets, overlays and discs of the sky lie over the opaque picture, lists of faces included, which is drawn as if they were not there. A
@@ -187,6 +195,7 @@ mod ground;
 mod light;
 mod line;
 mod lists;
+mod open_sea;
 mod outlook;
 mod profile;
 mod relief;
@@ -199,6 +208,7 @@ mod stance;
 mod standing;
 mod view;
 mod walk;
+mod water_area;
 
 pub use ceilings::Ceilings;
 pub use column::{Fineness, LINE_MEAN_TOLERANCE, RIDGE_SHARE};

@@ -93,6 +93,16 @@ impl<'a> Outlook<'a> {
         self.bend.drop(range)
     }
 
+    /// The same, and by how much it grows for each metre.
+    pub fn drop_and_slope(&self, range: f64) -> [f64; 2] {
+        self.bend.drop_and_slope(range)
+    }
+
+    /// Range at which ground ends for the eye (m).
+    pub fn far(&self) -> f64 {
+        self.far
+    }
+
     /// Whether sweeps draw this too, from a first sample on.
     pub fn is_swept(&self) -> bool {
         self.near > 0.0

@@ -11,6 +11,7 @@ use solids::Body;
 use crate::ground::Scratch;
 use crate::light::Light;
 use crate::lists::{self, FaceLayer, FacesSeen};
+use crate::open_sea::Water;
 use crate::outlook::{Outlook, Ray, Sight, Spot};
 use crate::seen::Seen;
 use crate::shadow::Shadows;
@@ -37,6 +38,7 @@ pub struct Scene<'a> {
     reach: f64,
     eye_height: f64,
     standing: Standing<'a>,
+    water: Option<Water<'a>>,
     faces: Option<FaceLayer>,
 }
 
@@ -73,6 +75,8 @@ impl<'a> Scene<'a> {
         let standing = Standing::new(bodies, &outlook, &view, shadows.as_ref(), laws);
         let light = Light::new(landscape, &sun, laws, pose.eye[2]);
         let reach = reach.unwrap_or_default();
+        let to_sun = DVec3::from_array(sun.direction());
+        let water = scenery.face_lists().open_sea.as_ref().map(|sea| Water::new(sea, pose.time, to_sun));
         Self {
             landscape,
             outlook,
@@ -82,6 +86,7 @@ impl<'a> Scene<'a> {
             reach,
             eye_height: pose.eye[2],
             standing,
+            water,
             faces: None,
         }
     }
@@ -94,6 +99,11 @@ impl<'a> Scene<'a> {
     /// The lists of faces in it, where there are some.
     pub fn faces(&self) -> Option<&FaceLayer> {
         self.faces.as_ref()
+    }
+
+    /// Whether it has a sea of true waves.
+    pub fn has_open_sea(&self) -> bool {
+        self.water.is_some()
     }
 
     /// The bodies in it.
@@ -156,7 +166,20 @@ impl<'a> Scene<'a> {
         } else {
             self.standing.look(column, self.view.perspective(x, y), met)
         };
+        let body = self.with_water([x, y], sight, body);
         Meeting { ray, sight, body, faces: None }
+    }
+
+    /// The body that a ray meets, or the water that it meets before body and ground. Ground under the calm water hides no water.
+    fn with_water(&self, [x, y]: [f64; 2], sight: Sight, body: Option<Seen>) -> Option<Seen> {
+        let Some(water) = &self.water else { return body };
+        let ground = match sight {
+            Sight::Ground(spot) if !water.covers(spot.place, self.outlook.height(&spot)) => spot.range,
+            Sight::Cut(range) => range,
+            Sight::Ground(_) | Sight::Sky | Sight::TooNear => f64::INFINITY,
+        };
+        let before = body.map_or(ground, |body| body.range.min(ground));
+        water.look(&self.outlook, self.view.perspective(x, y), before).or(body)
     }
 
     /// The same meeting with what lists of faces have at the place (x, y) of the screen.

@@ -5,11 +5,11 @@ use std::sync::Arc;
 
 use generator::{
     Counter, Fact, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes, PrepareError,
-    Role, Row, Session as GeneratorSession, Stage, photographs_beside,
+    Role, Row, Session as GeneratorSession, Stage, Weight, photographs_beside,
 };
 use quantities::intensity;
 use rayon::prelude::*;
-use scenario::Pose;
+use scenario::{FaceKind, Pose};
 use signal::Probe;
 
 use crate::column::{Column, Fineness, Frame, Pixel};
@@ -17,7 +17,7 @@ use crate::effects::{Layer, Screen};
 use crate::light::Light;
 use crate::lists::FaceLayer;
 use crate::scene::Scene;
-use crate::{Ceilings, Outlook, stance};
+use crate::{Ceilings, Outlook, stance, water_area};
 
 /// Rays of a frame, and bodies in it.
 const COUNTERS: [Counter; 2] =
@@ -124,7 +124,17 @@ impl GeneratorSession for Session {
     }
 
     fn omissions(&self) -> Vec<Omission> {
-        photographs_beside(&self.stage.landscape, ROW.name).into_iter().collect()
+        let photographs = photographs_beside(&self.stage.landscape, ROW.name);
+        let lists = self.stage.scenery.face_lists();
+        let has_levels =
+            lists.open_sea.is_some() && lists.lists.iter().any(|list| list.kind == FaceKind::Level);
+        let levels = has_levels.then(|| Omission {
+            block: ROW.name,
+            what: "stern wakes (`stern_wake`)".into(),
+            why: "a level of detail lies upon a flat sea, and this one has true waves (`sea.waves`)".into(),
+            weight: Weight::NotModelled,
+        });
+        photographs.into_iter().chain(levels).collect()
     }
 
     /// All planes of the pixel: of its column alone, so that nobody waits for the picture. Then the faces at its middle, near to far.
@@ -258,8 +268,12 @@ impl Session {
     ) -> (Vec<Vec<Pixel>>, u64) {
         let effects = self.stage.scenery.effects(pose.time);
         let layer = Layer::new(scene, &effects, size, self.stage.view.field);
+        let screen = Screen::new(size, self.stage.view.field);
         let draw = |column| {
-            let (mut pixels, rays) = self.column(scene, column, size);
+            let (mut pixels, mut rays) = self.column(scene, column, size);
+            if scene.has_open_sea() {
+                rays += water_area::area_means(scene, &screen, column, &mut pixels);
+            }
             let faces = scene.faces().map_or(0, |faces| faces.over(scene, column, &mut pixels));
             let over = layer.as_ref().map_or(0, |layer| layer.over(column, &mut pixels));
             (pixels, rays + faces + over)

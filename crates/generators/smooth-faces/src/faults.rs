@@ -1,7 +1,7 @@
 //! Overlays of one fault each, that the program carries.
 
 /// The overlays by name, with their text; `docs/blocks/smooth-faces.md` has the sign of each.
-pub(crate) const FAULTS: [(&str, &str); 9] = [
+pub(crate) const FAULTS: [(&str, &str); 10] = [
     ("stepping", include_str!("../../../../hardware-models/faults/smooth-faces/stepping.toml")),
     ("few-edges", include_str!("../../../../hardware-models/faults/smooth-faces/few-edges.toml")),
     ("replace", include_str!("../../../../hardware-models/faults/smooth-faces/replace.toml")),
@@ -11,4 +11,5 @@ pub(crate) const FAULTS: [(&str, &str); 9] = [
     ("deep-hull", include_str!("../../../../hardware-models/faults/smooth-faces/deep-hull.toml")),
     ("late-sequence", include_str!("../../../../hardware-models/faults/smooth-faces/late-sequence.toml")),
     ("dead-sun", include_str!("../../../../hardware-models/faults/smooth-faces/dead-sun.toml")),
+    ("four-channels", include_str!("../../../../hardware-models/faults/smooth-faces/four-channels.toml")),
 ];

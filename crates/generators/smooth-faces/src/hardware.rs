@@ -102,18 +102,28 @@ impl Kind {
         [STEP, SUN, BODY, NORMAL][self as usize]
     }
 
-    /// Words that go to the image processor for one piece.
+    /// Words that go to the image processor of each channel for one piece.
     pub fn words(self) -> u64 {
         self.cost()[2]
     }
 }
 
 impl RealTime {
-    /// Time for one piece of a kind (ns).
-    pub fn piece_ns(&self, kind: Kind) -> u64 {
-        let [look_ups, products, words] = kind.cost();
+    /// Time for one piece of a kind for so many channels (ns): it is worked out once, and its words go to each.
+    pub fn piece_ns(&self, kind: Kind, channels: u32) -> u64 {
+        self.once_ns(kind) + u64::from(channels) * self.words_ns(kind)
+    }
+
+    /// Its part that is done once for all channels (ns).
+    fn once_ns(&self, kind: Kind) -> u64 {
+        let [look_ups, products, _] = kind.cost();
         let own = if kind == Kind::Sequence { POINTER } else { 0 };
-        (own + look_ups * LOOK_UP) * self.instruction_ns + products * self.multiply_ns + words * self.word_ns
+        (own + look_ups * LOOK_UP) * self.instruction_ns + products * self.multiply_ns
+    }
+
+    /// Its part that is done for each channel (ns).
+    pub fn words_ns(&self, kind: Kind) -> u64 {
+        kind.words() * self.word_ns
     }
 }
 

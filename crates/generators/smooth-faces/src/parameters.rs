@@ -8,6 +8,9 @@ use serde_json::Value;
 /// Most cells along half the side of a ring. Chosen: finer ground takes gigabytes, as every triangle is drawn.
 const MOST_GROUND_CELLS: u32 = 512;
 
+/// Most channels of one computer (chosen; the study has four).
+const MOST_CHANNELS: u32 = 64;
+
 /// Run parameters that decide its pictures.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Parameters {
@@ -25,6 +28,8 @@ pub struct Parameters {
     pub animate: Animate,
     /// Which hulls ships have, and where the sea has its priority.
     pub hull: Hull,
+    /// Channels that share the real-time computer, 1 or more: its words go to the image processor of each.
+    pub channels: u32,
     /// Whether a picture is as late as the gear makes it.
     pub delayed: bool,
     /// Share of light from everywhere, 0..=1.
@@ -57,6 +62,7 @@ impl Default for Parameters {
             scan: Scan::Vertical,
             animate: Animate::Sun,
             hull: Hull::AsWritten,
+            channels: 1,
             delayed: false,
             ambient: 0.0,
             ground: Some(Rings { half_side: 32.0, cells: 64 }),
@@ -87,6 +93,7 @@ impl Parameters {
         let scan = table.one_of("scan", &SCANS).default(usual.scan);
         let animate = table.one_of("animate", &ANIMATES).default(usual.animate);
         let hull = table.one_of("hull", &HULLS).default(usual.hull);
+        let channels = table.u32("channels").between(1, MOST_CHANNELS).default(usual.channels);
         let delayed = table.bool("delayed").default(usual.delayed);
         let ambient = table.f64("ambient").between(0.0, 1.0).default(usual.ambient);
         let ground = ground(table);
@@ -99,6 +106,7 @@ impl Parameters {
             scan: scan?,
             animate: animate?,
             hull: hull?,
+            channels: channels?,
             delayed: delayed?,
             ambient: ambient?,
             ground: ground?,
@@ -125,6 +133,7 @@ impl Parameters {
             "scan": word(&SCANS, &self.scan),
             "animate": word(&ANIMATES, &self.animate),
             "hull": word(&HULLS, &self.hull),
+            "channels": self.channels,
             "delayed": self.delayed,
             "ambient": self.ambient,
             "ground": self.ground.is_some(),

@@ -20,6 +20,9 @@ pub const PLANES: [PlaneKind; 7] = [
     PlaneKind::Distance,
 ];
 
+/// Scan lines whose samples are there at a time. Chosen: some megabytes, and work for all threads.
+const BLOCK: usize = 64;
+
 /// Numbers of the pieces that may cross each scan line, line by line in one list.
 struct Crossings {
     /// Where the numbers of each line begin; one more than there are lines.
@@ -50,39 +53,55 @@ impl Crossings {
     }
 }
 
-/// All scan lines of a scene on a screen of `size` (columns, lines).
-pub fn scan_lines(scene: &Scene, run: &Parameters, size: [usize; 2]) -> Vec<ScanLine> {
-    each_line(scene, run, size, ScanLine::new)
-}
-
-/// The same without samples.
+/// The scan lines of a scene on a screen of `size` (columns, lines), without samples.
 pub fn timed_lines(scene: &Scene, run: &Parameters, size: [usize; 2]) -> Vec<TimedLine> {
-    each_line(scene, run, size, TimedLine::new)
+    let axis = run.across();
+    let crossings = Crossings::new(scene, axis, size[axis]);
+    let line = |line: usize| TimedLine::new(scene, run, crossings.of(line), line, size[1 - axis]);
+    (0..size[axis]).into_par_iter().map(line).collect()
 }
 
-/// A value of each scan line: of the numbers of pieces that may cross it, of its own number, and of the number of its samples.
-fn each_line<T: Send>(
+/// Draws a scene on a screen of `size` (columns, lines): fills those of [`PLANES`] that a caller wants, and shows each scan line with its
+/// number to `seen`, in order.
+///
+/// A sample is much larger than its pixels, so samples of [`BLOCK`] scan lines are there at a time.
+pub fn draw(
     scene: &Scene,
     run: &Parameters,
     size: [usize; 2],
-    of_line: impl Fn(&Scene, &Parameters, &[u32], usize, usize) -> T + Sync,
-) -> Vec<T> {
+    planes: &mut Planes,
+    mut seen: impl FnMut(usize, &ScanLine),
+) -> FrameCounts {
     let axis = run.across();
-    let (lines, samples) = (size[axis], size[1 - axis]);
-    let crossings = Crossings::new(scene, axis, lines);
-    let line = |line: usize| of_line(scene, run, crossings.of(line), line, samples);
-    (0..lines).into_par_iter().map(line).collect()
+    let crossings = Crossings::new(scene, axis, size[axis]);
+    let line = |line: usize| ScanLine::new(scene, run, crossings.of(line), line, size[1 - axis]);
+    let mut tally = Tally::default();
+    for first in (0..size[axis]).step_by(BLOCK) {
+        let numbers = first..(first + BLOCK).min(size[axis]);
+        let block: Vec<ScanLine> = numbers.into_par_iter().map(line).collect();
+        fill(scene, axis, (first, &block), planes);
+        for (number, line) in (first..).zip(&block) {
+            tally.add(line);
+            seen(number, line);
+        }
+    }
+    tally.counts(scene)
 }
 
-/// Fills those of [`PLANES`] that a caller wants.
-pub fn fill(scene: &Scene, run: &Parameters, lines: &[ScanLine], planes: &mut Planes) {
-    let (axis, columns) = (run.across(), planes.columns());
+/// Fills the pixels of scan lines that follow one another, from the number `first` on.
+fn fill(scene: &Scene, axis: usize, (first, block): (usize, &[ScanLine]), planes: &mut Planes) {
+    let columns = planes.columns();
     for kind in PLANES {
         let Some(values) = planes.get_mut(kind) else { continue };
-        values.par_iter_mut().enumerate().for_each(|(at, value)| {
-            let pixel = [at % columns, at / columns];
-            let sample = &lines[pixel[axis]].samples[pixel[1 - axis]];
-            *value = of_sample(kind, sample, scene, pixel);
+        values.par_chunks_mut(columns).enumerate().for_each(|(row, values)| {
+            let mut set = |column: usize, sample: &Sample| {
+                values[column] = of_sample(kind, sample, scene, [column, row]);
+            };
+            if axis == 0 {
+                (first..).zip(block).for_each(|(column, line)| set(column, &line.samples[row]));
+            } else if let Some(line) = row.checked_sub(first).and_then(|number| block.get(number)) {
+                line.samples.iter().enumerate().for_each(|(column, sample)| set(column, sample));
+            }
         });
     }
 }
@@ -102,23 +121,42 @@ fn of_sample(kind: PlaneKind, sample: &Sample, scene: &Scene, pixel: [usize; 2])
     }
 }
 
-/// What a frame took and lost.
-pub fn counts(scene: &Scene, lines: &[ScanLine]) -> FrameCounts {
-    let fallen = scene.lists.iter().filter(|list| list.has_fallen).count() as u64;
-    let sum = |of: fn(&ScanLine) -> u64| lines.iter().map(of).sum();
-    FrameCounts::of([
-        ("lists", scene.lists.len() as u64),
-        ("faces", scene.faces),
-        ("pieces", scene.pieces.len() as u64),
-        ("crossings", sum(|line| line.crossed.crossings)),
-        ("most_crossings", lines.iter().map(|line| line.crossed.crossings).max().unwrap_or(0)),
-        ("missed", sum(|line| line.crossed.missed.len() as u64)),
-        ("fallen_levels", fallen),
-        ("lost_faces", scene.lost_faces),
-        ("late", scene.late),
-        ("suns", scene.lists.iter().filter(|list| list.has_own_sun).count() as u64),
-        ("words", scene.words),
-        ("clamped", sum(|line| line.clamped)),
-        ("disagreements", sum(|line| line.disagreements)),
-    ])
+/// What the scan lines of a frame took and lost.
+#[derive(Default)]
+struct Tally {
+    crossings: u64,
+    most_crossings: u64,
+    missed: u64,
+    clamped: u64,
+    disagreements: u64,
+}
+
+impl Tally {
+    fn add(&mut self, line: &ScanLine) {
+        self.crossings += line.crossed.crossings;
+        self.most_crossings = self.most_crossings.max(line.crossed.crossings);
+        self.missed += line.crossed.missed.len() as u64;
+        self.clamped += line.clamped;
+        self.disagreements += line.disagreements;
+    }
+
+    /// What the whole frame took and lost.
+    fn counts(&self, scene: &Scene) -> FrameCounts {
+        let fallen = scene.lists.iter().filter(|list| list.has_fallen).count() as u64;
+        FrameCounts::of([
+            ("lists", scene.lists.len() as u64),
+            ("faces", scene.faces),
+            ("pieces", scene.pieces.len() as u64),
+            ("crossings", self.crossings),
+            ("most_crossings", self.most_crossings),
+            ("missed", self.missed),
+            ("fallen_levels", fallen),
+            ("lost_faces", scene.lost_faces),
+            ("late", scene.late),
+            ("suns", scene.lists.iter().filter(|list| list.has_own_sun).count() as u64),
+            ("words", scene.words),
+            ("clamped", self.clamped),
+            ("disagreements", self.disagreements),
+        ])
+    }
 }

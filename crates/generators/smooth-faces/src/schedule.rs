@@ -77,8 +77,8 @@ pub struct Item {
 }
 
 impl Item {
-    fn new(kind: Kind, target: Target, name: &str, pieces: u64, rt: &RealTime) -> Self {
-        let (name, ns) = (name.to_owned(), pieces * rt.piece_ns(kind));
+    fn new(kind: Kind, target: Target, name: &str, pieces: u64, piece_ns: u64) -> Self {
+        let (name, ns) = (name.to_owned(), pieces * piece_ns);
         Self { kind, target, name, pieces, ns, when: When::Always, ready_ns: 0 }
     }
 
@@ -94,6 +94,8 @@ pub struct Schedule {
     items: Vec<Item>,
     /// When sequence, sun vector, body and normals of each list are new.
     lists: Vec<[When; 4]>,
+    /// Channels that get the words.
+    channels: u32,
 }
 
 impl Schedule {
@@ -109,7 +111,7 @@ impl Schedule {
                 of_lists[list][item.kind as usize] = item.when;
             }
         }
-        Self { items, lists: of_lists }
+        Self { items, lists: of_lists, channels: run.channels }
     }
 
     /// All work in its order.
@@ -128,9 +130,17 @@ impl Schedule {
         item.map_or(frame, |item| item.when.shown(frame))
     }
 
-    /// Words that go to the image processor in a frame.
+    /// Words that go to the image processors of all channels in a frame.
     pub fn words(&self) -> u64 {
-        self.items.iter().map(|item| item.pieces * item.kind.words()).sum()
+        let of_one: u64 = self.items.iter().map(|item| item.pieces * item.kind.words()).sum();
+        of_one * u64::from(self.channels)
+    }
+
+    /// Channels whose words fit the spare time of a frame with all else that is done once; 0 if none does, `None` without words.
+    pub fn most_channels(&self, rt: &RealTime) -> Option<u64> {
+        let of_one: u64 = self.items.iter().map(|item| item.pieces * rt.words_ns(item.kind)).sum();
+        let once = self.asked_ns() - u64::from(self.channels) * of_one;
+        rt.spare_ns.saturating_sub(once).checked_div(of_one)
     }
 
     /// Time of all work of a frame (ns).
@@ -146,16 +156,18 @@ impl Schedule {
 
 /// Work of a kind, list after list.
 fn of_kind(kind: Kind, stage: &Stage, lists: &[&FaceList], run: &Parameters, rt: &RealTime) -> Vec<Item> {
+    let piece_ns = rt.piece_ns(kind, run.channels);
     let of_list = |(number, list): (usize, &&FaceList)| {
         let pieces = pieces(kind, list, run);
-        (pieces > 0).then(|| Item::new(kind, Target::List(number), &list.group.name, pieces, rt))
+        (pieces > 0).then(|| Item::new(kind, Target::List(number), &list.group.name, pieces, piece_ns))
     };
     let mut items: Vec<Item> = lists.iter().enumerate().filter_map(of_list).collect();
     match kind {
         Kind::Sun => {
             let suns = stage.scenery.groups().iter().enumerate().filter(|(_, group)| group.sun.is_some());
-            items
-                .extend(suns.map(|(place, group)| Item::new(kind, Target::Group(place), &group.name, 1, rt)));
+            items.extend(
+                suns.map(|(place, group)| Item::new(kind, Target::Group(place), &group.name, 1, piece_ns)),
+            );
         }
         Kind::Body => {
             let guests = stage.scenery.all_guests().iter().filter(|guest| guest.moves());
@@ -163,7 +175,7 @@ fn of_kind(kind: Kind, stage: &Stage, lists: &[&FaceList], run: &Parameters, rt:
             objects.sort_unstable();
             objects.dedup();
             let item = |object: u32| {
-                Item::new(kind, Target::Object(object), &format!("object-{}", object + 1), 1, rt)
+                Item::new(kind, Target::Object(object), &format!("object-{}", object + 1), 1, piece_ns)
             };
             items.extend(objects.into_iter().map(item));
         }

@@ -15,7 +15,7 @@ use crate::parameters::Parameters;
 use crate::piece::Piece;
 use crate::planes;
 use crate::prepared::Prepared;
-use crate::scan_line::{Covers, cover, covers, interpolation_word, lost_covers};
+use crate::scan_line::{Covers, ScanLine, cover, covers, interpolation_word, lost_covers};
 use crate::scene::Scene;
 use crate::signals;
 
@@ -44,10 +44,9 @@ impl GeneratorSession for Session {
     ) -> Result<FrameCounts, FrameError> {
         let Prepared { run, .. } = &self.prepared;
         let scene = Scene::new(&self.prepared, frame, pose)?;
-        let lines = planes::scan_lines(&scene, run, self.prepared.size());
-        planes::fill(&scene, run, &lines, planes);
-        signals::record(frame, &scene, run, &lines, probe);
-        Ok(planes::counts(&scene, &lines))
+        let record =
+            |number: usize, line: &ScanLine| signals::record((frame, number), &scene, run, line, probe);
+        Ok(planes::draw(&scene, run, self.prepared.size(), planes, record))
     }
 
     fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
@@ -62,6 +61,10 @@ impl GeneratorSession for Session {
             (landscape.texture().is_some(), "texture"),
             (!landscape.silhouettes().is_empty(), "far silhouettes"),
             (view.shadows.is_some(), "remote shadow"),
+            (
+                scenery.face_lists().open_sea.is_some(),
+                "sea of true waves (`sea.waves`): `exact` alone has it",
+            ),
         ];
         let omission = |what: &str| Omission {
             block: NAME,

@@ -57,21 +57,25 @@ pub fn wires(view: &View) -> Vec<Wire> {
     SIGNALS.iter().map(wire).collect()
 }
 
-/// Records the scan lines that `probe` wants.
-pub fn record(frame: u64, scene: &Scene, run: &Parameters, lines: &[ScanLine], probe: &mut Probe) {
-    for (number, line) in lines.iter().enumerate() {
-        if !probe.wants_sweep(number as u32) {
-            continue;
-        }
-        for signal in SIGNALS {
-            if probe.wants(&signal) {
-                let values = match signal.name {
-                    EDGES => entered(scene, run, number, line.samples.len()),
-                    name => values(name, line),
-                };
-                let sweep = number as u32;
-                probe.waveforms.push(Waveform { signal, frame, sweep, times: Vec::new(), values });
-            }
+/// Records the scan line `number` of a frame, if `probe` wants it.
+pub fn record(
+    (frame, number): (u64, usize),
+    scene: &Scene,
+    run: &Parameters,
+    line: &ScanLine,
+    probe: &mut Probe,
+) {
+    let sweep = number as u32;
+    if !probe.wants_sweep(sweep) {
+        return;
+    }
+    for signal in SIGNALS {
+        if probe.wants(&signal) {
+            let values = match signal.name {
+                EDGES => entered(scene, run, number, line.samples.len()),
+                name => values(name, line),
+            };
+            probe.waveforms.push(Waveform { signal, frame, sweep, times: Vec::new(), values });
         }
     }
 }

@@ -44,6 +44,13 @@ pub fn figures(prepared: &Prepared, frames: &[FrameTiming]) -> Vec<SizedFigure> 
             "ceil(V normal_us / what is left of spare_us)",
         ),
         figure(
+            "channels",
+            "channels that share the real-time computer",
+            Some(f64::from(prepared.run.channels)),
+            prepared.schedule.most_channels(&hardware.rt).map(|most| most as f64),
+            "(spare_us - what is done once) / words of one channel",
+        ),
+        figure(
             "transfer_words",
             "words from the active data base, a frame",
             mean(&|frame| pieces(frame, TRANSFER, "words")),

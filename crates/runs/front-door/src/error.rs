@@ -16,6 +16,7 @@ use photographs::PhotographFileError;
 use quantities::degrees;
 use scenario::{PathProblems, SceneryProblems};
 use terrain_database::DatabaseError;
+use wind_waves::WaveError;
 
 /// Why files and wishes do not come to a generator on a stage.
 #[derive(Debug, thiserror::Error)]
@@ -52,6 +53,9 @@ pub enum StageError {
     /// The landscape cannot be generated.
     #[error(transparent)]
     Relief(#[from] ReliefError),
+    /// There are no such waves.
+    #[error("[sea] waves: {0}")]
+    Waves(#[from] WaveError),
     /// The levels are no bank.
     #[error(transparent)]
     Bank(#[from] BankError),

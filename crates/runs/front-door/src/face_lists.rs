@@ -8,9 +8,11 @@ use glam::DVec3;
 use landscape::Landscape;
 use quantities::Rate;
 use scenario::{
-    Carrier, DrawnBy, EffectFileWish, FaceKind, FaceList, FaceLists, Object, OtherSide, PlumeWish, Scenario,
-    SeaWish, ShipCourse, ShipWish, WaveWish,
+    Carrier, DrawnBy, EffectFileWish, FaceKind, FaceList, FaceLists, Object, OpenSea, OtherSide, PlumeWish,
+    Scenario, SeaWish, ShipCourse, ShipWish, WaveWish,
 };
+
+use wind_waves::WindWaves;
 
 use crate::StageError;
 
@@ -58,11 +60,29 @@ pub(crate) fn face_lists(
         }
         let priority = if is_first { SEA_FIRST } else { SEA };
         let group = sea.group("sea", priority, Mesh::MOST_FACES)?;
-        let carrier = Carrier::Map(wish.height);
-        lists.lists.push(FaceList { sea: Some(sea), ..FaceList::new(group, FaceKind::Sea, carrier) });
+        let (carrier, drawn_by) = (Carrier::Map(wish.height), imitation(wish));
+        lists.lists.push(FaceList {
+            sea: Some(sea),
+            drawn_by,
+            ..FaceList::new(group, FaceKind::Sea, carrier)
+        });
     }
+    let open_sea = wishes.sea.as_ref().map_or(Ok(None), |wish| open_sea(wish, landscape))?;
     let Lists { lists, by_depth, warnings, .. } = lists;
-    Ok(Arc::new(FaceLists { lists, by_depth, warnings }))
+    Ok(Arc::new(FaceLists { lists, by_depth, warnings, open_sea }))
+}
+
+/// The sea of true waves, where a wish has one.
+fn open_sea(wish: &SeaWish, landscape: &Landscape) -> Result<Option<OpenSea>, StageError> {
+    let Some(wind) = &wish.waves else { return Ok(None) };
+    let waves = WindWaves::new(wind)?;
+    let area = wish.area.unwrap_or(landscape.level().extent());
+    Ok(Some(OpenSea { waves, area, height: wish.height, colour: wish.colour }))
+}
+
+/// Who draws the flat sea and the levels upon it: machines alone, where `exact` has true waves.
+fn imitation(wish: &SeaWish) -> DrawnBy {
+    if wish.waves.is_some() { DrawnBy::Machines } else { DrawnBy::All }
 }
 
 struct Lists<'a> {
@@ -186,7 +206,12 @@ impl Lists<'_> {
         let origin = DVec3::X * (-wish.kind.length / 2.0);
         let carrier = Carrier::Ship(ShipCourse { origin, ..self.course(wish, water, Motion::default()) });
         let group = group.detailed(wake.detail);
-        self.lists.push(FaceList { sea: Some(level), ..FaceList::new(group, FaceKind::Level, carrier) });
+        let drawn_by = imitation(water);
+        self.lists.push(FaceList {
+            sea: Some(level),
+            drawn_by,
+            ..FaceList::new(group, FaceKind::Level, carrier)
+        });
         Ok(())
     }
 

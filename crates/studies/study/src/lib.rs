@@ -22,6 +22,7 @@
 //! **Levels** ([`levels`]): what levels of detail lose, against triangles and time. **Tracks** ([`tracks`]): corners that are followed
 //! while levels change.
 //! **Lights** ([`lights`]): the light of a lamp over a mission, in each way that a generator has to draw it.
+//! **Seas** ([`sea`]): contrast and spectrum of a sea of false normals beside those of true waves.
 //! **Reports** ([`report`]): what came of a study as text, as a document, and as tables and plots in a folder.
 //! **Not in the time.** Reading, elaboration, shadow boundaries that are found once, encoding.
 //! **Our choices.** Signals are compared on six groups of eight sweeps spread over the frame. A picture of fewer or more sweeps than the
@@ -43,6 +44,7 @@ pub mod pops;
 mod reference;
 mod regions;
 pub mod report;
+pub mod sea;
 pub mod shadow;
 pub mod solver;
 pub mod stability;

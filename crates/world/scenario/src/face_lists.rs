@@ -5,6 +5,7 @@ use faces::{Group, Sea};
 use glam::{DMat3, DVec3};
 use landscape::Landscape;
 use quantities::{Rate, sin_cos};
+use wind_waves::WindWaves;
 
 use crate::{FacePlace, Guest, Object, Pose, Scenery};
 
@@ -123,6 +124,21 @@ pub struct FaceLists {
     pub by_depth: bool,
     /// What the user should know of them, in words.
     pub warnings: Vec<String>,
+    /// The sea of true waves in place of the flat one, for `exact` alone.
+    pub open_sea: Option<OpenSea>,
+}
+
+/// A sea of true waves within an area.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OpenSea {
+    /// Waves of its wind.
+    pub waves: WindWaves,
+    /// South, west, north, east edge (m).
+    pub area: [f64; 4],
+    /// Height of the calm water (m).
+    pub height: f64,
+    /// Linear red, green, blue of water that faces the sun.
+    pub colour: [f64; 3],
 }
 
 /// Axes of a list in a frame: `turn` leads from its axes to north, east, up; then comes `place` (m).
@@ -150,8 +166,11 @@ impl FaceLists {
         self.lists.iter().filter(|list| list.drawn_by != DrawnBy::Machines)
     }
 
-    /// Height of the water (m), where there is a sea.
-    pub fn water(&self) -> Option<f64> {
+    /// Height (m) at which `exact` cuts hulls, where there is a flat sea. True waves hide a hull by depth.
+    pub fn cut(&self) -> Option<f64> {
+        if self.open_sea.is_some() {
+            return None;
+        }
         self.lists.iter().find_map(|list| match (list.kind, &list.carrier) {
             (FaceKind::Sea, Carrier::Map(height)) => Some(*height),
             _ => None,

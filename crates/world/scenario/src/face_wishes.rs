@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use faces::ship::{Hiding, Ship};
 use faces::{BowWake, Detail, Flight, Mean, Pattern, SeaState};
+use wind_waves::Wind;
 
 /// Everything of a scenario that is made of lists of faces.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -39,6 +40,8 @@ pub struct SeaWish {
     pub mean: Mean,
     /// Linear red, green, blue of full brightness.
     pub colour: [f64; 3],
+    /// Wind over the sea of true waves that `exact` draws in its place, where the scenario has one.
+    pub waves: Option<Wind>,
 }
 
 /// A ship on a straight course.

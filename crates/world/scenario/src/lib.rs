@@ -67,7 +67,9 @@ pub use effect_wishes::{
     Spot,
 };
 pub use effects::{Carried, Effects};
-pub use face_lists::{Carrier, DrawnBy, FaceKind, FaceList, FaceLists, ListAxes, OtherSide, ShipCourse};
+pub use face_lists::{
+    Carrier, DrawnBy, FaceKind, FaceList, FaceLists, ListAxes, OpenSea, OtherSide, ShipCourse,
+};
 pub use face_wishes::{
     EffectFileWish, FacePlace, FaceWishes, PlumeWish, SeaWish, ShipWish, SternWakeWish, WaveWish,
 };

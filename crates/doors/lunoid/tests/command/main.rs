@@ -31,6 +31,7 @@ mod refusals;
 mod replays;
 mod robot_logs;
 mod scene;
+mod sea;
 mod serve;
 mod shadow;
 mod shard_files;

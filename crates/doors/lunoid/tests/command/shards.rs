@@ -231,6 +231,7 @@ fn a_study_says_why_it_has_no_shards() {
         ("levels", "times of two workers cannot be"),
         ("tracks", "a track goes through all frames"),
         ("lights", "it has one table of all frames"),
+        ("sea", "a spectrum goes through all frames"),
         ("shadow", "its largest error is over all places"),
     ] {
         let (_, said) = scene.expect(2, &["study", study, "tiny.toml", "--shard", "1/2"]);

@@ -5,6 +5,7 @@ use super::screen::Screen;
 use super::stack::Surface;
 use crate::ground::Scratch;
 use crate::scene::{Meeting, Scene};
+use crate::seen::Seen;
 use crate::standing::Stand;
 
 /// How many places are remembered: the corners of a pixel, two of which are the next one's.
@@ -46,6 +47,12 @@ impl<'a> Opaque<'a> {
     /// Number of rays so far.
     pub fn rays(&self) -> u64 {
         self.rays
+    }
+
+    /// What is seen at a place in pixels.
+    pub fn seen(&mut self, at: [f64; 2]) -> Seen {
+        let (meeting, _) = self.meet(at);
+        self.scene.seen(&meeting, &mut self.scratch)
     }
 
     fn meet(&mut self, at: [f64; 2]) -> (Meeting, Back) {

@@ -80,7 +80,7 @@ impl Gather<'_> {
     ) {
         let (group, eye) = (&list.group, DVec3::from_array(self.pose.eye));
         let is_level = list.kind == FaceKind::Level || group.detail != Detail::Replace;
-        let water = self.stage.scenery.face_lists().water().filter(|_| list.kind == FaceKind::Ship);
+        let water = self.stage.scenery.face_lists().cut().filter(|_| list.kind == FaceKind::Ship);
         let sun = axes.turn.transpose() * sun;
         for face in group.shown(self.frame, |name| list.carrier.signal(name, self.frame)) {
             let of_mesh = &group.mesh.faces()[face];

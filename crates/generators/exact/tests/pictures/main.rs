@@ -13,6 +13,7 @@ mod levels;
 mod light;
 mod lists;
 mod many_rays;
+mod open_sea;
 mod roll;
 mod scenes;
 mod second_opinion;

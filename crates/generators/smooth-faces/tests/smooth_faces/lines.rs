@@ -1,8 +1,11 @@
 //! Scan lines: directions, uncut faces, slots, threads.
 
-use faces::{Cut, Face, Group, Interpolation, Mesh, Pattern, Scan, SeaState, SunProgramme, Vertex};
+use faces::{
+    Cut, Face, Group, Interpolation, Mesh, Pattern, Ramp, Scan, ScreenCorner, SeaState, SunProgramme, Vertex,
+};
 use generator::PlaneKind;
 use glam::DVec3;
+use quantities::unit_interval;
 use scenario::{Carrier, FaceKind, FaceList};
 use smooth_faces::{Hardware, Parameters};
 
@@ -54,6 +57,74 @@ fn cut_faces_are_the_same_in_both_directions() {
         let apart = apart(&vertical, &horizontal);
         assert!(apart < 1e-5, "{interpolation:?}: {apart}");
     }
+}
+
+/// A triangle whose corners have depths and brightnesses of their own, and its corners on the screen from above.
+fn steep_triangle(number: u64) -> (FaceList, [ScreenCorner; 3]) {
+    let random = |corner: u64, of: u64| unit_interval(number, &[corner, of]);
+    let sun = DVec3::Z;
+    let corner = |corner: u64| {
+        let place = DVec3::new(
+            110.0 + 80.0 * random(corner, 0),
+            60.0 + 80.0 * random(corner, 1),
+            80.0 * random(corner, 2),
+        );
+        let elevation = std::f64::consts::FRAC_PI_2 * random(corner, 3);
+        let normal = DVec3::new(libm::cos(elevation), 0.0, libm::sin(elevation));
+        let depth = 120.0 - place.z;
+        let at = [place.y - 100.0, 150.0 - place.x].map(|off| PIXELS as f64 * (0.5 + off / depth));
+        let vertex = Vertex { place, normal: Some(normal) };
+        (vertex, ScreenCorner { at, depth, brightness: normal.dot(sun) })
+    };
+    let corners = [0, 1, 2].map(corner);
+    let vertices = corners.iter().map(|(vertex, _)| *vertex).collect();
+    let face = Face::smooth(vec![0, 1, 2], [1.0; 3]).both_sides();
+    let mesh = Mesh::load("triangle", vertices, vec![face]).unwrap().mesh;
+    let zenith = faces::TurningSun::new(std::f64::consts::FRAC_PI_2, 0.0, faces::Turn::STILL).unwrap();
+    let group = Group::new("triangle", mesh, 1).under(SunProgramme::Turning(zenith));
+    (FaceList::new(group, FaceKind::Effect, Carrier::Map(0.0)), corners.map(|(_, corner)| corner))
+}
+
+/// The ramp of the picture is that of `faces::Ramp`, the plain form, in both directions and both interpolations.
+#[test]
+fn the_ramp_of_the_picture_is_that_of_the_plain_form() {
+    let mut compared = 0;
+    for number in 0..12 {
+        let (list, corners) = steep_triangle(number);
+        // From behind the normals are reversed: those faces are dark.
+        let [a, b, c] = corners.map(|corner| corner.at);
+        let turns = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        for (scan, interpolation) in [
+            (Scan::Vertical, Interpolation::Screen),
+            (Scan::Vertical, Interpolation::Perspective),
+            (Scan::Horizontal, Interpolation::Screen),
+            (Scan::Horizontal, Interpolation::Perspective),
+        ] {
+            let run = Parameters { scan, interpolation, ..run() };
+            let picture = light(&*session(stage(vec![list.clone()]), run), 0, &from_above());
+            for line in (0..PIXELS).filter(|_| turns < 0.0) {
+                let Some(ramp) = Ramp::of(&corners, scan, line as f64 + 0.5, interpolation) else { continue };
+                for place in 0..PIXELS {
+                    let at = place as f64 + 0.5;
+                    if at <= ramp.ends[0].at || at >= ramp.ends[1].at {
+                        continue;
+                    }
+                    let pixel = match scan {
+                        Scan::Vertical => place * PIXELS + line,
+                        Scan::Horizontal => line * PIXELS + place,
+                    };
+                    let found = f64::from(picture[pixel]);
+                    assert!(
+                        (found - ramp.at(at)).abs() < 1e-6,
+                        "{number} {scan:?} {interpolation:?}: {found} {}",
+                        ramp.at(at)
+                    );
+                    compared += 1;
+                }
+            }
+        }
+    }
+    assert!(compared > 2000, "{compared} samples");
 }
 
 #[test]

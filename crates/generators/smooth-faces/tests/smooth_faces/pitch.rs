@@ -57,7 +57,7 @@ pub fn ship_at_sea(hiding: Hiding, pitch: f64) -> (Stage, Order) {
         lists.push(ship_list(whole, motion(), DrawnBy::Exact));
     }
     let mut stage = stage(Vec::new());
-    let lists = FaceLists { lists, by_depth: is_true, warnings: Vec::new() };
+    let lists = FaceLists { lists, by_depth: is_true, ..FaceLists::default() };
     let sun = stage.scenery.sun(0.0);
     stage.scenery = std::sync::Arc::new(Scenery::still(sun).with_face_lists(std::sync::Arc::new(lists)));
     [stage.view.columns, stage.view.lines] = SIZE.map(|pixels| pixels as u32);

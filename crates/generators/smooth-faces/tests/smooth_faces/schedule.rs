@@ -7,7 +7,7 @@ use glam::DVec3;
 use scenario::{Carrier, FaceKind, FaceList, ShipCourse};
 use smooth_faces::{Hardware, Parameters, RealTime};
 
-use crate::shots::{fine_sea, from_above, gear, light, rate, run, sea_list, session_on, square, stage};
+use crate::shots::{draw, fine_sea, from_above, gear, light, rate, run, sea_list, session_on, square, stage};
 
 /// Lists under a real-time computer with a spare time (us).
 fn spare(lists: Vec<FaceList>, animate: Animate, spare_us: u64) -> Box<dyn Session> {
@@ -76,6 +76,22 @@ fn bodies_wait_behind_suns_in_the_order_of_lists() {
     assert_eq!(late, [2, 3, 5, 6, 8, 9]);
     // The sun takes all.
     assert_eq!(changes(&*spare(lists(), Animate::Sun, 30), 6), Vec::<u64>::new());
+}
+
+/// Look-ups and products are done once, words go to each channel: 18 + 12 us a channel for a sun vector, 3 + 12 for a normal.
+#[test]
+fn channels_share_one_computer() {
+    let of = |channels, animate, spare_us: u64| {
+        let hardware = Hardware { rt: RealTime { spare_ns: 1000 * spare_us, ..gear().rt }, ..gear() };
+        let run = Parameters { animate, channels, ..run() };
+        let session = session_on(stage(vec![sea_list(&fine_sea(20, 30))]), run, hardware);
+        (changes(&*session, 14), draw(&*session, 1, &from_above()).1["words"])
+    };
+    assert_eq!(of(4, Animate::Sun, 66), (every(1, 14), 12));
+    assert_eq!(of(4, Animate::Sun, 65).0, every(2, 14));
+    // 651 normals of 51 us are 33.2 ms of 5 a frame; of 15 us they are 9.8 ms.
+    assert_eq!(of(4, Animate::Normals, 5000), (every(7, 14), 4 * 3 * 651));
+    assert_eq!(of(1, Animate::Normals, 5000), (every(2, 14), 3 * 651));
 }
 
 #[test]

@@ -155,6 +155,11 @@ fn sizing_has_the_formula_beside_the_measurement() {
     assert_eq!(of("rt_us"), (Some(39_015.0), Some(5000.0)));
     assert_eq!(of("normals_frames"), (Some(8.0), Some(8.0)));
     assert_eq!(of("delay_us"), (None, Some(100_000.0)));
+    // 2601 normals are 7.8 ms of look-ups, which no channel fits; a sun vector leaves room for 415 of 12 us.
+    assert_eq!(of("channels"), (Some(1.0), Some(0.0)));
+    let by_sun = self::clocked(vec![sea_list(&fine_sea(50, 50))], run(), gear()).sizing(&[]);
+    let channels = by_sun.iter().find(|figure| figure.key == "channels").unwrap();
+    assert_eq!(channels.formula, Some(415.0));
     assert_eq!(of("video_us").0, Some(180.0));
     assert_eq!(of("crossings").1, None);
 }

@@ -14,7 +14,7 @@ fn setting() -> Setting<'static> {
 fn library() -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../scenarios/effects");
     let entries = std::fs::read_dir(folder).expect("the library").map(|entry| entry.expect("a file").path());
-    let mut files: Vec<PathBuf> = entries.collect();
+    let mut files: Vec<PathBuf> = entries.filter(|path| path.extension().is_some()).collect();
     files.sort();
     files
 }

@@ -3,8 +3,9 @@
 use diagnostics::Reader;
 use faces::{Mean, Pattern, SeaState, TwoSine};
 use quantities::radians;
+use wind_waves::{Wind, WindWaves};
 
-use super::area;
+use super::{area, part};
 use crate::SeaWish;
 
 /// Waters of the study's pictures: linear red, green, blue (chosen).
@@ -55,6 +56,7 @@ pub(super) fn sea(table: &Reader) -> Option<SeaWish> {
     let mean =
         table.f64("mean").above(0.0).at_most(1.0).or_word("as-reported").map(held).default(Mean::USUAL);
     let colour = table.f64_array::<3>("colour").between(0.0, 1.0).default(COLOUR);
+    let waves = part(table, "waves", waves);
     Some(SeaWish {
         square: square?,
         area: area?,
@@ -65,7 +67,27 @@ pub(super) fn sea(table: &Reader) -> Option<SeaWish> {
         state: SeaState::ALL[state? as usize],
         mean: mean?,
         colour: colour?,
+        waves: waves?,
     })
+}
+
+/// `waves`: the wind over a sea of true waves.
+fn waves(table: &Reader) -> Option<Wind> {
+    let speed = table.f64("wind_m_s").between(0.5, 50.0).unit("m/s").required();
+    let towards = table.f64("towards_deg").between(-360.0, 360.0).unit("degrees").map(radians).default(0.0);
+    let seed = table.u64("seed").default(1);
+    let components = table.u32("components").between(8, 1024).default(64);
+    let shortest = table.f64("shortest_m").between(0.1, 1000.0).unit("m").default(5.0);
+    let wind =
+        Wind { speed: speed?, towards: towards?, seed: seed?, components: components?, shortest: shortest? };
+    match WindWaves::new(&wind) {
+        Ok(_) => Some(wind),
+        Err(fault) => {
+            let title = format!("`{}`: {fault}", table.path("shortest_m"));
+            table.report(table.problem("shortest_m", title));
+            None
+        }
+    }
 }
 
 fn pattern(table: &Reader) -> Option<Pattern> {

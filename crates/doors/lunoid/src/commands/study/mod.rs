@@ -7,6 +7,7 @@ mod levels;
 mod lights;
 mod outputs;
 mod pops;
+mod sea;
 mod shadow;
 mod stability;
 mod tracks;
@@ -25,9 +26,10 @@ const AFTER: &str = "Examples:
   lunoid study levels scenarios/lod-landing.toml
   lunoid study tracks scenarios/lod-descent.toml --only one-level
   lunoid study lights scenarios/night-landing.toml --light ridge-beacon
+  lunoid study sea scenarios/sea-waves.toml --every 15
   lunoid study error --help";
 
-/// Measure error against run time, what a scene does not need, what flat ground costs a shadow, what pops, what levels lose, and how a lamp shines.
+/// Measure error against run time, what a scene does not need, what flat ground costs a shadow, what pops, what levels lose, how a lamp shines, and how a sea looks beside true waves.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]
 pub struct StudyCommand {
@@ -54,6 +56,8 @@ enum Study {
     Tracks(tracks::TrackStudy),
     /// The light of a lamp over a mission, in each way of drawing it.
     Lights(lights::LightStudy),
+    /// Contrast and spectrum of a sea of false normals beside a sea of true waves.
+    Sea(sea::SeaStudy),
     /// The vehicle's shadow on flat ground against that on true ground.
     Shadow(shadow::ShadowStudy),
 }
@@ -72,6 +76,7 @@ impl StudyCommand {
             Study::Levels(study) => study.run(),
             Study::Tracks(study) => study.run(),
             Study::Lights(study) => study.run(),
+            Study::Sea(study) => study.run(),
             Study::Shadow(study) => study.run(),
         }
     }
@@ -107,6 +112,7 @@ impl Study {
             Self::Lights(_) => {
                 ("lights", "it has one table of all frames; give each worker a light by --light")
             }
+            Self::Sea(_) => ("sea", "a spectrum goes through all frames; give each worker a scenario"),
             Self::Shadow(_) => (
                 "shadow",
                 "its largest error is over all places, and --laws has times; give each worker a sun by --sun",
