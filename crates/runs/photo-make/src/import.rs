@@ -4,6 +4,7 @@ use std::io::Write;
 use std::path::Path;
 
 use files::{Folder, write_atomic};
+use photo_camera::Light;
 use picture::{Depth, GreyPicture, PictureError, write_png};
 use quantities::degrees;
 use serde_json::{Value, json};
@@ -56,15 +57,14 @@ pub enum ImportError {
     Picture(#[from] PictureError),
 }
 
-/// The photograph of a raster. `white` is the value that is shown white; its largest if there is none. `sun` is azimuth and elevation (rad) of the
-/// photograph's sun.
+/// The photograph of a raster. `white` is the value that is shown white; its largest if there is none.
 ///
 /// # Errors
 /// If values are missing inside, or none is above 0.
 pub fn import(
     raster: &Elevation,
     white: Option<f64>,
-    sun: Option<[f64; 2]>,
+    light: &Light,
 ) -> Result<Imported, ImportError> {
     let left_out = empty_edges(raster);
     let [above, below, left, right] = left_out;
@@ -89,7 +89,7 @@ pub fn import(
     let code = |value: &f64| (value / white * full).round().clamp(0.0, full) as u16;
     let cut = values.iter().filter(|value| **value > white || **value < 0.0).count();
     let picture = GreyPicture::new(columns, lines, Depth::Sixteen, values.iter().map(code).collect())?;
-    let map = map(raster.frame, raster.affine, [above, left], sun);
+    let map = map(raster.frame, raster.affine, [above, left], light);
     Ok(Imported { picture, map, white, cut, left_out })
 }
 
@@ -109,7 +109,7 @@ fn empty_edges(raster: &Elevation) -> [usize; 4] {
 }
 
 /// The map file: pixels of the picture to the coordinates of the raster, metres or degrees. `corner` is the line and column of its first pixel.
-fn map(frame: Frame, Affine { first, step }: Affine, corner: [usize; 2], sun: Option<[f64; 2]>) -> Value {
+fn map(frame: Frame, Affine { first, step }: Affine, corner: [usize; 2], light: &Light) -> Value {
     let (unit, of): (&str, fn(f64) -> f64) = match frame {
         Frame::Plane(_) => ("m", |metres| metres),
         Frame::Geographic { .. } => ("deg", degrees),
@@ -123,8 +123,11 @@ fn map(frame: Frame, Affine { first, step }: Affine, corner: [usize; 2], sun: Op
         "east_of_pixel": [of(step[1]), 0.0, start[1]],
         "north_of_pixel": [0.0, of(step[0]), start[0]],
     });
-    if let Some(sun) = sun {
+    if let Some(sun) = light.sun() {
         map["sun_azimuth_elevation_rad"] = json!(sun);
+    }
+    if let Some(grey) = light.grey() {
+        map["grey_white_gamma"] = json!(grey);
     }
     map
 }

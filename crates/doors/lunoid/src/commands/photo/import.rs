@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use photo_camera::Light;
 use photo_make::{IMPORTED_FILES, Imported, import, write_imported};
 use quantities::radians;
 
@@ -32,6 +33,9 @@ pub struct Import {
     /// Azimuth, from true north, and elevation of the photograph's sun (degrees).
     #[arg(long, value_name = "AZIMUTH,ELEVATION", value_parser = values::sun)]
     sun: Option<[f64; 2]>,
+    /// Light that white stands for: albedo times the cosine of the sun's angle from the ground's normal.
+    #[arg(long, value_name = "LIGHT", value_parser = values::positive, default_value = "1")]
+    light: f64,
     #[command(flatten)]
     reading: ElevationArgs,
 }
@@ -42,7 +46,9 @@ impl Import {
         let is_ours = |name: &str| IMPORTED_FILES.contains(&name);
         expect_outputs(&[Place::folder("--out", &self.out, is_ours)], &sources(&self.raster))?;
         let raster = survey::read(&self.raster, &self.reading.options())?;
-        let imported = import(&raster, self.white, self.sun.map(|sun| sun.map(radians)))
+        let light = Light::new(self.sun.map(|sun| sun.map(radians)), Some([self.light, 1.0]))
+            .map_err(|(_, error)| Failure::usage(error.to_string()))?;
+        let imported = import(&raster, self.white, &light)
             .map_err(|error| Failure::input(format!("{}: {error}", self.raster.display())))?;
         write_imported(&self.out, &imported)?;
         print(&self.told(&imported))?;
