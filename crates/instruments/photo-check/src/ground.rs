@@ -37,6 +37,23 @@ impl Ground {
         })
     }
 
+    /// The ground of every second post each way.
+    pub fn coarser(&self) -> Self {
+        let [lines, columns] = self.size;
+        let kept: Vec<usize> = (0..lines)
+            .step_by(2)
+            .flat_map(|line| (0..columns).step_by(2).map(move |column| line * columns + column))
+            .collect();
+        let heights = kept.iter().map(|post| self.filling.heights[*post]).collect();
+        let was_void = kept.iter().map(|post| self.filling.was_void[*post]).collect();
+        Self {
+            filling: Filled { heights, was_void, ..self.filling },
+            size: self.size.map(|count| count.div_ceil(2)),
+            affine: Affine { step: self.affine.step.map(|step| 2.0 * step), ..self.affine },
+            ..*self
+        }
+    }
+
     /// Number of lines and of posts in a line.
     pub fn size(&self) -> [usize; 2] {
         self.size

@@ -39,6 +39,7 @@ mod points;
 mod relief;
 mod report;
 mod rule;
+mod sun;
 mod visible;
 
 pub use alike::{Likeness, REACH};
@@ -51,3 +52,4 @@ pub use page::page;
 pub use points::{Control, read_points};
 pub use relief::Relief;
 pub use report::Report;
+pub use sun::{FoundSun, SunError, find_sun};

@@ -13,13 +13,22 @@ pub struct Relief {
     columns: usize,
 }
 
+/// How a sun lights the posts of a ground.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Lighting<'a> {
+    ground: &'a Ground,
+    sun: Sun,
+    /// Highest post (m): above it nothing stands before the sun.
+    highest: f64,
+}
+
 /// The way to the sun over the grid.
 struct Way {
     /// Lines and columns of one step.
     step: [f64; 2],
     /// Rise of one step (m).
     rise: f64,
-    /// Highest post (m): above it nothing stands before the sun.
+    /// Highest post (m).
     highest: f64,
 }
 
@@ -27,14 +36,10 @@ impl Relief {
     /// The light of `ground` under `sun`, whose azimuth counts from the grid's north.
     pub fn new(ground: &Ground, sun: &Sun) -> Self {
         let [lines, columns] = ground.size();
-        let known = ground.filling.heights.iter().copied().filter(|height| !height.is_nan());
-        let highest = known.fold(f64::NEG_INFINITY, f64::max);
-        let line = |line: usize| {
-            let way = Way::new(ground.steps(line as f64), sun, highest);
-            let light = move |column: usize| light(ground, [line, column], sun, &way);
-            (0..columns).map(light).collect::<Vec<_>>()
-        };
-        Self { lights: (0..lines).into_par_iter().flat_map_iter(line).collect(), columns }
+        let lighting = Lighting::new(ground, sun);
+        let line = |line: usize| lighting.line(line, 0..columns).map(|light| light.unwrap_or(f64::NAN));
+        let lines = (0..lines).into_par_iter().map(|at| line(at).collect::<Vec<_>>());
+        Self { lights: lines.flatten_iter().collect(), columns }
     }
 
     /// Light of a post, 0 to 1; none where a void stays.
@@ -44,11 +49,31 @@ impl Relief {
     }
 }
 
-/// Light of a post; NaN where a void stays.
-fn light(ground: &Ground, post: [usize; 2], sun: &Sun, way: &Way) -> f64 {
-    let Some(height) = ground.height(post) else { return f64::NAN };
-    let lit = sun.reflectivity(slopes(ground, post));
-    if lit > 0.0 && way.is_dark(ground, post, height) { 0.0 } else { lit }
+impl<'a> Lighting<'a> {
+    /// The lighting of `ground` by `sun`, whose azimuth counts from the grid's north.
+    pub fn new(ground: &'a Ground, sun: &Sun) -> Self {
+        let known = ground.filling.heights.iter().copied().filter(|height| !height.is_nan());
+        Self { ground, sun: *sun, highest: known.fold(f64::NEG_INFINITY, f64::max) }
+    }
+
+    /// Light of some posts of a line, 0 to 1; none where a void stays.
+    pub fn line<'b, I>(
+        &'b self,
+        line: usize,
+        columns: I,
+    ) -> impl Iterator<Item = Option<f64>> + use<'a, 'b, I>
+    where
+        I: IntoIterator<Item = usize> + 'b,
+    {
+        let way = Way::new(self.ground.steps(line as f64), &self.sun, self.highest);
+        columns.into_iter().map(move |column| self.light([line, column], &way))
+    }
+
+    fn light(&self, post: [usize; 2], way: &Way) -> Option<f64> {
+        let height = self.ground.height(post)?;
+        let lit = self.sun.reflectivity(slopes(self.ground, post));
+        Some(if lit > 0.0 && way.is_dark(self.ground, post, height) { 0.0 } else { lit })
+    }
 }
 
 /// Slopes to the north and to the east (m/m): central where both neighbours are known, else from one side, else 0.

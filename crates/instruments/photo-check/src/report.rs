@@ -1,5 +1,6 @@
 //! What a check found, in words and as a document.
 
+use std::f64::consts::TAU;
 use std::fmt::Write;
 
 use landscape::Sun;
@@ -10,7 +11,7 @@ use quantities::{degrees, fixed};
 use serde_json::{Value, json};
 use text::{shortened, table};
 
-use crate::{Control, Likeness};
+use crate::{Control, FoundSun, Likeness};
 
 /// What a check found.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,6 +26,8 @@ pub struct Report {
     pub sample_unit: MapUnit,
     /// Sun of the relief, its azimuth from the grid's north, and where it comes from.
     pub sun: (Sun, &'static str),
+    /// The sun that was found from shadows, where it was asked for, and the azimuth of true north from the grid's (rad).
+    pub found: Option<(FoundSun, f64)>,
     /// Way in which voids were filled.
     pub fill: Fill,
     /// Number of posts of the grid: void, holes, the largest hole, still void.
@@ -70,6 +73,9 @@ impl Report {
         let (sun, source) = &self.sun;
         let angles = [sun.azimuth, sun.elevation].map(degrees);
         say(format!("sun: azimuth {:.3}, elevation {:.3} deg ({source})", angles[0], angles[1]));
+        if let Some((found, true_north)) = &self.found {
+            say(of_found(found, *true_north));
+        }
         let [void, holes, largest, left] = self.voids;
         if void > 0 {
             let fill = word(self.fill);
@@ -115,6 +121,7 @@ impl Report {
             "sun": {
                 "azimuth_deg": degrees(sun.azimuth), "elevation_deg": degrees(sun.elevation), "source": source,
             },
+            "found_sun": self.found.as_ref().map(|(found, true_north)| sun_document(found, *true_north)),
             "voids": {
                 "fill": word(self.fill), "posts": void, "holes": holes, "largest_hole": largest, "still_void": left,
             },
@@ -141,6 +148,36 @@ fn of_likeness(likeness: &Likeness) -> String {
         "correlation of photograph and relief: {correlation:.3}; {best_correlation:.3} with features of the photograph {east} m \
          east and {north} m north of the relief's{more}"
     )
+}
+
+fn of_found(found: &FoundSun, true_north: f64) -> String {
+    let FoundSun { sun, uncertainty, overlap, common, dark } = found;
+    let [azimuth, elevation] = uncertainty.map(degrees);
+    let [photo, ground] = dark.map(|share| 100.0 * share);
+    let angles = [(sun.azimuth - true_north).rem_euclid(TAU), sun.elevation].map(|angle| shortened(angle, 6));
+    format!(
+        "  found within {azimuth:.2} deg of azimuth and {elevation:.2} deg of elevation (two standard errors)\n  \
+         dark posts: {photo:.2} % of the photograph's, {ground:.2} % under this sun, {:.1} % of either in both; correlation \
+         {overlap:.3}\n  for the camera file: \"sun_azimuth_elevation_rad\": [{}]",
+        100.0 * common,
+        angles.join(", "),
+    )
+}
+
+fn sun_document(found: &FoundSun, true_north: f64) -> Value {
+    let FoundSun { sun, uncertainty, overlap, common, dark } = found;
+    let [azimuth, elevation] = uncertainty.map(degrees);
+    json!({
+        "azimuth_deg": degrees(sun.azimuth),
+        "true_azimuth_deg": degrees((sun.azimuth - true_north).rem_euclid(TAU)),
+        "elevation_deg": degrees(sun.elevation),
+        "azimuth_uncertainty_deg": azimuth,
+        "elevation_uncertainty_deg": elevation,
+        "overlap_correlation": overlap,
+        "dark_in_both_of_either": common,
+        "dark_share_photo": dark[0],
+        "dark_share_ground": dark[1],
+    })
 }
 
 fn of_points(controls: &[Control], found: &Residuals) -> String {

@@ -7,6 +7,8 @@
 //!                 camera.json <-- sun, grey curve      ray of each pixel --> ground.npy
 //!                      |                                           |
 //!                      +--> residual: ground points projected back-+--> points.csv, elevation.asc
+//!
+//!  georeferenced raster --> light of 16 bits --> photo.png, camera.json (a map)
 //! ```
 //!
 //! # Law
@@ -30,6 +32,7 @@
 mod elevation;
 mod error;
 mod folder;
+mod import;
 mod light;
 mod made;
 mod points;
@@ -41,6 +44,7 @@ mod wishes;
 pub use elevation::ElevationGrid;
 pub use error::{MakeError, WriteError};
 pub use folder::{FILES, write_folder};
+pub use import::{IMPORTED_FILES, ImportError, Imported, import, write_imported};
 pub use made::{Made, make};
 pub use record::record;
 pub use stand::Stand;

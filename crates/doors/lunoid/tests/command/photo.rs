@@ -90,6 +90,57 @@ fn pictures_page_and_drawing_are_written() {
     assert!(text("l.svg").contains("heights times 5"));
 }
 
+/// The sun of a photograph comes back from its shadows: within half a degree, and within twice what is said of it.
+#[test]
+fn the_sun_is_found_from_shadows() {
+    let scene = Scene::new();
+    let tiny = fs::read_to_string(scene.join("tiny.toml")).unwrap();
+    let tiny = tiny
+        .replace("rms_height_m = 2", "rms_height_m = 6")
+        .replace("elevation_deg = 15", "elevation_deg = 8");
+    scene.write("tiny.toml", tiny + "\n[shadows]\n");
+    let make = [&MAKE[..3], &["--size", "90,90", "--ground-sample-m", "4", "--out", "p"]].concat();
+    scene.expect(0, &make);
+    let (text, _) = scene.expect(0, &[&CHECK[..], &["--find-sun"]].concat());
+    assert!(text.contains("found from its shadows") && text.contains("for the camera file"), "{text}");
+    let report = json(&scene.expect(0, &[&CHECK[..], &["--find-sun", "--json"]].concat()).0);
+    let found = |key: &str| report["found_sun"][key].as_f64().unwrap();
+    for (key, said, sun) in [
+        ("azimuth_deg", "azimuth_uncertainty_deg", 100.0),
+        ("elevation_deg", "elevation_uncertainty_deg", 8.0),
+    ] {
+        let off = (found(key) - sun).abs();
+        assert!(off < 0.5 && off < 2.0 * found(said), "{report}");
+    }
+    assert!(found("overlap_correlation") > 0.8, "{report}");
+    let (_, said) = scene.expect(2, &[&CHECK[..], &["--find-sun", "--sun", "1,2"]].concat());
+    assert!(said.contains("cannot be used with"), "{said}");
+}
+
+/// A raster becomes a photograph that the check takes, and one with a hole is refused.
+#[test]
+fn a_raster_is_imported() {
+    let scene = made(&[]);
+    let raster = |value: &str| {
+        format!("ncols 3\nnrows 2\nxllcenter 0\nyllcenter 0\ncellsize 100\n1 2 3\n4 {value} 6\n")
+    };
+    scene.write("light.asc", raster("5"));
+    let (told, _) =
+        scene.expect(0, &["photo", "import", "light.asc", "--white", "5", "--sun", "30,10", "--out", "q"]);
+    assert!(told.contains("3 x 2 pixels, white is 5; 1 values lie beyond"), "{told}");
+    assert_eq!(scene.list("q"), ["camera.json", "photo.png"]);
+    scene.write("ground.asc", raster("7"));
+    let check = ["photo", "check", "q/photo.png", "--camera", "q/camera.json", "--ground", "ground.asc"];
+    let (told, _) = scene.expect(0, &check);
+    assert!(told.contains("posts: 6 in the photograph") && told.contains("azimuth 30.000"), "{told}");
+    let (_, said) = scene.expect(3, &[&check[..], &["--find-sun"]].concat());
+    assert!(said.contains("6 posts of the ground, expected 1000"), "{said}");
+    scene.write("hole.asc", raster("-9999").replace("cellsize 100", "cellsize 100\nnodata_value -9999"));
+    let (_, said) = scene.expect(3, &["photo", "import", "hole.asc", "--out", "r"]);
+    assert!(said.contains("hole.asc") && said.contains("line 1, column 1"), "{said}");
+    assert!(!scene.join("r").exists());
+}
+
 /// Voids at the words of the file: filled inside, left at the edge, counted in the report.
 #[test]
 fn voids_are_filled_as_asked_and_counted() {

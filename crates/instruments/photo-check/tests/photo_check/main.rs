@@ -6,6 +6,7 @@ mod overlay;
 mod page;
 mod points;
 mod relief;
+mod sun;
 mod voids;
 
 use glam::DVec3;

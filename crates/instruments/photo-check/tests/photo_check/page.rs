@@ -30,6 +30,7 @@ fn report(photo: &Photograph, at_most: Option<f64>) -> (Report, Overlay) {
         ground_sample: Some([2.0, 2.0]),
         sample_unit: photo.placement().unit(),
         sun: (sun, "as given"),
+        found: None,
         fill: Fill::Harmonic,
         voids: Report::voids_of(&ground.filling),
         hidden: overlay.hidden(),

@@ -3,6 +3,7 @@
 mod closed_loop;
 mod files;
 mod grey;
+mod import;
 mod stand;
 mod wishes;
 

@@ -7,7 +7,9 @@ use clap::{Args, ValueEnum};
 use landscape::Sun;
 use photo_camera::check_by;
 use photo_camera::voids::{Border, Fill, Wishes};
-use photo_check::{Ground, Overlay, Relief, Report, drawing, fill_voids, page, read_points};
+use photo_check::{
+    FoundSun, Ground, Overlay, Relief, Report, drawing, fill_voids, find_sun, page, read_points,
+};
 use photograph::Photograph;
 use picture::write_png;
 use quantities::radians;
@@ -20,6 +22,7 @@ use crate::{Failure, Verdict, values};
 const AFTER: &str = "Examples:
   lunoid photo check runs/photo/photo.png --camera runs/photo/camera.json --ground runs/photo/elevation.asc --points runs/photo/points.csv --at-most 0.5
   lunoid photo check runs/photo/photo.png --camera runs/photo/camera.json --ground runs/photo/elevation.asc --page runs/check.html --lines runs/check.svg
+  lunoid photo check runs/photo/photo.png --camera runs/photo/camera.json --ground runs/photo/elevation.asc --find-sun
 
 Exit code 1: the root mean square of the control points is above --at-most. docs/photo.md describes the files and the tables.";
 
@@ -44,6 +47,9 @@ pub struct Check {
     /// Azimuth, from the grid's north, and elevation of the sun (degrees), instead of the photograph's.
     #[arg(long, value_name = "AZIMUTH,ELEVATION", value_parser = values::sun)]
     sun: Option<[f64; 2]>,
+    /// Find the sun whose shadows over the elevations overlap best with the dark parts of the photograph.
+    #[arg(long, conflicts_with = "sun")]
+    find_sun: bool,
     /// How voids of the elevation file are filled.
     #[arg(long, value_enum, default_value = "harmonic")]
     fill: FillWord,
@@ -105,7 +111,11 @@ impl Check {
         let filled = fill_voids(&elevation, self.wishes()).map_err(|error| self.of_ground(error))?;
         let ground = Ground::new(&elevation, filled, &photo).map_err(|error| self.of_ground(error))?;
         let coverage = photo.coverage(ground.points())?;
-        let sun = self.sun_over(&photo, &ground);
+        let found = pool.install(|| self.found(&photo, &ground))?;
+        let sun = match &found {
+            Some(found) => (found.sun, "found from its shadows"),
+            None => self.sun_over(&photo, &ground),
+        };
         let middle = ground.size().map(|count| 0.5 * (count - 1) as f64);
         let sample = ground.height_between(middle).and_then(|height| {
             let point = ground.point(middle, height)?;
@@ -121,6 +131,7 @@ impl Check {
             ground_sample: sample,
             sample_unit: photo.placement().unit(),
             sun,
+            found: found.map(|found| (found, ground.true_north())),
             fill: self.fill.meant(),
             voids: Report::voids_of(&ground.filling),
             hidden: overlay.hidden(),
@@ -161,6 +172,12 @@ impl Check {
     /// A fault of the ground with the name of its file.
     fn of_ground(&self, error: impl std::fmt::Display) -> Failure {
         Failure::input(format!("{}: {error}", self.ground.display()))
+    }
+
+    /// The sun that shadows tell, if it is asked for.
+    fn found(&self, photo: &Photograph, ground: &Ground) -> Result<Option<FoundSun>, Failure> {
+        let found = self.find_sun.then(|| find_sun(ground, photo)).transpose();
+        found.map_err(|error| Failure::input(format!("{}: {error}", self.photo.display())))
     }
 
     /// The sun of the relief, its azimuth from the grid's north, and where it comes from.

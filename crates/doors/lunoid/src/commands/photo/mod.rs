@@ -2,6 +2,7 @@
 
 mod check;
 mod drape;
+mod import;
 mod make;
 
 use clap::{Args, Subcommand};
@@ -10,12 +11,13 @@ use crate::{Failure, Verdict};
 
 const AFTER: &str = "Examples:
   lunoid photo make scenarios/first-light.toml --out runs/photo
+  lunoid photo import image.tif --out runs/image
   lunoid photo check runs/photo/photo.png --camera runs/photo/camera.json --ground runs/photo/elevation.asc
   lunoid photo drape scenarios/first-light.toml --photo runs/photo/photo.png --camera runs/photo/camera.json --out runs/albedo.png
 
 docs/photo.md describes the files.";
 
-/// Make a photograph of a landscape, check a photograph against an elevation file, and make a map of albedo out of photographs.
+/// Make or import a photograph of ground, check it against an elevation file, and make a map of albedo out of photographs.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]
 pub struct PhotoCommand {
@@ -27,6 +29,8 @@ pub struct PhotoCommand {
 enum What {
     /// Draw a vertical or oblique photograph of a landscape, with its camera file, its truth and its elevations.
     Make(make::Make),
+    /// Make a photograph with its map file out of a georeferenced raster of light.
+    Import(import::Import),
     /// Say how well a photograph and an elevation file agree.
     Check(check::Check),
     /// Make a map of the ground's albedo out of photographs.
@@ -34,10 +38,11 @@ enum What {
 }
 
 impl PhotoCommand {
-    /// Makes, checks or drapes a photograph.
+    /// Makes, imports, checks or drapes a photograph.
     pub fn run(&self) -> Result<Verdict, Failure> {
         match &self.what {
             What::Make(make) => make.run(),
+            What::Import(import) => import.run(),
             What::Check(check) => check.run(),
             What::Drape(drape) => drape.run(),
         }

@@ -1,0 +1,54 @@
+//! How many posts are dark in the photograph, in the ground, in both and in none, tile by tile.
+
+use super::ACROSS;
+
+/// Number of tiles.
+pub(super) const TILES: usize = ACROSS * ACROSS;
+
+/// Numbers of posts: dark in none, in the ground alone, in the photograph alone, in both.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct Counts(pub [u64; 4]);
+
+/// The counts of every tile.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(super) struct Tiles(pub [Counts; TILES]);
+
+impl Tiles {
+    /// Counts of all tiles together.
+    pub fn total(&self) -> Counts {
+        self.without(None)
+    }
+
+    /// Counts of all tiles but one.
+    pub fn without(&self, left_out: Option<usize>) -> Counts {
+        let kept = self.0.iter().enumerate().filter(|(tile, _)| Some(*tile) != left_out);
+        Counts(kept.fold([0; 4], |sum, (_, counts)| [0, 1, 2, 3].map(|kind| sum[kind] + counts.0[kind])))
+    }
+}
+
+impl Counts {
+    fn numbers(&self) -> [f64; 4] {
+        self.0.map(|count| count as f64)
+    }
+
+    /// Correlation of dark posts (phi), -1 to 1; none where one of the two is all dark or all lit.
+    pub fn overlap(&self) -> Option<f64> {
+        let [none, ground, photo, both] = self.numbers();
+        let sides = [both + photo, none + ground, both + ground, none + photo];
+        let scale = (sides[0] * sides[1]).sqrt() * (sides[2] * sides[3]).sqrt();
+        (scale > 0.0).then(|| (both * none - photo * ground) / scale)
+    }
+
+    /// Posts that are dark in both, as a share of those that are dark in either; 0 where none is.
+    pub fn common(&self) -> f64 {
+        let [_, ground, photo, both] = self.numbers();
+        both / (ground + photo + both).max(1.0)
+    }
+
+    /// Shares of dark posts in the photograph and in the ground.
+    pub fn dark(&self) -> [f64; 2] {
+        let [none, ground, photo, both] = self.numbers();
+        let all = (none + ground + photo + both).max(1.0);
+        [(photo + both) / all, (ground + both) / all]
+    }
+}
