@@ -13,8 +13,20 @@ pub struct GroundMap(Texels);
 #[derive(Debug, Clone)]
 enum Texels {
     Colours { axes: [Axis; 2], colours: Arc<[[f32; 3]]> },
-    Slopes { axes: [Axis; 2], slopes: Arc<Vec<[f32; 2]>>, landscape: Arc<Landscape>, sun: [f64; 3] },
+    Slopes(Slopes),
     Photographs { drape: Arc<Drape>, half_pixel: f64, unseen: Arc<[f32]> },
+}
+
+/// Slopes of posts under a sun.
+#[derive(Debug, Clone)]
+struct Slopes {
+    axes: [Axis; 2],
+    slopes: Arc<Vec<[f32; 2]>>,
+    landscape: Arc<Landscape>,
+    /// Unit vector to the sun: north, east, up.
+    sun: [f64; 3],
+    /// Share of the sun that reaches each post, 0 to 1; none where all do.
+    lit: Option<Arc<[[f32; 1]]>>,
 }
 
 /// Posts along one axis of the map, evenly spaced but for the last of them.
@@ -60,7 +72,15 @@ impl GroundMap {
         landscape: Arc<Landscape>,
         sun: [f64; 3],
     ) -> Option<Self> {
-        holds(&axes, slopes.len()).then_some(Self(Texels::Slopes { axes, slopes, landscape, sun }))
+        let is_whole = holds(&axes, slopes.len());
+        is_whole.then_some(Self(Texels::Slopes(Slopes { axes, slopes, landscape, sun, lit: None })))
+    }
+
+    /// The same map with cast shadow: the share of the sun that reaches each post, 0 to 1, mixed between posts. `None` if it is no map of
+    /// slopes, or their number is not that of the posts.
+    pub fn with_shadow(self, lit: Arc<[[f32; 1]]>) -> Option<Self> {
+        let Texels::Slopes(slopes) = self.0 else { return None };
+        holds(&slopes.axes, lit.len()).then_some(Self(Texels::Slopes(Slopes { lit: Some(lit), ..slopes })))
     }
 
     /// What photographs show in pixels of half an angle `half_pixel` (rad). `unseen` is the light of each post of their ground where none shows it.
@@ -74,16 +94,7 @@ impl GroundMap {
     pub fn at(&self, place: DVec3, eye: DVec3) -> [f64; 3] {
         match &self.0 {
             Texels::Colours { axes, colours } => between(axes, colours, place),
-            Texels::Slopes { axes, slopes, landscape, sun } => {
-                let photometry = *landscape.photometry();
-                // Only these laws ask from where the ground is seen, and a root for each pixel costs.
-                let to_eye = match photometry {
-                    Photometry::Lambert => DVec3::ZERO,
-                    _ => (eye - place).normalize_or_zero(),
-                };
-                let light = shade(*sun, between(axes, slopes, place), to_eye.to_array(), photometry);
-                landscape.albedo_at(place.x, place.y).map(|albedo| (albedo * light).clamp(0.0, 1.0))
-            }
+            Texels::Slopes(slopes) => slopes.at(place, eye),
             Texels::Photographs { drape, half_pixel, unseen } => {
                 let on_map = [place.x, place.y];
                 let footprint = Footprint::seen(place, drape.ground().normal(on_map), eye, *half_pixel);
@@ -94,6 +105,24 @@ impl GroundMap {
                 [light.clamp(0.0, 1.0); 3]
             }
         }
+    }
+}
+
+impl Slopes {
+    fn at(&self, place: DVec3, eye: DVec3) -> [f64; 3] {
+        let photometry = *self.landscape.photometry();
+        // Only these laws ask from where the ground is seen, and a root for each pixel costs.
+        let to_eye = match photometry {
+            Photometry::Lambert => DVec3::ZERO,
+            _ => (eye - place).normalize_or_zero(),
+        };
+        let slopes = between(&self.axes, &self.slopes, place);
+        let shaded = shade(self.sun, slopes, to_eye.to_array(), photometry);
+        let light = match &self.lit {
+            Some(lit) => shaded * between(&self.axes, lit, place)[0],
+            None => shaded,
+        };
+        self.landscape.albedo_at(place.x, place.y).map(|albedo| (albedo * light).clamp(0.0, 1.0))
     }
 }
 
