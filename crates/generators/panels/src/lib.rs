@@ -17,7 +17,7 @@
 //!   vertex has the mean of its panels, by area.
 //! - **Unseen** ground that seen ground encloses has its light from around; it counts as inferred. Ground beside the photographs has one light,
 //!   `outside`.
-//! - **Relight** lays the scenario's sun on the albedo that the photographs give.
+//! - **Relight** lays the scenario's sun on the albedo that the photographs give, and with `[shadows]` the shadows that its posts cast.
 //! - **Who sees what, footprints, albedo**: `photo-drape`. **Everything else** of the picture, clipping, depth and sampling: `scene-sampler`. Every
 //!   pixel is drawn once, and sky has a label of its own.
 //!
@@ -78,7 +78,7 @@
 //!
 //! # Not modelled
 //!
-//! Coarser levels of the bank, remote shadow, texture, far silhouettes and vehicle tracks are listed as omissions. So is the scenario's sun, where it differs from
+//! Coarser levels of the bank, remote shadow of ground that is not lit anew, texture, far silhouettes and vehicle tracks are listed as omissions. So is the scenario's sun, where it differs from
 //! the photographs' by more than 5 degrees and nothing is lit anew.
 
 mod faults;

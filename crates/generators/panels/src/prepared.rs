@@ -45,7 +45,7 @@ impl Prepared {
         let drape = Arc::new(laid(&stage, &run)?);
         let mesh = Mesh::new(drape.ground(), run.diagonal);
         let unseen: Arc<[f32]> = unseen(&drape, &run)?.into();
-        let relit = run.relights.then(|| Relit::new(&drape, &stage.landscape)).transpose()?;
+        let relit = run.relights.then(|| Relit::new(&drape, &stage)).transpose()?;
         let needs_greys = run.shading != Shading::Texture && relit.is_none();
         let greys =
             if needs_greys { greys::of_panels(&drape, run.choice, &mesh, &unseen) } else { Vec::new() };

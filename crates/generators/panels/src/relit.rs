@@ -2,9 +2,11 @@
 
 use std::sync::Arc;
 
-use generator::PrepareError;
+use generator::{PrepareError, Stage};
+use glam::DVec3;
 use landscape::Landscape;
 use photo_drape::{Drape, Ground};
+use rayon::prelude::*;
 use scene_sampler::{Axis, GroundMap, Slopes};
 
 use crate::prepared::refused;
@@ -15,6 +17,8 @@ pub struct Relit {
     landscape: Arc<Landscape>,
     slopes: Slopes,
     axes: [Axis; 2],
+    /// The posts that cast shadow; none where the scenario has no cast shadow.
+    caster: Option<Arc<Drape>>,
 }
 
 impl Relit {
@@ -22,21 +26,28 @@ impl Relit {
     ///
     /// # Errors
     /// If a photograph does not say where its sun was.
-    pub fn new(drape: &Drape, landscape: &Landscape) -> Result<Self, PrepareError> {
+    pub fn new(drape: &Arc<Drape>, stage: &Stage) -> Result<Self, PrepareError> {
         let remedy = "give its camera file a sun, or switch panels.relight off";
         let albedo = drape.albedo().map_err(|error| refused(&error, remedy))?;
         let ground = drape.ground();
+        let landscape = &stage.landscape;
         let map = albedo.map(ground, landscape.albedo()).map_err(|error| refused(&error, remedy))?;
         Ok(Self {
-            landscape: Arc::new(landscape.clone().with_albedo_map(Some(map))),
+            landscape: Arc::new((**landscape).clone().with_albedo_map(Some(map))),
             slopes: Slopes::Listed(ground.slopes().to_vec().into()),
             axes: [0, 1].map(|axis| even(ground, axis)),
+            caster: stage.view.shadows.is_some().then(|| drape.clone()),
         })
     }
 
-    /// Its light under a sun (unit vector to it: north, east, up).
+    /// Its light under a sun (unit vector to it: north, east, up), with the shadows that its posts cast where the scenario has cast shadow.
     pub fn map(&self, sun: [f64; 3]) -> Option<GroundMap> {
-        GroundMap::of_slopes(self.axes, self.slopes.clone(), self.landscape.clone(), sun)
+        let map = GroundMap::of_slopes(self.axes, self.slopes.clone(), self.landscape.clone(), sun)?;
+        let Some(caster) = &self.caster else { return Some(map) };
+        let shadowed = caster.ground().shadowed(DVec3::from_array(sun));
+        let lit: Vec<[f32; 1]> =
+            shadowed.into_par_iter().map(|is_dark| [if is_dark { 0.0 } else { 1.0 }]).collect();
+        map.with_shadow(lit.into())
     }
 }
 

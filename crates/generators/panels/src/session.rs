@@ -7,7 +7,7 @@ use generator::{
 use glam::DVec3;
 use quantities::degrees;
 use raster::Screen;
-use scenario::Pose;
+use scenario::{Pose, View};
 use scene_sampler::{Camera, Filled, Scene, judged_faces};
 use serde_json::Value;
 use signal::{Probe, Wire};
@@ -116,7 +116,10 @@ impl GeneratorSession for Session {
         let stage = &self.prepared.stage;
         let omission =
             |what: String, why: String| Omission { block: NAME, what, why, weight: Weight::NotModelled };
-        let mut omissions = scene_sampler::omissions(stage, NAME);
+        // Ground that is lit anew has the scenario's cast shadow.
+        let shadows = stage.view.shadows.filter(|_| self.prepared.relit.is_none());
+        let unlit = Stage { view: View { shadows, ..stage.view.clone() }, ..stage.clone() };
+        let mut omissions = scene_sampler::omissions(&unlit, NAME);
         omissions.extend(face_lists_beside(&stage.scenery, NAME));
         if stage.landscape.bank().levels().len() > 1 {
             let why = "its posts are those of the finest level".to_owned();

@@ -6,6 +6,8 @@ use glam::DVec3;
 use landscape::{Landscape, Photometry, shade};
 use photo_drape::{Drape, Footprint};
 
+use crate::slopes::Slopes;
+
 /// What the ground looks like at the posts of a grid on the map, linear between them; or what photographs show of it.
 #[derive(Debug, Clone)]
 pub struct GroundMap(Texels);
@@ -13,55 +15,20 @@ pub struct GroundMap(Texels);
 #[derive(Debug, Clone)]
 enum Texels {
     Colours { axes: [Axis; 2], colours: Arc<[[f32; 3]]> },
-    Slopes { axes: [Axis; 2], slopes: Slopes, landscape: Arc<Landscape>, sun: [f64; 3] },
+    Lit(LitSlopes),
     Photographs { drape: Arc<Drape>, half_pixel: f64, unseen: Arc<[f32]> },
 }
 
-/// Slopes of the posts of a map (to the north, to the east; m/m), row by row: posts along the second axis follow one another.
+/// Slopes of posts under a sun.
 #[derive(Debug, Clone)]
-pub enum Slopes {
-    /// As they are listed.
-    Listed(Arc<Vec<[f32; 2]>>),
-    /// Those to the posts around each, found where they are asked for: heights of many posts need no second list beside them.
-    Between {
-        /// Places of the posts along both axes (m).
-        places: Arc<[Vec<f64>; 2]>,
-        /// Heights of the posts (m), in the same order.
-        heights: Arc<Vec<f64>>,
-    },
-}
-
-impl Slopes {
-    /// Slopes of the post in a row and a column. There must be one.
-    pub fn at(&self, [row, column]: [usize; 2], columns: usize) -> [f32; 2] {
-        match self {
-            Self::Listed(slopes) => slopes[row * columns + column],
-            Self::Between { places, heights } => {
-                slopes_between(places, [row, column], |row, column| heights[row * columns + column])
-            }
-        }
-    }
-
-    /// How many posts they are of.
-    fn posts(&self) -> usize {
-        match self {
-            Self::Listed(slopes) => slopes.len(),
-            Self::Between { heights, .. } => heights.len(),
-        }
-    }
-}
-
-/// Slopes to the north and to the east (m/m) at the post in a row and a column, by the `height` (m) of the posts around it.
-pub fn slopes_between(
-    [rows, columns]: &[Vec<f64>; 2],
-    [row, column]: [usize; 2],
-    height: impl Fn(usize, usize) -> f64,
-) -> [f32; 2] {
-    let around = |places: &[f64], at: usize| (at.saturating_sub(1), (at + 1).min(places.len() - 1));
-    let ((south, north), (west, east)) = (around(rows, row), around(columns, column));
-    let to_north = (height(north, column) - height(south, column)) / (rows[north] - rows[south]);
-    let to_east = (height(row, east) - height(row, west)) / (columns[east] - columns[west]);
-    [to_north as f32, to_east as f32]
+struct LitSlopes {
+    axes: [Axis; 2],
+    slopes: Slopes,
+    landscape: Arc<Landscape>,
+    /// Unit vector to the sun: north, east, up.
+    sun: [f64; 3],
+    /// Share of the sun that reaches each post, 0 to 1; none where all do.
+    lit: Option<Arc<[[f32; 1]]>>,
 }
 
 /// Posts along one axis of the map, evenly spaced but for the last of them.
@@ -107,7 +74,15 @@ impl GroundMap {
         landscape: Arc<Landscape>,
         sun: [f64; 3],
     ) -> Option<Self> {
-        holds(&axes, slopes.posts()).then_some(Self(Texels::Slopes { axes, slopes, landscape, sun }))
+        let is_whole = holds(&axes, slopes.posts());
+        is_whole.then_some(Self(Texels::Lit(LitSlopes { axes, slopes, landscape, sun, lit: None })))
+    }
+
+    /// The same map with cast shadow: the share of the sun that reaches each post, 0 to 1, mixed between posts. `None` if it is no map of
+    /// slopes, or their number is not that of the posts.
+    pub fn with_shadow(self, lit: Arc<[[f32; 1]]>) -> Option<Self> {
+        let Texels::Lit(slopes) = self.0 else { return None };
+        holds(&slopes.axes, lit.len()).then_some(Self(Texels::Lit(LitSlopes { lit: Some(lit), ..slopes })))
     }
 
     /// What photographs show in pixels of half an angle `half_pixel` (rad). `unseen` is the light of each post of their ground where none shows it.
@@ -120,22 +95,8 @@ impl GroundMap {
     /// Colour (linear red, green, blue) at a place (north, east, up; m) for an eye; beyond the border that of the border.
     pub fn at(&self, place: DVec3, eye: DVec3) -> [f64; 3] {
         match &self.0 {
-            Texels::Colours { axes, colours } => {
-                let columns = axes[1].posts;
-                between(axes, place, |[row, column]| colours[row * columns + column])
-            }
-            Texels::Slopes { axes, slopes, landscape, sun } => {
-                let photometry = *landscape.photometry();
-                // Only these laws ask from where the ground is seen, and a root for each pixel costs.
-                let to_eye = match photometry {
-                    Photometry::Lambert => DVec3::ZERO,
-                    _ => (eye - place).normalize_or_zero(),
-                };
-                let columns = axes[1].posts;
-                let slopes = between(axes, place, |post| slopes.at(post, columns));
-                let light = shade(*sun, slopes, to_eye.to_array(), photometry);
-                landscape.albedo_at(place.x, place.y).map(|albedo| (albedo * light).clamp(0.0, 1.0))
-            }
+            Texels::Colours { axes, colours } => listed(axes, colours, place),
+            Texels::Lit(slopes) => slopes.at(place, eye),
             Texels::Photographs { drape, half_pixel, unseen } => {
                 let on_map = [place.x, place.y];
                 let footprint = Footprint::seen(place, drape.ground().normal(on_map), eye, *half_pixel);
@@ -147,6 +108,30 @@ impl GroundMap {
             }
         }
     }
+}
+
+impl LitSlopes {
+    fn at(&self, place: DVec3, eye: DVec3) -> [f64; 3] {
+        let photometry = *self.landscape.photometry();
+        // Only these laws ask from where the ground is seen, and a root for each pixel costs.
+        let to_eye = match photometry {
+            Photometry::Lambert => DVec3::ZERO,
+            _ => (eye - place).normalize_or_zero(),
+        };
+        let columns = self.axes[1].posts;
+        let slopes = between(&self.axes, place, |post| self.slopes.at(post, columns));
+        let shaded = shade(self.sun, slopes, to_eye.to_array(), photometry);
+        let light = match &self.lit {
+            Some(lit) => shaded * listed(&self.axes, lit, place)[0],
+            None => shaded,
+        };
+        self.landscape.albedo_at(place.x, place.y).map(|albedo| (albedo * light).clamp(0.0, 1.0))
+    }
+}
+
+/// Listed texels at the four posts around a place, mixed.
+fn listed<const N: usize>(axes: &[Axis; 2], texels: &[[f32; N]], place: DVec3) -> [f64; N] {
+    between(axes, place, |[row, column]| texels[row * axes[1].posts + column])
 }
 
 /// Texels at the four posts around a place, mixed. Each is asked for by its row and column.
@@ -228,7 +213,7 @@ mod tests {
         let between = Slopes::Between { places: places.clone().into(), heights: heights.clone().into() };
         let height = |row: usize, column: usize| heights[row * 5 + column];
         let listed: Vec<_> =
-            (0..20).map(|post| slopes_between(&places, [post / 5, post % 5], height)).collect();
+            (0..20).map(|post| crate::slopes_between(&places, [post / 5, post % 5], height)).collect();
         // By hand: over 4 m to the north; on both borders to the east over one cell of 3 m and of 1 m.
         let by_hand = [height(2, 0) - height(0, 0), height(1, 1) - height(1, 0), height(3, 4) - height(3, 3)];
         assert_eq!(between.at([1, 0], 5), [(by_hand[0] / 4.0) as f32, (by_hand[1] / 3.0) as f32]);

@@ -4,7 +4,6 @@ use glam::DVec3;
 use landscape::{AlbedoMap, AlbedoMapError, Texels};
 use photo_camera::voids::{Border, Fill, Wishes, fill};
 use rayon::prelude::*;
-use terrain_builder::{Axis, Grid, Heights, LightMap, Method};
 
 use crate::{Drape, DrapeError, Footprint, Ground};
 
@@ -34,8 +33,7 @@ impl Drape {
         let ground = self.ground();
         let suns: Vec<DVec3> =
             (0..self.photographs().len()).map(|number| self.sun_of(number)).collect::<Result<_, _>>()?;
-        let maps: Vec<LightMap> =
-            suns.iter().map(|sun| LightMap::new(&heights(ground), *sun, Method::Sweep)).collect();
+        let shadowed: Vec<Vec<bool>> = suns.iter().map(|sun| ground.shadowed(*sun)).collect();
         let columns = ground.size()[1];
         let of_post = |post: usize| {
             let place = ground.post([post / columns, post % columns]);
@@ -44,7 +42,7 @@ impl Drape {
                 return (Of::Nothing, 0);
             };
             let cosine = normal.dot(suns[shown.photograph]);
-            match cosine <= 0.0 || maps[shown.photograph].shadowed()[post] {
+            match cosine <= 0.0 || shadowed[shown.photograph][post] {
                 true => (Of::Shadow, 0),
                 false => (Of::Light(shown.light / cosine.max(LEAST_COSINE)), reach(shown.weight, ground)),
             }
@@ -137,15 +135,4 @@ fn filled(found: &[Of], ground: &Ground) -> Result<Albedo, DrapeError> {
     let inferred = count(&|of| matches!(of, Of::Nothing));
     let missing = values.iter().filter(|value| value.is_nan()).count();
     Ok(Albedo { values, shadowed, inferred, missing })
-}
-
-/// The posts as terrain-builder's shadows take them.
-fn heights(ground: &Ground) -> Heights {
-    let axis = |axis: usize| Axis {
-        first: ground.corner()[axis],
-        resolution: ground.spacing(),
-        cells: ground.size()[axis] - 1,
-        exponent: 0,
-    };
-    Heights::new(Grid { north: axis(0), east: axis(1) }, ground.heights().to_vec())
 }

@@ -39,6 +39,7 @@ mod ground;
 mod layer;
 mod pyramid;
 mod rule;
+mod shadow;
 mod triangle;
 
 pub use albedo::{Albedo, LEAST_COSINE};
