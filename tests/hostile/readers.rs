@@ -152,7 +152,7 @@ fn shape(path: &Path) -> Result<(), String> {
 /// An effect at 30 frames a second. A pattern of few bytes has all the faces that a run allows; these are few.
 fn effect(path: &Path) -> Result<(), String> {
     let frames = Rate::new(30, 1).expect("a rate");
-    said(Effect::read(path, Setting { frames, signals: &["pitch"], most: 2000 }))
+    said(Effect::read(path, Setting { frames, signals: &["pitch"], most: 2500 }))
 }
 
 fn model(path: &Path) -> Result<(), String> {
