@@ -5,8 +5,8 @@ use std::sync::Arc;
 use generator::{PrepareError, Stage};
 use glam::DVec3;
 use landscape::Landscape;
-use rayon::prelude::*;
 use photo_drape::{Drape, Ground};
+use rayon::prelude::*;
 use scene_sampler::{Axis, GroundMap};
 
 use crate::prepared::refused;

@@ -61,11 +61,7 @@ pub enum ImportError {
 ///
 /// # Errors
 /// If values are missing inside, or none is above 0.
-pub fn import(
-    raster: &Elevation,
-    white: Option<f64>,
-    light: &Light,
-) -> Result<Imported, ImportError> {
+pub fn import(raster: &Elevation, white: Option<f64>, light: &Light) -> Result<Imported, ImportError> {
     let left_out = empty_edges(raster);
     let [above, below, left, right] = left_out;
     let (lines, columns) = (raster.lines - above - below, raster.columns - left - right);

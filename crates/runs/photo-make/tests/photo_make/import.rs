@@ -34,7 +34,9 @@ fn light(photo: &Photograph, east: f64, north: f64) -> f64 {
 
 #[test]
 fn values_stand_where_the_raster_has_them() {
-    let imported = import(&metres(|_| false), Some(40.0), &Light::new(Some([1.0, 0.2]), None).expect("a sun")).expect("light");
+    let imported =
+        import(&metres(|_| false), Some(40.0), &Light::new(Some([1.0, 0.2]), None).expect("a sun"))
+            .expect("light");
     assert_eq!((imported.left_out, imported.cut), ([0; 4], 0));
     let photo = read_back(&imported);
     assert_eq!(photo.sun(), &Light::new(Some([1.0, 0.2]), None).expect("a sun"));
@@ -62,8 +64,8 @@ fn light_is_scaled_by_the_grey_curve() {
 /// Lines and columns without any value are left out, and nothing moves.
 #[test]
 fn empty_edges_are_left_out() {
-    let imported =
-        import(&metres(|[line, column]| line == 0 || column > 2), Some(40.0), &Light::default()).expect("light");
+    let imported = import(&metres(|[line, column]| line == 0 || column > 2), Some(40.0), &Light::default())
+        .expect("light");
     assert_eq!(imported.left_out, [1, 0, 0, 2]);
     assert_eq!([imported.picture.columns(), imported.picture.lines()], [3, 3]);
     let found = light(&read_back(&imported), 203.0, 996.0);
@@ -73,7 +75,8 @@ fn empty_edges_are_left_out() {
 #[test]
 fn a_raster_in_degrees_makes_a_map_in_degrees() {
     let affine = Affine { first: [radians(10.0), radians(20.0)], step: [radians(-0.5), radians(0.25)] };
-    let imported = import(&raster(Frame::Geographic { radius: 1e6 }, affine, |_| false), Some(40.0), &Light::default());
+    let imported =
+        import(&raster(Frame::Geographic { radius: 1e6 }, affine, |_| false), Some(40.0), &Light::default());
     let found = light(&read_back(&imported.expect("light")), 20.5, 9.5);
     assert!((found - 12.0 / 40.0).abs() < 1e-4, "{found}");
 }
@@ -82,11 +85,14 @@ fn a_raster_in_degrees_makes_a_map_in_degrees() {
 fn what_makes_no_photograph_is_refused() {
     let hole = import(&metres(|place| place == [2, 1]), None, &Light::default()).expect_err("a hole");
     assert!(matches!(hole, ImportError::Holes { count: 1, line: 2, column: 1 }), "{hole}");
-    let corner = import(&metres(|place| place == [0, 0] || place == [3, 4]), None, &Light::default()).expect_err("holes");
+    let corner = import(&metres(|place| place == [0, 0] || place == [3, 4]), None, &Light::default())
+        .expect_err("holes");
     assert!(matches!(corner, ImportError::Holes { count: 2, line: 0, column: 0 }), "{corner}");
     let dark =
         Elevation::new(2, 2, vec![-1.0; 4], Affine { first: [0.0; 2], step: [1.0; 2] }, Frame::Plane(None));
-    assert!(matches!(import(&dark, None, &Light::default()), Err(ImportError::Dark { largest }) if largest == -1.0));
+    assert!(
+        matches!(import(&dark, None, &Light::default()), Err(ImportError::Dark { largest }) if largest == -1.0)
+    );
     let void = Elevation::new(
         2,
         2,
