@@ -7,6 +7,7 @@
 mod apollo;
 mod catalogue;
 mod drive;
+mod photo;
 mod shared;
 
 use quantities::radians;

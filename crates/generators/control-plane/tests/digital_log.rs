@@ -345,7 +345,7 @@ fn a_body_is_drawn_from_the_first_frame_after_its_record() {
     let control = ControlPlane::new(stage.clone());
     let projected = |frame: u64, heading: f64| {
         let sweeps = control.sweeps(frame, &pose(heading)).expect("a pose that can be drawn");
-        control.delivery(&sweeps, 0.0).bodies
+        control.delivery(&sweeps, 0.0).census.drawn
     };
     let record = control.sweeps(1, &pose(PI)).expect("a pose that can be drawn").frame_events();
     let came = record.iter().find(|event| event.event == EventWord::BodyRecord).expect("it comes");
@@ -362,5 +362,5 @@ fn a_body_is_drawn_from_the_first_frame_after_its_record() {
     let settings = wide(kinds_on_drums(BankPlace::Local));
     let local = ControlPlane::new(MachineStage { settings, ..stage });
     let sweeps = local.sweeps(1, &pose(PI)).expect("a pose that can be drawn");
-    assert_eq!(local.delivery(&sweeps, 0.0).bodies, 1);
+    assert_eq!(local.delivery(&sweeps, 0.0).census.drawn, 1);
 }

@@ -28,7 +28,7 @@ struct Way {
     step: [f64; 2],
     /// Rise of one step (m).
     rise: f64,
-    /// Highest post (m).
+    /// Height of the highest post (m).
     highest: f64,
 }
 

@@ -20,7 +20,7 @@ pub const IMPORTED_FILES: [&str; 2] = ["photo.png", "camera.json"];
 pub struct Imported {
     /// Codes of the photograph, white for the brightest value that was asked for.
     pub picture: GreyPicture,
-    /// The map file.
+    /// What stands in the map file.
     pub map: Value,
     /// Value that is shown white.
     pub white: f64,
@@ -49,7 +49,7 @@ pub enum ImportError {
     /// No value is above 0.
     #[error("its largest value is {largest}: expected light, above 0; give --scale or --offset")]
     Dark {
-        /// The largest value.
+        /// Largest value of the raster.
         largest: f64,
     },
     /// The codes make no picture.

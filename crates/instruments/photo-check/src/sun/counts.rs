@@ -1,8 +1,8 @@
 //! How many posts are dark in the photograph, in the ground, in both and in none, tile by tile.
 
-use super::ACROSS;
-
-/// Number of tiles.
+/// Tiles along each side of the ground (chosen).
+pub(super) const ACROSS: usize = 4;
+/// Number of tiles of the ground.
 pub(super) const TILES: usize = ACROSS * ACROSS;
 
 /// Numbers of posts: dark in none, in the ground alone, in the photograph alone, in both.

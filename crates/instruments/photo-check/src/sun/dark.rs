@@ -4,12 +4,14 @@ use landscape::Sun;
 use photograph::Photograph;
 use rayon::prelude::{IntoParallelIterator, ParallelIterator};
 
-use super::counts::{Counts, TILES, Tiles};
-use super::{ACROSS, SHARE, SunError};
+use super::counts::{ACROSS, Counts, TILES, Tiles};
+use super::error::SunError;
 use crate::Ground;
 use crate::relief::Lighting;
 use crate::visible::Sight;
 
+/// Light below which a post is dark, as a share of the usual light (chosen).
+const SHARE: f64 = 0.1;
 /// Fewest posts of a search (chosen).
 const FEWEST: usize = 1000;
 /// Part of the posts whose light is that of shadow (chosen).
@@ -26,7 +28,7 @@ const DARK_SHARES: [f64; 2] = [0.002, 0.75];
 pub(super) struct Dark {
     /// Column and darkness of the posts of each line.
     lines: Vec<Vec<(usize, bool)>>,
-    /// Number of posts.
+    /// Number of posts that are shown.
     count: usize,
     size: [usize; 2],
 }
@@ -68,7 +70,7 @@ impl Dark {
         Self { lines: lights.iter().map(line).collect(), count: lights.iter().map(Vec::len).sum(), size }
     }
 
-    /// Number of posts.
+    /// Number of posts that are shown.
     pub fn count(&self) -> usize {
         self.count
     }

@@ -32,7 +32,7 @@ pub enum SunError {
         percent: f64,
         /// Least share that can be held against shadows (%).
         least: f64,
-        /// Largest share (%).
+        /// Largest share that can be held against shadows (%).
         most: f64,
     },
     /// Shadows of no sun lie where the photograph is dark.

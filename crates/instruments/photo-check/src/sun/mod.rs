@@ -9,14 +9,14 @@
 //! # Law
 //!
 //! - **Dark.** The usual light of a picture is its upper quartile. A post is dark where its light, less the darkest thousandth of the
-//!   photograph, is below [`SHARE`] of the usual light. The same share holds for the light that a sun computes. So slopes that turn
+//!   photograph, is below a tenth of the usual light. The same share holds for the light that a sun computes. So slopes that turn
 //!   away from the sun become dark in both at one angle.
 //! - **Overlap** of dark posts is the correlation of both maps of dark and lit posts (phi), -1 to 1. One map that is all dark or all
 //!   lit has none.
 //! - **Search.** All azimuths, elevations from 1 to 80 degrees in even ratios, some of the posts; then windows closer and closer around
 //!   the best, with more posts. A paraboloid through the overlaps of a window has its summit at the sun.
 //! - **Window.** The closest window counts in which the summit stays: two standard errors are less than half of the window.
-//! - **Uncertainty** is two standard errors, by the jackknife: the ground has [`ACROSS`] x [`ACROSS`] tiles, and each is left out in
+//! - **Uncertainty** is two standard errors, by the jackknife: the ground has 4 x 4 tiles, and each is left out in
 //!   turn. Two more parts are added in quadrature: half of the last step of the search, and how far the sun moves where every second
 //!   post is left out. Between posts the ground is straight, so hills are too low and their shadows too short.
 
@@ -34,11 +34,6 @@ use dark::Dark;
 pub use error::SunError;
 use search::search;
 use summit::{apart, settled};
-
-/// Light below which a post is dark, as a share of the usual light (chosen).
-const SHARE: f64 = 0.1;
-/// Tiles along each side of the ground (chosen).
-const ACROSS: usize = 4;
 
 /// A sun that was found from shadows.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -6,9 +6,9 @@ use landscape::Sun;
 use quantities::radians;
 use rayon::prelude::{IntoParallelIterator, ParallelIterator};
 
-use super::SunError;
 use super::counts::Tiles;
 use super::dark::Dark;
+use super::error::SunError;
 use crate::Ground;
 
 /// Azimuths of the first search.
