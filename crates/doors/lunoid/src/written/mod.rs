@@ -113,13 +113,25 @@ fn only_lacks(error: &Error) -> bool {
     }
 }
 
-/// A file of the repository that a command names is there; banks are made and not kept.
+/// A file of the repository that a command names is there; banks are made and not kept, and so is what a folder's own list leaves out.
 fn expect_file(word: &str) -> Result<(), String> {
     let is_ours = FOLDERS.iter().any(|folder| word.starts_with(folder));
-    if !is_ours || word.contains('*') || word.ends_with(".bank") || root().join(word).exists() {
+    if !is_ours
+        || word.contains('*')
+        || word.ends_with(".bank")
+        || is_left_out(word)
+        || root().join(word).exists()
+    {
         return Ok(());
     }
     Err(format!("{word}: no such file in the repository"))
+}
+
+/// Whether the `.gitignore` beside a file names it.
+fn is_left_out(word: &str) -> bool {
+    let Some((folder, name)) = word.trim_end_matches('/').rsplit_once('/') else { return false };
+    let list = std::fs::read_to_string(root().join(folder).join(".gitignore")).unwrap_or_default();
+    list.lines().any(|line| line.trim_end_matches('/') == name)
 }
 
 #[test]
