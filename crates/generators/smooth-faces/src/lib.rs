@@ -39,6 +39,7 @@
 //! | `faces.scan` | `vertical`, `horizontal` | `vertical` | direction of scan lines |
 //! | `faces.animate` | `sun`, `normals` | `sun` | what moves a sea |
 //! | `faces.hull` | `as-written`, `sea-first`, `deep-hull` | `as-written` | wrong orders and models of ships, for teaching; under `lists` alone |
+//! | `faces.channels` | 1 to 64 | 1 | channels that share the real-time computer |
 //! | `faces.delayed` | true, false | false | a picture shows the frame `delay_frames` before its own |
 //! | `faces.ambient` | 0 to 1 | 0 | share of light from everywhere |
 //! | `faces.ground` | true, false | true | whether the ground is drawn |
