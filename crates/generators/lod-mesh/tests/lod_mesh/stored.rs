@@ -8,9 +8,10 @@ use lod_mesh::{GroundLight, Parameters};
 
 use crate::shots::{draw, generator, pose, run, session, stage};
 
-/// The stage with posts whose heights rise by 0.3 m a metre to the east.
+/// The stage with posts whose heights rise by 0.2 m a metre to the north and 0.3 to the east.
 fn stored(places: [Vec<f64>; 2], ranges: Vec<[f64; 2]>) -> Stage {
-    let heights: Vec<f64> = places[0].iter().flat_map(|_| places[1].iter().map(|east| 0.3 * east)).collect();
+    let row = |north: f64| places[1].iter().map(move |east| 0.2 * north + 0.3 * east).collect::<Vec<_>>();
+    let heights: Vec<f64> = places[0].iter().flat_map(|north| row(*north)).collect();
     let posts = Posts { order: 2, places, heights: heights.into(), ranges, light: None, albedo: None };
     over(posts)
 }
@@ -31,9 +32,9 @@ fn the_posts_of_a_database_are_drawn_and_not_the_bank() {
     let eye = [700.0, 310.0, 900.0];
     let camera = pose(eye, 0.0, -90.0);
     let distance = session.sounding(0, &camera, [&camera; 2]).unwrap().unwrap();
-    assert!((distance - (900.0 - 0.3 * 310.0)).abs() < 1e-9, "{distance}");
+    assert!((distance - (900.0 - 0.2 * 700.0 - 0.3 * 310.0)).abs() < 1e-9, "{distance}");
     // Lit as a plane of its slope.
-    let light = 0.8 * stage(32).scenery.sun(0.0).reflectivity([0.0, 0.3]);
+    let light = 0.8 * stage(32).scenery.sun(0.0).reflectivity([0.2, 0.3]);
     let drawn = f64::from(draw(&*session, 32, &camera).get(PlaneKind::Intensity).unwrap()[16 * 32 + 16]);
     assert!((drawn - light).abs() < 1e-6, "{drawn} {light}");
     let facts = session.explain(0, &camera, [16, 16]).unwrap();
