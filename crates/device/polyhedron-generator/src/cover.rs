@@ -47,7 +47,7 @@ impl Cover {
                 // The mean over what is covered of a line: that in its middle.
                 ramp => {
                     let middle = (bottom.min(line + 1.0) + top.max(line)) * 0.5;
-                    add(simd, sums, cover * ((middle - top) * ramp + run.reflectivity));
+                    add(simd, sums, cover * ((middle.min(bottom) - top) * ramp + run.reflectivity));
                 }
             }
             first += TOGETHER;

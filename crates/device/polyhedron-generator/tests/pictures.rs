@@ -311,7 +311,7 @@ fn triangles(body: &Body) -> Vec<[[f64; 3]; 3]> {
     triangles
 }
 
-/// Light at a place of the view-plane: that of the triangle which holds it, in proportion; how far inside the place is.
+/// How far inside the nearest triangle a place of the view-plane is, and the light of that triangle there, in proportion.
 fn light_on(triangles: &[[[f64; 3]; 3]], [x, y]: [f64; 2]) -> (f64, f64) {
     let area =
         |a: [f64; 2], b: [f64; 2], c: [f64; 2]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);

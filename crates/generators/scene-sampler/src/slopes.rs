@@ -18,7 +18,7 @@ pub enum Slopes {
 
 impl Slopes {
     /// Slopes of the post in a row and a column. There must be one.
-    pub fn at(&self, [row, column]: [usize; 2], columns: usize) -> [f32; 2] {
+    pub(crate) fn at(&self, [row, column]: [usize; 2], columns: usize) -> [f32; 2] {
         match self {
             Self::Listed(slopes) => slopes[row * columns + column],
             Self::Between { places, heights } => {

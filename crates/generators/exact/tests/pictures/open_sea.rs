@@ -130,7 +130,10 @@ fn the_spread_of_light_is_that_of_the_slopes() {
 #[test]
 fn ground_lies_under_the_water_and_boxes_stand_in_it() {
     let pose = pose([150.0, 200.0, 9.0], -12.0, 0.0);
-    let found = drawn(&pose, Curvature::None, |scenery| scenery);
+    // The calm water stands at the height of the ground: half of the waves are troughs below it.
+    let low = OpenSea { height: 0.0, ..sea([0.0, 0.0, 400.0, 400.0]) };
+    let ground = landscape(plane(100.0, [4, 4], 0.0, [0.0; 2]), 0.5);
+    let found = planes(&ground, scenery(low), &usual(Curvature::None), &pose);
     let bare = (0..(PIXELS[0] * PIXELS[1]) as usize)
         .filter(|&index| value(&found, PlaneKind::Label, index) == f64::from(Label::Terrain.code()));
     assert_eq!(bare.count(), 0);
