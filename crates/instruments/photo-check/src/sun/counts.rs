@@ -52,3 +52,29 @@ impl Counts {
         [(photo + both) / all, (ground + both) / all]
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Counts, TILES, Tiles};
+
+    /// Dark in none 4, in the ground alone 1, in the photograph alone 2, in both 3.
+    const SOME: Counts = Counts([4, 1, 2, 3]);
+
+    #[test]
+    fn overlap_is_the_correlation_of_two_maps() {
+        // (3 x 4 - 2 x 1) / sqrt((3 + 2) (4 + 1) (3 + 1) (4 + 2))
+        assert!((SOME.overlap().unwrap() - 10.0 / 600.0_f64.sqrt()).abs() < 1e-15);
+        assert_eq!((SOME.common(), SOME.dark()), (0.5, [0.5, 0.4]));
+        assert_eq!(Counts([5, 0, 0, 5]).overlap(), Some(1.0));
+        assert_eq!(Counts([0, 5, 5, 0]).overlap(), Some(-1.0));
+        assert_eq!(Counts([4, 6, 0, 0]).overlap(), None);
+    }
+
+    #[test]
+    fn a_tile_that_is_left_out_is_in_no_sum() {
+        let mut tiles = Tiles([SOME; TILES]);
+        tiles.0[3] = Counts([0, 0, 0, 100]);
+        assert_eq!(tiles.total().0, [60, 15, 30, 145]);
+        assert_eq!(tiles.without(Some(3)).0, [60, 15, 30, 45]);
+    }
+}
