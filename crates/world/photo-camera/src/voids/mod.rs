@@ -6,7 +6,7 @@
 mod harmonic;
 mod holes;
 
-use holes::Hole;
+use holes::{Hole, Holes};
 
 /// Largest part of the grid that one hole may take (chosen).
 const LARGEST_PART: f64 = 0.25;
@@ -138,32 +138,32 @@ pub struct Filled {
 /// large holes are not allowed, or the harmonic solution does not arrive.
 pub fn fill([rows, columns]: [usize; 2], heights: &[f64], wishes: Wishes) -> Result<Filled, VoidError> {
     refuse_grid([rows, columns], heights)?;
-    let holes = holes::find([rows, columns], heights);
-    let chosen: Vec<&Hole> = holes.iter().filter(|hole| is_filled(hole, wishes)).collect();
+    let holes = Holes::find([rows, columns], heights);
+    let chosen: Vec<Hole> = holes.iter().filter(|hole| is_filled(*hole, wishes)).collect();
     if !wishes.allow_large_holes {
         refuse_large(&chosen, heights.len(), columns)?;
     }
     let mut filled = heights.to_vec();
     let written_mean = written_mean(heights);
-    for hole in chosen {
-        match wishes.fill {
-            Fill::Harmonic => harmonic::fill([rows, columns], &mut filled, hole)?,
-            Fill::InverseDistance => each(hole, columns, heights, &mut filled, inverse_distance),
-            Fill::Nearest => each(hole, columns, heights, &mut filled, nearest),
-            Fill::WrittenMean => each(hole, columns, heights, &mut filled, |_| written_mean),
-            Fill::Leave => {}
-        }
+    let mut by =
+        |value: &Value| chosen.iter().for_each(|hole| each(*hole, columns, heights, &mut filled, value));
+    match wishes.fill {
+        Fill::Harmonic => harmonic::fill([rows, columns], &mut filled, &chosen)?,
+        Fill::InverseDistance => by(&inverse_distance),
+        Fill::Nearest => by(&nearest),
+        Fill::WrittenMean => by(&|_| written_mean),
+        Fill::Leave => {}
     }
     Ok(Filled {
         still_void: filled.iter().filter(|height| height.is_nan()).count(),
         heights: filled,
         was_void: heights.iter().map(|height| height.is_nan()).collect(),
-        holes: holes.len(),
+        holes: holes.iter().len(),
         largest_hole: holes.iter().map(|hole| hole.posts.len()).max().unwrap_or(0),
     })
 }
 
-fn is_filled(hole: &Hole, wishes: Wishes) -> bool {
+fn is_filled(hole: Hole, wishes: Wishes) -> bool {
     wishes.fill != Fill::Leave && (hole.is_enclosed || wishes.border == Border::Filled)
 }
 
@@ -182,7 +182,7 @@ fn refuse_grid([rows, columns]: [usize; 2], heights: &[f64]) -> Result<(), VoidE
     }
 }
 
-fn refuse_large(holes: &[&Hole], posts: usize, columns: usize) -> Result<(), VoidError> {
+fn refuse_large(holes: &[Hole], posts: usize, columns: usize) -> Result<(), VoidError> {
     match holes.iter().find(|hole| hole.posts.len() as f64 > LARGEST_PART * posts as f64) {
         Some(hole) => {
             let (row, column) = (hole.posts[0] / columns, hole.posts[0] % columns);
@@ -197,15 +197,12 @@ fn written_mean(heights: &[f64]) -> f64 {
     (known().sum::<f64>() / known().count() as f64).trunc()
 }
 
-/// Gives each void of a hole what `value` makes of the rim: squared distance (posts) and height (m) of each post.
-fn each(
-    hole: &Hole,
-    columns: usize,
-    known: &[f64],
-    filled: &mut [f64],
-    value: impl Fn(&mut dyn Iterator<Item = [f64; 2]>) -> f64,
-) {
-    for &post in &hole.posts {
+/// What a void is given by the rim: squared distance (posts) and height (m) of each of its posts.
+type Value<'a> = dyn Fn(&mut dyn Iterator<Item = [f64; 2]>) -> f64 + 'a;
+
+/// Gives each void of a hole what `value` makes of the rim.
+fn each(hole: Hole, columns: usize, known: &[f64], filled: &mut [f64], value: &Value) {
+    for &post in hole.posts {
         let mut rim = hole.rim.iter().map(|&at| {
             let across = (at / columns).abs_diff(post / columns) as f64;
             let along = (at % columns).abs_diff(post % columns) as f64;

@@ -94,6 +94,70 @@ fn planes_come_back_exactly_from_a_lake() {
     }
 }
 
+/// Holes of many posts, by row and column of 150: a lake, one with islands, a ring, a thin slanting line, one whose islands leave the grid.
+fn many_posts() -> [(&'static str, fn(usize, usize) -> bool); 5] {
+    fn squared(row: usize, column: usize) -> usize {
+        row.abs_diff(75).pow(2) + column.abs_diff(72).pow(2)
+    }
+    fn is_island(row: usize, column: usize) -> bool {
+        (row * 7919 + column * 104_729) % 97 < 9
+    }
+    [
+        ("a lake", |r, c| squared(r, c) < 40 * 40),
+        ("a lake with islands", |r, c| squared(r, c) < 40 * 40 && !is_island(r, c)),
+        ("a ring", |r, c| (50 * 50..54 * 54).contains(&squared(r, c))),
+        ("a slanting line", |r, c| (20..130).contains(&r) && (r == c || r == c + 1)),
+        ("posts between posts", |r, c| {
+            (30..100).contains(&r) && (30..100).contains(&c) && (r % 3 > 0 || c % 5 > 0)
+        }),
+    ]
+}
+
+#[test]
+fn holes_of_many_posts_and_any_shape_have_what_is_harmonic_around_them() {
+    // The mean of four neighbours is the middle one, exactly.
+    let harmonic = |r: f64, c: f64| 0.2 * (r - 60.0) * (r - 60.0) - 0.2 * c * c + 0.3 * r * c + 11.0;
+    let truth = grid([150, 150], harmonic, |_, _| false);
+    for (name, void) in many_posts() {
+        let heights = grid([150, 150], harmonic, void);
+        let filled = fill([150, 150], &heights, HARMONIC).expect("a grid");
+        assert!(filled.largest_hole > 24 && filled.still_void == 0, "{name}");
+        let worst = filled.heights.iter().zip(&truth).map(|(is, was)| (is - was).abs()).fold(0.0, f64::max);
+        assert!(worst < 1e-7, "{name}: {worst}");
+    }
+}
+
+#[test]
+fn a_hole_of_many_posts_at_the_border_comes_to_balance() {
+    let heights =
+        grid([90, 70], |r, c| 3.0 * r - c * c, |r, c| r < 30 && c > 35 && (r * 31 + c * 17) % 23 > 1);
+    let wishes = Wishes { border: Border::Filled, ..HARMONIC };
+    let filled = fill([90, 70], &heights, wishes).expect("a grid").heights;
+    for post in (0..heights.len()).filter(|&post| heights[post].is_nan()) {
+        let [row, column] = [post / 70, post % 70].map(|at| at as i64);
+        let beside: Vec<f64> = [(-1, 0), (1, 0), (0, -1), (0, 1)]
+            .map(|(down, right)| [row + down, column + right])
+            .into_iter()
+            .filter(|[r, c]| (0..90).contains(r) && (0..70).contains(c))
+            .map(|[r, c]| filled[(r * 70 + c) as usize])
+            .collect();
+        let mean = beside.iter().sum::<f64>() / beside.len() as f64;
+        assert!((filled[post] - mean).abs() < 1e-8, "{row} {column}: {} {mean}", filled[post]);
+    }
+}
+
+#[test]
+fn threads_change_no_bit_of_a_fill() {
+    let [_, (_, void), ..] = many_posts();
+    let heights = grid([150, 150], |r, c| libm::sin(r / 9.0) + c, void);
+    let by = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+        pool.install(|| fill([150, 150], &heights, HARMONIC)).expect("a grid").heights
+    };
+    let bits = |heights: Vec<f64>| heights.into_iter().map(f64::to_bits).collect::<Vec<_>>();
+    assert_eq!(bits(by(1)), bits(by(3)));
+}
+
 #[test]
 fn harmonic_beats_the_written_mean_for_scattered_voids_and_for_a_lake() {
     let ground = |r: f64, c: f64| 300.0 + 60.0 * libm::sin(r / 9.0) + 40.0 * libm::cos(c / 7.0) + r;
