@@ -133,7 +133,7 @@ pub const EVIDENCE: &[Evidence] = &[
     Evidence {
         name: "mutants",
         title: "Law files changed by a mutation tool",
-        command: "cargo mutants --workspace --file crates/world/landscape/src/photometry.rs --file crates/world/landscape/src/lunoid.rs \
+        command: "cargo mutants --workspace --file crates/world/photometry/src/lib.rs --file crates/world/landscape/src/lunoid.rs \
                   --file crates/device/sweep-generator/src/ramps.rs \
                   --file crates/device/display-projection-processor/src/deflection.rs --timeout 60 --cap-lints true --output target",
         form: Form::Lines,

@@ -11,6 +11,7 @@ use signal::Number;
 use solids::{Body, Solid};
 
 use crate::face::{Corner, Crossing, Outline};
+use crate::light::Returned;
 use crate::likeness::{Eye, Likeness, UNSEEN};
 use crate::meetings::Meetings;
 use crate::table::Drawing;
@@ -211,7 +212,8 @@ impl Pencil {
         stamp: Span,
         drawing: &mut Drawing,
     ) {
-        let Aspect { body, sweeps, .. } = aspect;
+        let Aspect { body, eye, sweeps, .. } = aspect;
+        let returned = Returned::new(body, *eye);
         let (first, tangents) = (sweeps.start as u32, &field.tangents[sweeps.clone()]);
         let (likeness, half_height) = (&self.likeness, field.view.tan_half_height);
         let (turn, _) = body.to_ground();
@@ -221,7 +223,7 @@ impl Pencil {
                 continue;
             }
             let corner = |at: usize| {
-                let lit = light.reflectivity((turn * normals[at]).to_array(), face.albedo);
+                let lit = light.reflectivity((turn * normals[at]).to_array(), face.albedo, &returned);
                 let light = if *dark { 0.0 } else { lit };
                 Corner { light, ..likeness.corner(face.corners[at], tangents) }
             };

@@ -9,6 +9,7 @@ use signal::{LANES, Number, eight};
 use solids::{Body, EightFaces, Eights};
 
 use crate::face::Corner;
+use crate::light::Returned;
 use crate::view::{Place, Sighting, project};
 use crate::{FaceLight, NEAREST};
 
@@ -94,8 +95,9 @@ impl Likeness {
         }
         // Where the eye is for the solid.
         let at = turn.transpose() * (eye.place - body.foot) / scale;
+        let returned = Returned::new(body, eye.place);
         for faces in faces {
-            self.find_seen(simd, eye, (at, &turn), faces, dark);
+            self.find_seen(simd, eye, (at, &turn), (faces, &returned), dark);
         }
         true
     }
@@ -136,7 +138,7 @@ impl Likeness {
         simd: V,
         eye: &Eye<'_>,
         (at, turn): (DVec3, &DMat3),
-        faces: &EightFaces,
+        (faces, returned): (&EightFaces, &Returned),
         dark: bool,
     ) {
         let [x, y, z] = &faces.normals;
@@ -148,7 +150,7 @@ impl Likeness {
         let is_seen = from_foot.simd_gt(distance);
         let first = self.faces.len() as u32;
         self.seen |= is_seen.to_bitmask().checked_shl(first).unwrap_or(0);
-        let lit = eye.light.reflectivity(turned(turn, normals), eight(simd, &faces.albedos));
+        let lit = eye.light.reflectivity(turned(turn, normals), eight(simd, &faces.albedos), returned);
         let lit = if dark { lit.like(0.0) } else { lit };
         let lit = is_seen.select(lit, lit.like(f64::from(UNSEEN))).to_array();
         let mut faces = [0.0; LANES];
@@ -190,6 +192,7 @@ mod tests {
 
     use fearless_simd::{Level, dispatch};
     use glam::{DMat3, DVec3, EulerRot};
+    use photometry::Photometry;
     use proptest::prelude::{prop_assert_eq, proptest};
     use scenario::{BodyShading, Curvature, Projection};
     use solids::{Body, Kind, rocks};
@@ -210,8 +213,11 @@ mod tests {
             scale in 0.1..4.0f64,
             sweeps in 0..60i32,
             [heading, pitch] in [-0.5..0.5f64, -0.5..0.5],
+            law in 0..3usize,
         ) {
-            let solid = Arc::new(rocks::shapes(7).unwrap().swap_remove(shape));
+            let gloss = Photometry::Specular { strength: 3.0, exponent: 5 };
+            let law = [Photometry::Lambert, Photometry::LunarLambert, gloss][law];
+            let solid = Arc::new(rocks::shapes(7).unwrap().swap_remove(shape).reflecting(law));
             let turn = match is_upright {
                 true => DMat3::from_rotation_z(turns[0]),
                 false => DMat3::from_euler(EulerRot::ZYX, turns[0], turns[1], turns[2]),
@@ -238,7 +244,9 @@ mod tests {
             let is_inside = corners.iter().all(|corner| corner.place.y.abs() <= 0.3);
             let is_near = vertices.iter().any(|vertex| ahead(vertex)[0] <= NEAREST);
             let faces = body.solid.faces().iter().zip(body.normals()).map(|(face, normal)| {
-                let lit = if is_dark { 0.0 } else { normal.dot(light.sun).max(0.0) * face.albedo };
+                let to_eye = (place - body.centre).normalize();
+                let cosines = [normal.dot(light.sun), normal.dot(to_eye), light.sun.dot(to_eye)];
+                let lit = if is_dark { 0.0 } else { law.returned(face.albedo, cosines) };
                 let faces_eye = normal.dot(place - vertices[face.corners[0] as usize]) > 0.0;
                 if faces_eye { lit as f32 } else { UNSEEN }
             });

@@ -192,8 +192,10 @@ impl<'a> Stand<'a> {
 
     fn seen(&self, face: usize, range: f64, direction: DVec3) -> Seen {
         let normal = self.normal(face, self.eye + range * direction, direction);
-        let cosine = normal.dot(self.sun).max(0.0);
-        let reflectivity = self.body.solid.albedo(face).map(|albedo| cosine * albedo);
+        let to_eye = -direction.normalize();
+        let cosines = [normal.dot(self.sun), normal.dot(to_eye), self.sun.dot(to_eye)];
+        let law = self.body.solid.photometry();
+        let reflectivity = self.body.solid.albedo(face).map(|albedo| law.returned(albedo, cosines));
         Seen {
             light: if self.dark { [0.0; 3] } else { reflectivity },
             range,

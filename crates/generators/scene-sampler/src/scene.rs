@@ -3,6 +3,7 @@
 use generator::{FrameError, Label, Stage};
 use glam::DVec3;
 use ground_mesh::body_triangles;
+use landscape::Photometry;
 use raster::Screen;
 use scenario::{Effects, LightPoint, Medium, Overlay, Sheet, SkyDisc};
 use solids::{Body, Kind};
@@ -106,7 +107,7 @@ impl Gathering<'_> {
         let sun = scenery.sun_of_group(body.group, time).unwrap_or_else(|| scenery.sun(time));
         let sun = DVec3::from_array(sun.direction());
         let drop = DVec3::Z * self.camera.drop_at(body.foot);
-        let is_open = body.solid.is_open();
+        let (is_open, law) = (body.solid.is_open(), body.solid.photometry());
         let id = self.faces.number(match body.kind {
             Kind::Rock => Label::Rock,
             Kind::Culture => Label::Culture,
@@ -115,9 +116,15 @@ impl Gathering<'_> {
             // An open surface is lit on the side that is seen.
             let is_behind = triangle.normals[0].dot(self.camera.eye - triangle.corners[0]) < 0.0;
             let turned = if is_open && is_behind { -1.0 } else { 1.0 };
-            let colour = |normal: DVec3| {
-                let lambert = (turned * normal.dot(sun)).max(0.0);
-                triangle.albedo.map(|albedo| albedo * lambert)
+            let colour = |corner: usize| {
+                let normal = turned * triangle.normals[corner];
+                // Lambert's law does not ask where the eye is.
+                let to_eye = match law {
+                    Photometry::Lambert => DVec3::Z,
+                    _ => (self.camera.eye - (triangle.corners[corner] - drop)).normalize_or(DVec3::Z),
+                };
+                let cosines = [normal.dot(sun), normal.dot(to_eye), sun.dot(to_eye)];
+                triangle.albedo.map(|albedo| law.returned(albedo, cosines))
             };
             let face = Face {
                 corners: triangle
@@ -127,7 +134,7 @@ impl Gathering<'_> {
                 priority: i32::from(body.priority),
                 sides: if is_open { Sides::Both } else { Sides::Front },
             };
-            self.faces.add_opaque(&face, triangle.normals.map(colour), &self.camera, self.screen)?;
+            self.faces.add_opaque(&face, [0, 1, 2].map(colour), &self.camera, self.screen)?;
         }
         Ok(())
     }

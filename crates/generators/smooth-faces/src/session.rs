@@ -62,6 +62,10 @@ impl GeneratorSession for Session {
             (!landscape.silhouettes().is_empty(), "far silhouettes"),
             (view.shadows.is_some(), "remote shadow"),
             (
+                scenery.has_laws_of_objects(),
+                "laws of reflection of objects (`object.photometry`); their faces return Lambert's light",
+            ),
+            (
                 scenery.face_lists().open_sea.is_some(),
                 "sea of true waves (`sea.waves`): `exact` alone has it",
             ),

@@ -4,7 +4,7 @@ use std::fmt::{self, Write};
 
 use features::{Crater, Features};
 use generator::Stage;
-use landscape::Attitude;
+use landscape::{Attitude, Photometry};
 use scenario::{Scenery, Standing};
 use serde::{Deserialize, Serialize};
 use solids::{Body, Kind};
@@ -92,7 +92,8 @@ fn with_guests(hash: String, scenery: &Scenery) -> String {
 /// Whether a body has more than a place, a shape and greys.
 fn is_dressed(body: &&Body) -> bool {
     let solid = &body.solid;
-    solid.is_colourful() || solid.is_smooth() || body.priority != 0 || body.group.is_some()
+    let has_looks = solid.is_colourful() || solid.is_smooth() || solid.photometry() != Photometry::Lambert;
+    has_looks || body.priority != 0 || body.group.is_some()
 }
 
 /// Craters and bodies come by the hundred thousand: their numbers are hashed as they are, not as text.

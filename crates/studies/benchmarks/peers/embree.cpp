@@ -10,6 +10,9 @@
 //
 //   trace PACKET NORTH EAST UP   traces a frame by packets of 16, 8 or 1 rays under the sun of that direction: SECONDS
 //   show PACKET                  traces a frame without sun: the first number of a normal is the light of its vertex: SECONDS
+//   texture COLUMNS LINES PATH   reads a texture, floats line by line from the top left: read
+//   drape PACKET                 traces a frame without sun: the first two numbers of a normal are a place in the texture, whose light is
+//                                taken between the four pixels around it: SECONDS
 //   light PACKET NORTH EAST UP LIFT   one ray from each vertex to the sun of that direction, from LIFT metres on; the picture has a value for
 //                                each vertex, 1 where nothing is in the way: SECONDS
 //   divide QUALITY               divides space anew, of quality low, medium or high: SECONDS
@@ -177,8 +180,26 @@ template <> struct Packet<1> {
     }
 };
 
+/// A picture that is laid over a mesh.
+struct Texture {
+    unsigned columns = 0, lines = 0;
+    std::vector<float> lights;
+
+    /// Light at a place in pixels, between the centres around it; beside the picture that of its edge.
+    float at(float across, float down) const {
+        const float i = std::clamp(across - 0.5f, 0.0f, static_cast<float>(columns - 1)),
+                    j = std::clamp(down - 0.5f, 0.0f, static_cast<float>(lines - 1));
+        const unsigned left = static_cast<unsigned>(i), top = static_cast<unsigned>(j);
+        const unsigned right = std::min(left + 1, columns - 1), bottom = std::min(top + 1, lines - 1);
+        const float u = i - static_cast<float>(left), v = j - static_cast<float>(top);
+        const float *above = &lights[static_cast<std::size_t>(top) * columns], *below = &lights[static_cast<std::size_t>(bottom) * columns];
+        const float first = above[left] + u * (above[right] - above[left]), second = below[left] + u * (below[right] - below[left]);
+        return first + v * (second - first);
+    }
+};
+
 /// What a frame asks.
-enum class Work { Sun, OwnLight, Vertices };
+enum class Work { Sun, OwnLight, Texture, Vertices };
 
 /// A frame that threads trace together.
 struct Frame {
@@ -189,6 +210,7 @@ struct Frame {
     Work work;
     /// Where rays from vertices begin (m).
     float lift;
+    const Texture &texture;
     std::vector<float> &picture;
     std::atomic<unsigned> next{0};
 };
@@ -241,6 +263,10 @@ template <unsigned N> void trace_packet(Frame &frame, RTCIntersectContext &conte
                         *c = frame.scene.vertices[corners[beyond ? 1 : 3]].normal;
             if (frame.work == Work::OwnLight) {
                 light[i] = w * a[0] + u * b[0] + v * c[0];
+                continue;
+            }
+            if (frame.work == Work::Texture) {
+                light[i] = frame.texture.at(w * a[0] + u * b[0] + v * c[0], w * a[1] + u * b[1] + v * c[1]);
                 continue;
             }
             const float north = w * a[0] + u * b[0] + v * c[0], east = w * a[1] + u * b[1] + v * c[1],
@@ -424,6 +450,7 @@ int main(int count, char **arguments) {
     std::vector<float> picture(static_cast<std::size_t>(scene.header.columns) * scene.header.lines);
     {
         Helpers helpers;
+        Texture texture;
         for (std::string line; std::getline(std::cin, line);) {
             std::istringstream words(line);
             std::string what, path;
@@ -433,9 +460,10 @@ int main(int count, char **arguments) {
             const bool whole = packet == 16 || packet == 8 || packet == 1;
             const bool by_sun = (what == "trace" || what == "light") && words >> sun[0] >> sun[1] >> sun[2];
             const bool of_vertices = what == "light" && by_sun && words >> lift && picture.size() == scene.vertices.size();
-            if (whole && (what == "show" || (what == "trace" && by_sun) || of_vertices)) {
-                const Work work = what == "show" ? Work::OwnLight : what == "trace" ? Work::Sun : Work::Vertices;
-                Frame frame{scene, space, {sun[0], sun[1], sun[2]}, work, lift, picture};
+            const bool of_texture = what == "drape" && !texture.lights.empty();
+            if (whole && (what == "show" || of_texture || (what == "trace" && by_sun) || of_vertices)) {
+                const Work work = what == "show" ? Work::OwnLight : of_texture ? Work::Texture : what == "trace" ? Work::Sun : Work::Vertices;
+                Frame frame{scene, space, {sun[0], sun[1], sun[2]}, work, lift, texture, picture};
                 begin = std::chrono::steady_clock::now();
                 helpers.trace(packet, frame);
                 std::cout << seconds_since(begin) << std::endl;
@@ -447,6 +475,14 @@ int main(int count, char **arguments) {
                                : line == "divide medium" ? RTC_BUILD_QUALITY_MEDIUM
                                                          : RTC_BUILD_QUALITY_HIGH);
                 std::cout << seconds_since(begin) << std::endl;
+            } else if (what == "texture") {
+                std::istringstream whole_line(line);
+                whole_line >> what >> texture.columns >> texture.lines >> path;
+                texture.lights.resize(static_cast<std::size_t>(texture.columns) * texture.lines);
+                std::ifstream file(path, std::ios::binary);
+                if (!file.read(reinterpret_cast<char *>(texture.lights.data()), static_cast<std::streamsize>(texture.lights.size() * sizeof(float))))
+                    fail(path + ": too short");
+                std::cout << "read" << std::endl;
             } else if (line.rfind("picture ", 0) == 0) {
                 path = line.substr(8);
                 std::ofstream file(path, std::ios::binary);
@@ -455,7 +491,7 @@ int main(int count, char **arguments) {
                 if (!file.flush()) fail(path + ": cannot be written");
                 std::cout << "written" << std::endl;
             } else {
-                fail("expected 'trace PACKET NORTH EAST UP', 'show PACKET' or 'light PACKET NORTH EAST UP LIFT' (a pixel for each vertex) with packets of 16, 8 or 1, 'divide low|medium|high' or 'picture PATH', found '" + line + "'");
+                fail("expected 'trace PACKET NORTH EAST UP', 'show PACKET', 'texture COLUMNS LINES PATH', 'drape PACKET' or 'light PACKET NORTH EAST UP LIFT' (a pixel for each vertex) with packets of 16, 8 or 1, 'divide low|medium|high' or 'picture PATH', found '" + line + "'");
             }
         }
     }

@@ -28,7 +28,6 @@ mod light;
 mod lunoid;
 mod map_frame;
 pub mod patch;
-mod photometry;
 mod places;
 mod posts;
 pub mod projection;

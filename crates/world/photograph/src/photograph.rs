@@ -1,6 +1,7 @@
 //! Picture, placement, sun and grey curve together.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use glam::DVec3;
 use photo_camera::Light;
@@ -9,10 +10,10 @@ use picture::{GreyPicture, Transfer};
 use crate::sampling::bilinear;
 use crate::{PhotoError, PhotoFile, Placement};
 
-/// A photograph of the ground.
+/// A photograph of the ground. Its picture is shared by all its copies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Photograph {
-    picture: GreyPicture,
+    picture: Arc<GreyPicture>,
     placement: Placement,
     /// Azimuth, clockwise from north, and elevation of the sun (rad).
     sun: Option<[f64; 2]>,
@@ -32,7 +33,7 @@ impl Photograph {
         let transfer = Transfer::new(white as f32, gamma as f32)?;
         let depth = picture.depth();
         let lights = (0..=depth.white()).map(|code| f64::from(transfer.intensity(code, depth))).collect();
-        Ok(Self { picture, placement, sun: light.sun(), transfer, lights })
+        Ok(Self { picture: Arc::new(picture), placement, sun: light.sun(), transfer, lights })
     }
 
     /// Reads a picture file (PNG, JPEG or TIFF) and its camera file.

@@ -3,7 +3,7 @@
 use std::num::NonZeroU16;
 use std::sync::Arc;
 
-use landscape::{Attitude, Sun};
+use landscape::{Attitude, Photometry, Sun};
 use solids::Body;
 
 use crate::{Carried, Channel, Course, DatedSky, Effects, FaceLists, Group, Guest, Pose, VehicleShape};
@@ -187,6 +187,13 @@ impl Scenery {
     /// Whether an object moves.
     pub fn has_moving_objects(&self) -> bool {
         self.guests.iter().any(Guest::moves)
+    }
+
+    /// Whether an object returns light by a law of its own.
+    pub fn has_laws_of_objects(&self) -> bool {
+        let standing = self.standing.iter().map(|standing| &standing.body.solid);
+        let mut solids = standing.chain(self.guests.iter().map(|guest| &guest.solid));
+        solids.any(|solid| solid.photometry() != Photometry::Lambert)
     }
 
     /// Whether an object has an open surface.

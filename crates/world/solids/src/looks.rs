@@ -1,6 +1,7 @@
-//! What a shape may have beside plane faces of one albedo: colours, and normals at its corners.
+//! What a shape may have beside plane faces of one albedo: colours, normals at its corners, a law of reflection.
 
 use glam::DVec3;
+use photometry::Photometry;
 use quantities::{intensity, is_grey};
 
 use crate::{Eights, Face, Solid, SolidError};
@@ -49,6 +50,17 @@ impl Solid {
     /// Albedo of a face for red, green and blue light, 0..=1.
     pub fn albedo(&self, face: usize) -> [f64; 3] {
         self.colours.as_ref().map_or([self.faces[face].albedo; 3], |colours| colours[face])
+    }
+
+    /// The same whose faces return light by `photometry`; Lambert's law is that of every new solid.
+    pub fn reflecting(mut self, photometry: Photometry) -> Self {
+        self.photometry = photometry;
+        self
+    }
+
+    /// How its faces return light.
+    pub fn photometry(&self) -> Photometry {
+        self.photometry
     }
 
     /// The same with normals at its corners, for smooth light: `normal` has that of a corner (index of a vertex) of a face, of any
@@ -120,6 +132,7 @@ fn shares([a, b, c]: [DVec3; 3], normal: DVec3, place: DVec3) -> [f64; 3] {
 mod tests {
     use crate::{Solid, SolidError};
     use glam::DVec3;
+    use photometry::Photometry;
 
     fn cube() -> Solid {
         Solid::boxed(-DVec3::ONE, DVec3::ONE, 0.5).unwrap()
@@ -148,6 +161,19 @@ mod tests {
             }
             assert!(round.normal_at(number, face.normal).distance(face.normal) < 1e-15);
         }
+    }
+
+    /// What was written before there were laws of bodies is written so still.
+    #[test]
+    fn a_law_of_reflection_shows_in_its_text_where_it_is_not_lamberts() {
+        let gloss = Photometry::Specular { strength: 2.0, exponent: 20 };
+        let (plain, shining) = (cube(), cube().reflecting(gloss));
+        assert_eq!((plain.photometry(), shining.photometry()), (Photometry::Lambert, gloss));
+        assert!(
+            !format!("{plain:?}").contains("photometry")
+                && format!("{shining:?}").contains("photometry: Specular")
+        );
+        assert!(plain != shining && shining.rounded().photometry() == gloss);
     }
 
     #[test]

@@ -1,6 +1,9 @@
 //! A single polyhedron, convex if it is closed.
 
+use std::fmt;
+
 use glam::DVec3;
+use photometry::Photometry;
 
 use crate::check::{check_closed, check_convex, check_counts, check_most, check_vertices, plane_of};
 use crate::edges::edges_of;
@@ -18,7 +21,7 @@ pub struct Face {
 }
 
 /// A polyhedron in body axes (m), its foot point at the origin: closed and convex, or open ([`is_open`](Self::is_open)).
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Clone, PartialEq)]
 pub struct Solid {
     pub(crate) vertices: Vec<DVec3>,
     pub(crate) faces: Vec<Face>,
@@ -26,11 +29,28 @@ pub struct Solid {
     pub(crate) colours: Option<Box<[[f64; 3]]>>,
     /// Unit normals at the corners of each face, where light is smooth.
     pub(crate) normals: Option<Box<[Vec<DVec3>]>>,
+    /// How its faces return light.
+    pub(crate) photometry: Photometry,
     is_open: bool,
     edge_words: Box<[EdgeWords]>,
     pub(crate) eights: Eights,
     radius: f64,
     size: f64,
+}
+
+/// All fields. The law of reflection is left out where it is Lambert's: hashes of this text are older than the law.
+impl fmt::Debug for Solid {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut text = f.debug_struct("Solid");
+        text.field("vertices", &self.vertices).field("faces", &self.faces);
+        text.field("colours", &self.colours).field("normals", &self.normals);
+        if self.photometry != Photometry::Lambert {
+            text.field("photometry", &self.photometry);
+        }
+        text.field("is_open", &self.is_open).field("edge_words", &self.edge_words);
+        text.field("eights", &self.eights).field("radius", &self.radius).field("size", &self.size);
+        text.finish()
+    }
 }
 
 impl Solid {
@@ -74,7 +94,19 @@ impl Solid {
         let edge_words = EdgeWords::all(&edges_of(&faces), [vertices.len(), faces.len()]);
         let eights = Eights::new(&vertices, &faces);
         let (colours, normals) = (None, None);
-        Ok(Self { vertices, faces, colours, normals, is_open: false, edge_words, eights, radius, size })
+        let photometry = Photometry::Lambert;
+        Ok(Self {
+            vertices,
+            faces,
+            colours,
+            normals,
+            photometry,
+            is_open: false,
+            edge_words,
+            eights,
+            radius,
+            size,
+        })
     }
 
     /// A surface of faces that need not close, nor enclose anything convex: each is seen from both sides. Its front is where its
@@ -96,7 +128,19 @@ impl Solid {
         let radius = vertices.iter().map(|vertex| vertex.length()).fold(0.0, f64::max);
         let eights = Eights::new(&vertices, &faces);
         let (colours, normals, edge_words) = (None, None, Box::default());
-        Ok(Self { vertices, faces, colours, normals, is_open: true, edge_words, eights, radius, size })
+        let photometry = Photometry::Lambert;
+        Ok(Self {
+            vertices,
+            faces,
+            colours,
+            normals,
+            photometry,
+            is_open: true,
+            edge_words,
+            eights,
+            radius,
+            size,
+        })
     }
 
     /// Whether its faces need not close: both of their sides are seen, and nothing is inside.

@@ -6,12 +6,14 @@ use crate::scenes::{
     landscape, laws, level, plane, planes, pose, ray, settings, standing_box, sun, sunk_box, value,
 };
 use generator::{Label, PlaneKind, Shade};
+use glam::DVec3;
 use hardware_model::Settings;
-use landscape::{Landscape, parabolic_drop};
+use landscape::{Landscape, Photometry, parabolic_drop};
 use scenario::{
     BodyVisibility, Curvature, Laws, PixelRule, Pose, Projection, Scenery, ShadowFineness, ShadowedBodies,
     Standing,
 };
+use solids::Solid;
 
 const PIXELS: [u32; 2] = [61, 81];
 
@@ -76,6 +78,41 @@ fn a_box_stands_where_it_stands() {
         }
         assert!(seen > 80, "{seen}");
     }
+}
+
+/// Light by the law of the box, pixel by pixel: the mirrored sun and the ray of the pixel.
+#[test]
+fn a_box_returns_light_by_a_law_of_its_own() {
+    let ground = landscape(plane(50.0, [6, 6], 0.0, [0.0; 2]), 0.5);
+    let settings = body_settings(usual(BodyVisibility::Depth));
+    let (pose, light) = (pose([100.3, 90.2, 2.5], -4.0, 37.0), sun(250.0, 20.0));
+    let gloss = Photometry::Specular { strength: 3.0, exponent: 6 };
+    let mut standing = standing_box(0, [115.0, 104.0, 0.0], 1.5, 2.0);
+    let solid = Solid::boxed(DVec3::new(-1.5, -1.5, 0.0), DVec3::new(1.5, 1.5, 2.0), 0.25).unwrap();
+    standing.body = standing.body.shaped(&Arc::new(solid.reflecting(gloss)));
+    let scenery = Scenery::still(light).with_bodies(vec![standing]);
+    let found = planes(&ground, scenery, &settings, &pose);
+    let pixels = culture(&found);
+    assert!(pixels.len() > 80, "{}", pixels.len());
+    let mut most: f64 = 0.0;
+    for index in pixels {
+        let normal = DVec3::from_array(
+            [PlaneKind::NormalNorth, PlaneKind::NormalEast, PlaneKind::NormalUp]
+                .map(|kind| value(&found, kind, index)),
+        );
+        let ray = ray(&settings, &pose, index);
+        let (to_eye, to_sun) = (
+            -DVec3::new(ray.direction[0], ray.direction[1], ray.rise).normalize(),
+            DVec3::from_array(light.direction()),
+        );
+        let lambert = normal.dot(to_sun).max(0.0);
+        let mirrored = 2.0 * normal.dot(to_sun) * normal - to_sun;
+        let shine = if lambert > 0.0 { 3.0 * libm::pow(mirrored.dot(to_eye).max(0.0), 6.0) } else { 0.0 };
+        let expected = 0.25 * lambert * (1.0 + shine);
+        assert!((value(&found, PlaneKind::Intensity, index) - expected).abs() < 1e-7, "{index}");
+        most = most.max(shine);
+    }
+    assert!(most > 0.1, "a highlight must show: {most}");
 }
 
 /// Level ground with a ridge 3 m high across at x = 60 m.

@@ -3,8 +3,9 @@
 use std::sync::Arc;
 
 use crate::shots::Shot;
-use generator::Label;
+use generator::{Label, PlaneKind};
 use glam::{DMat3, DVec3};
+use landscape::Photometry;
 use quantities::radians;
 use scenario::Standing;
 use solids::{Body, Kind, Solid};
@@ -71,4 +72,36 @@ fn a_body_at_the_border_is_seen_when_pixels_are_not_square() {
             check(&shot);
         }
     }
+}
+
+/// A box far away, so that all of it mirrors the sun alike.
+#[test]
+fn a_box_returns_light_by_a_law_of_its_own() {
+    let mut shot = Shot::new(60, 40, 400.0);
+    shot.pose.attitude.heading = radians(320.0);
+    shot.pose.eye[2] = 30.0;
+    shot.sun.azimuth = radians(320.0);
+    let gloss = Photometry::Specular { strength: 2.0, exponent: 3 };
+    let to_sun = DVec3::from_array(shot.sun.direction());
+    let mut light = |law| {
+        let mut standing = boxed(&shot, [30.0, 20.0], 60.0);
+        let solid = Solid::boxed(DVec3::splat(-1.0), DVec3::splat(1.0), 0.2).unwrap().reflecting(law);
+        standing.body = standing.body.shaped(&Arc::new(solid));
+        shot.standing = vec![standing];
+        let (frame, body) = (shot.draw(), &shot.standing[0].body);
+        let (planes, pixels) = (&frame.planes, frame.labelled(Label::Culture));
+        let picture = planes.get(PlaneKind::Intensity).unwrap();
+        let most = pixels.iter().map(|pixel| picture[*pixel]).fold(0.0, f32::max);
+        let to_eye = (DVec3::from_array(shot.pose.eye) - body.centre).normalize();
+        let of_face = |normal: DVec3| {
+            let lambert = normal.dot(to_sun).max(0.0);
+            let mirrored = (2.0 * normal.dot(to_sun) * normal - to_sun).dot(to_eye).max(0.0);
+            let shine = if law == gloss { 2.0 * mirrored * mirrored * mirrored } else { 0.0 };
+            if normal.dot(to_eye) > 0.0 { 0.2 * lambert * (1.0 + shine) } else { 0.0 }
+        };
+        (f64::from(most), body.normals().map(of_face).fold(0.0, f64::max))
+    };
+    let [plain, shining] = [light(Photometry::Lambert), light(gloss)];
+    assert!((plain.0 - plain.1).abs() < 1e-6, "{plain:?}");
+    assert!((shining.0 / shining.1 - 1.0).abs() < 0.1 && shining.0 > 1.2 * plain.0, "{plain:?} {shining:?}");
 }

@@ -1,4 +1,4 @@
-//! `[[group]]`, and `moves`, `group`, `priority` and `colour` of an `[[object]]`.
+//! `[[group]]`, and `moves`, `group`, `priority`, `colour` and `photometry` of an `[[object]]`.
 
 use std::collections::HashSet;
 use std::num::NonZeroU16;
@@ -9,8 +9,8 @@ use landscape::{Attitude, Sun};
 use quantities::radians;
 use solids::Solid;
 
-use super::all;
 use super::scenery::{Shape, place};
+use super::{all, light};
 use crate::{Group, GroupSun, MoveStation, Moves, Stance};
 
 /// Most groups of a scenario.
@@ -87,6 +87,17 @@ pub(super) fn coloured(table: &Reader, shape: Option<Shape>) -> Option<Shape> {
     let ((files, parts), colour) = (shape?, colour?);
     let coloured = |part: Arc<Solid>| Solid::clone(&part).coloured(colour).map(Arc::new).ok();
     Some((files, parts.into_iter().map(coloured).collect::<Option<_>>()?))
+}
+
+/// A shape whose faces return light by the object's own law.
+pub(super) fn reflecting(table: &Reader, shape: Option<Shape>) -> Option<Shape> {
+    let law = table.optional_table("photometry").map(|law| light::photometry(&law));
+    if !table.has("photometry") {
+        return shape;
+    }
+    let ((files, parts), law) = (shape?, law??);
+    let reflecting = |part: Arc<Solid>| Arc::new(Solid::clone(&part).reflecting(law));
+    Some((files, parts.into_iter().map(reflecting).collect()))
 }
 
 /// How an object moves; what its stations leave open is as in its stance.

@@ -144,7 +144,7 @@ fn object(
     let id = id(table);
     let open = table.bool("open").default(false);
     let shape = shape(table, open.unwrap_or_default(), folder, problems);
-    let shape = guests::coloured(table, shape);
+    let shape = guests::reflecting(table, guests::coloured(table, shape));
     let scale = table.f64("scale").above(0.0).at_most(1000.0).default(1.0);
     let stance = stance(table);
     let present = table.bool("present").default(true);

@@ -10,6 +10,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::time::Instant;
 
+use crate::row::Row;
 use benchmarks::peers::embree::{EyeMesh, Program, Sight as MeshSight};
 use benchmarks::peers::median;
 use front_door::{Wishes, open};
@@ -30,34 +31,6 @@ const TURNS: usize = 7;
 /// Rays to the sun begin so far from their posts (m). Chosen: a post does not shade itself.
 const LIFT: f64 = 0.05;
 
-/// A row: what is compared, figures of the issue, the measured one with its words, both sides, remark.
-struct Row {
-    quantity: String,
-    figures: [f64; 2],
-    measured: f64,
-    words: &'static str,
-    is_met: bool,
-    sides: [String; 2],
-    remark: String,
-}
-
-impl Row {
-    /// A row of times (s): ours must be less by so much.
-    fn as_fast(quantity: String, figures: [f64; 2], [ours, other]: [f64; 2], remark: String) -> Self {
-        let measured = other / ours;
-        let sides = [ours, other].map(|seconds| format!("{:.2} ms", seconds * 1e3));
-        Self {
-            quantity,
-            figures,
-            measured,
-            words: "times as fast",
-            is_met: measured >= figures[0],
-            sides,
-            remark,
-        }
-    }
-}
-
 /// All rows as a table in Markdown.
 ///
 /// # Errors
@@ -65,25 +38,16 @@ impl Row {
 pub fn table() -> Result<String, String> {
     let pool = ThreadPoolBuilder::new().num_threads(2).build().map_err(|error| error.to_string())?;
     let heights = pool.install(ground)?;
-    let mut text = "| issue | quantity | must | aim | measured | | ours | other | |\n|---|---|---|---|---|---|---|---|---|\n".to_owned();
+    let mut text = Row::HEAD.to_owned();
     for rows in [light_maps(&heights, &pool)?, viewsheds(&heights, &pool)?, database::rows(&pool).map(Ok)?] {
         match rows {
             Err(missing) => {
                 let _ = writeln!(text, "| 37 | {missing} | | | | | | | |");
             }
-            Ok(rows) => rows.iter().for_each(|row| tell(&mut text, row)),
+            Ok(rows) => text.extend(rows.iter().map(Row::line)),
         }
     }
     Ok(text)
-}
-
-fn tell(text: &mut String, row: &Row) {
-    let Row { quantity, figures: [must, aim], measured, words, is_met, sides: [ours, other], remark } = row;
-    let met = if *is_met { "met" } else { "**not met**" };
-    let _ = writeln!(
-        text,
-        "| 37 | {quantity} | {must} | {aim} | {measured:.2} {words} | {met} | {ours} | {other} | {remark} |"
-    );
 }
 
 /// Heights of the scenario's ground, from the middle of its south-western quarter.
@@ -168,7 +132,7 @@ fn light_maps(heights: &Heights, pool: &ThreadPool) -> Result<Result<Vec<Row>, S
     let row = |how: &str, other: f64| {
         let quantity =
             format!("fast light map, {POSTS} x {POSTS} posts, against Embree, one ray a post, {how}");
-        Row::as_fast(quantity, [5.0, 20.0], [ours, other], remark.clone())
+        Row::as_fast(37, quantity, [5.0, 20.0], [ours, other], remark.clone())
     };
     Ok(Ok(vec![row("space divided for it", traced + divided), row("space divided before", traced)]))
 }
@@ -239,7 +203,7 @@ fn viewsheds(heights: &Heights, pool: &ThreadPool) -> Result<Result<Vec<Row>, St
         );
         let remark =
             format!("{:.1} % of the posts visible, {:.2} % otherwise", share(visible), share(differ));
-        rows.push(Row::as_fast(quantity, [1.0, 4.0], [median(ours), median(seen.seconds)], remark));
+        rows.push(Row::as_fast(37, quantity, [1.0, 4.0], [median(ours), median(seen.seconds)], remark));
     }
     Ok(Ok(rows))
 }

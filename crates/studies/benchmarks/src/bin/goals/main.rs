@@ -3,6 +3,8 @@
 
 mod built;
 mod guests;
+mod photographs;
+mod row;
 
 use std::env;
 use std::path::Path;
@@ -58,6 +60,8 @@ enum Part {
     Verilator,
     /// Light map and viewshed of built ground, against Embree and xarray-spatial.
     Built,
+    /// Photographs over ground: voids, a drape against Embree, memory.
+    Photographs,
     /// The other generators against themselves, the judge and Embree.
     Guests {
         /// Rows whose quantity has these words alone.
@@ -106,6 +110,7 @@ fn main() -> ExitCode {
             Part::Embree,
             Part::Verilator,
             Part::Built,
+            Part::Photographs,
             Part::Guests { words: String::new() },
             Part::GuestMemory,
         ],
@@ -134,6 +139,12 @@ fn run(part: &Part) -> Result<(), String> {
         Part::Verilator => verilator(),
         Part::Built => {
             println!("{}", built::table()?);
+            Ok(())
+        }
+        Part::Photographs => {
+            let choice =
+                |scenario: &str| SideChoice { scenario: scenario.to_owned(), ..SideChoice::default() };
+            println!("{}", photographs::table(|scenario| guest_peak(&choice(scenario)))?);
             Ok(())
         }
         Part::Guests { words } => {

@@ -92,6 +92,28 @@ impl Embree {
         self.seconds(&format!("show {packet}"))
     }
 
+    /// Gives it a texture of `size` (columns, lines): light line by line from the top. [`Self::drape`] looks it up.
+    ///
+    /// # Errors
+    /// If it cannot be handed over.
+    pub fn texture(&mut self, [columns, lines]: [usize; 2], lights: &[f32]) -> Result<(), String> {
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let path = folder.path().join("texture");
+        let bytes: Vec<u8> = lights.iter().flat_map(|light| light.to_le_bytes()).collect();
+        fs::write(&path, bytes).map_err(|error| format!("{}: {error}", path.display()))?;
+        let said = self.process.ask(&format!("texture {columns} {lines} {}", path.display()))?;
+        if said == "read" { Ok(()) } else { Err(self.process.unexpected("read", &said)) }
+    }
+
+    /// Traces a frame of a mesh whose vertices have a pixel I, J of the texture in place of a normal, by packets of 16, 8 or 1 rays: its
+    /// time (s).
+    ///
+    /// # Errors
+    /// If it does not answer so.
+    pub fn drape(&mut self, packet: u32) -> Result<f64, String> {
+        self.seconds(&format!("drape {packet}"))
+    }
+
     /// Traces one ray from each vertex to the sun of this direction (north, east, up), from `lift` (m) on, by packets of 16, 8 or 1 rays: the
     /// time (s). The picture must have a pixel for each vertex; it is 1 where nothing is in the way, else 0.
     ///

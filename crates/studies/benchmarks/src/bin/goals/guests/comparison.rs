@@ -68,7 +68,7 @@ fn medians(row: &Comparison, [one, two]: &[ThreadPool; 2]) -> Result<Option<Medi
             let faces = first.session().faces(frame, &pose).map_err(|error| error.to_string())?;
             let mesh = screen_mesh(&faces.ok_or("the generator has no faces")?, &first.stage.view);
             let mut embree = program.start(&mesh, &camera_sight(&first.stage.view, *fineness))?;
-            let (packet, quality) = fastest(&mut embree, *anew)?;
+            let (packet, quality) = fastest(&mut embree, *anew, Embree::show)?;
             let difference = difference(
                 &picture,
                 &embree.picture()?,
@@ -99,14 +99,21 @@ fn traced(embree: &mut Embree, packet: u32, quality: Option<&str>) -> Result<f64
     Ok(divided + embree.show(packet)?)
 }
 
-/// The fastest packet and quality of the structure. Making the structure counts if each frame makes it.
-fn fastest(embree: &mut Embree, anew: bool) -> Result<(u32, &'static str), String> {
+/// The fastest packet and quality of the structure for what `show` asks of it. Making the structure counts if each frame makes it.
+///
+/// # Errors
+/// If it does not answer.
+pub fn fastest(
+    embree: &mut Embree,
+    anew: bool,
+    show: impl Fn(&mut Embree, u32) -> Result<f64, String>,
+) -> Result<(u32, &'static str), String> {
     let mut best: Option<(f64, u32, &str)> = None;
     for quality in QUALITIES {
         let divided = embree.divide(quality)?;
         for packet in PACKETS {
-            embree.show(packet)?;
-            let seconds = embree.show(packet)? + if anew { divided } else { 0.0 };
+            show(embree, packet)?;
+            let seconds = show(embree, packet)? + if anew { divided } else { 0.0 };
             if best.is_none_or(|(least, ..)| seconds < least) {
                 best = Some((seconds, packet, quality));
             }
@@ -114,7 +121,7 @@ fn fastest(embree: &mut Embree, anew: bool) -> Result<(u32, &'static str), Strin
     }
     let (_, packet, quality) = best.ok_or("no packet was tried")?;
     embree.divide(quality)?;
-    embree.show(packet)?;
+    show(embree, packet)?;
     Ok((packet, quality))
 }
 

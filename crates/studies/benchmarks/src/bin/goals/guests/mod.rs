@@ -8,7 +8,7 @@ mod list;
 mod memory;
 mod side;
 
-pub use comparison::table;
+pub use comparison::{fastest, table};
 pub use list::{Comparison, Guests, SideChoice};
 pub use memory::{memory_table, peak};
 pub use side::Side;

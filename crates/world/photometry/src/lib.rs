@@ -1,4 +1,4 @@
-//! Laws of reflection (section 7, specular factor; the report invites other functions).
+//! Laws of reflection (section 7, specular factor; the report invites other functions): of the ground, and of man-made things of their own.
 
 use signal::Number;
 
@@ -49,6 +49,17 @@ impl Photometry {
             Self::Specular { strength, exponent } => {
                 one + one.like(strength) * power(mirrored(mu0, mu, cos_g), one, exponent)
             }
+        }
+    }
+
+    /// Share of the light that a face of this `albedo` sends to the eye, 0..=1: `albedo * max(mu0, 0) * factor`, at most 1. To the bit
+    /// `max(mu0, 0) * albedo` for Lambert.
+    #[inline(always)]
+    pub fn returned<T: Number>(&self, albedo: T, [mu0, mu, cos_g]: [T; 3]) -> T {
+        let lit = mu0.at_least(mu0.like(0.0)) * albedo;
+        match self {
+            Self::Lambert => lit,
+            _ => within_one(lit * self.factor(mu0, mu, cos_g)),
         }
     }
 }
@@ -138,6 +149,19 @@ mod tests {
             (sin_cos(radians(60.0)), sin_cos(radians(45.0)), sin_cos(radians(105.0)));
         let expected = 1.0 + 0.7 * libm::pow(sin_cos(radians(15.0)).1, 37.0);
         assert!((LAWS[3].factor(mu0, mu, cos_g) - expected).abs() < 1e-14);
+    }
+
+    #[test]
+    fn a_face_returns_no_more_than_it_is_given() {
+        let gloss = Photometry::Specular { strength: 3.0, exponent: 9 };
+        // Seen from the mirrored sun: a highlight of full height.
+        let cosines = [0.5f64, 0.5, -0.5];
+        assert_eq!(Photometry::Lambert.returned(0.2, cosines), 0.1);
+        assert!((gloss.returned(0.2, cosines) - 0.4).abs() < 1e-15);
+        assert_eq!(gloss.returned(0.9, cosines), 1.0);
+        for law in LAWS {
+            assert_eq!(law.returned(0.9, [-0.1, 0.5, -0.5]), 0.0, "{law:?}");
+        }
     }
 
     /// McEwen's cubic, held to 0..=1.

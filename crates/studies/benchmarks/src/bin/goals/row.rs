@@ -1,0 +1,110 @@
+//! A row of a table of measured figures: what is compared, what must hold, what was found.
+
+/// What is compared, figures of the issue, the measured one with its words, both sides, remark.
+pub struct Row {
+    /// Issue that set the figures.
+    pub issue: u32,
+    /// What is compared, in words.
+    pub quantity: String,
+    /// What must be reached, and what is aimed at.
+    pub figures: [f64; 2],
+    /// What was measured.
+    pub measured: f64,
+    /// Words behind it.
+    pub words: &'static str,
+    /// Whether it is what must be.
+    pub is_met: bool,
+    /// Both sides, with their units.
+    pub sides: [String; 2],
+    /// What else belongs to the row.
+    pub remark: String,
+}
+
+impl Row {
+    /// Head of a table of rows, in Markdown.
+    pub const HEAD: &str = "| issue | quantity | must | aim | measured | | ours | other | |\n|---|---|---|---|---|---|---|---|---|\n";
+
+    /// A row of times (s): ours must be less by so much.
+    pub fn as_fast(
+        issue: u32,
+        quantity: String,
+        figures: [f64; 2],
+        [ours, other]: [f64; 2],
+        remark: String,
+    ) -> Self {
+        let measured = other / ours;
+        let is_met = measured >= figures[0];
+        Self {
+            issue,
+            quantity,
+            figures,
+            measured,
+            words: "times as fast",
+            is_met,
+            sides: millis([ours, other]),
+            remark,
+        }
+    }
+
+    /// A row of times (s): ours may be so many times the other at most.
+    pub fn times_the_time(
+        issue: u32,
+        quantity: String,
+        figures: [f64; 2],
+        [ours, other]: [f64; 2],
+        remark: String,
+    ) -> Self {
+        let measured = ours / other;
+        let is_met = measured <= figures[0];
+        Self {
+            issue,
+            quantity,
+            figures,
+            measured,
+            words: "times its time",
+            is_met,
+            sides: millis([ours, other]),
+            remark,
+        }
+    }
+
+    /// The row as a line of a table in Markdown.
+    pub fn line(&self) -> String {
+        let Self {
+            issue,
+            quantity,
+            figures: [must, aim],
+            measured,
+            words,
+            is_met,
+            sides: [ours, other],
+            remark,
+        } = self;
+        let met = if *is_met { "met" } else { "**not met**" };
+        format!(
+            "| {issue} | {quantity} | {must} | {aim} | {measured:.2} {words} | {met} | {ours} | {other} | {remark} |\n"
+        )
+    }
+}
+
+/// Times (s) as they are printed.
+fn millis(times: [f64; 2]) -> [String; 2] {
+    times.map(|seconds| format!("{:.2} ms", seconds * 1e3))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Row;
+
+    #[test]
+    fn rows_of_times_count_both_ways() {
+        let fast = Row::as_fast(1, "q".into(), [3.0, 9.0], [0.002, 0.006], String::new());
+        assert_eq!((fast.measured, fast.is_met), (3.0, true));
+        let slow = Row::times_the_time(1, "q".into(), [3.0, 1.0], [0.008, 0.002], String::new());
+        assert_eq!((slow.measured, slow.is_met), (4.0, false));
+        assert_eq!(
+            slow.line(),
+            "| 1 | q | 3 | 1 | 4.00 times its time | **not met** | 8.00 ms | 2.00 ms |  |\n"
+        );
+    }
+}
