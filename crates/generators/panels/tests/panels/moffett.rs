@@ -114,10 +114,13 @@ fn void_panels_are_marked_to_the_last_picture() {
     let marked = text.replace("restrictions = true", "restrictions = true\nvoids = \"mark\"\noutside = 1");
     let pose = poses("moffett")[1];
     let [(filled, usual), (shown, void)] = [text, marked].map(|text| {
-        let mut planes = Planes::new(512, 512, &[PlaneKind::Intensity]);
+        let mut planes = Planes::new(512, 512, &[PlaneKind::Intensity, PlaneKind::Label]);
         let mut probe = Probe::new(vec!["panels.void".into()], 0..512);
         session(&text, "frame").frame(0, &pose, &mut planes, &mut probe).unwrap();
         let gates: Vec<f64> = probe.waveforms.into_iter().flat_map(|wave| wave.values).collect();
+        let void = f32::from(generator::Label::Void.code());
+        let labels = planes.get(PlaneKind::Label).unwrap().iter();
+        assert!(labels.zip(&gates).all(|(label, gate)| (*label == void) == (*gate == 1.0)));
         (planes.get(PlaneKind::Intensity).unwrap().to_vec(), gates)
     });
     assert_eq!(usual, void, "the mask does not depend on what is drawn");
