@@ -6,3 +6,4 @@ mod link;
 mod lod;
 mod panels;
 mod smooth;
+mod town;

@@ -8,12 +8,15 @@ use lunoid_tests::Shipped;
 use photo_make::{Reach, Wishes, make};
 use photograph::Photograph;
 use picture::{Depth, Transfer};
-use quantities::radians;
-use scenario::{Curvature, PixelRule};
+use quantities::{degrees, radians};
+use scenario::{Curvature, PixelRule, RollDisplay};
 use signal::Probe;
 
 /// Middle of the flight, between the hills.
 const FRAME: u64 = 60;
+
+/// In the first turn of the flight over a photograph.
+const FLIGHT_FRAME: u64 = 70;
 
 /// The scenario in a small picture.
 fn shipped(change: impl FnOnce(&mut scenario::Scenario)) -> Shipped {
@@ -79,6 +82,28 @@ fn the_closed_loop_closes_as_pixels_become_smaller() {
     // Over three halvings, fitted by the ends.
     let order = libm::log2(loops[0] / loops[3]) / 3.0;
     assert!(order >= 0.9, "order {order}: {loops:?}");
+}
+
+#[test]
+fn the_flight_leans_as_its_path_says() {
+    let flight = |display| {
+        Shipped::changed("photo-flight", None, |scenario| {
+            (scenario.raster.columns, scenario.raster.lines) = (Some(160), Some(120));
+            scenario.roll = display;
+        })
+    };
+    let [leaning, upright] = [RollDisplay::Yoke, RollDisplay::None].map(flight);
+    let of = |shipped: &Shipped| {
+        let session = session(shipped.stage().stage(), &[]);
+        shipped.draw(&*session, FLIGHT_FRAME, &mut Probe::off()).planes
+    };
+    let yoke = degrees(leaning.pose(FLIGHT_FRAME).pose.yoke);
+    assert!((yoke + 18.2).abs() < 0.1, "{yoke}");
+    assert_eq!(upright.pose(FLIGHT_FRAME).pose.yoke, 0.0);
+    let found = of(&leaning);
+    let [exact, turned] =
+        [leaning.exact(FLIGHT_FRAME).planes, of(&upright)].map(|other| apart(&found, &other));
+    assert!((exact - 0.0025).abs() < 0.00005 && turned > 10.0 * exact, "{exact} {turned}");
 }
 
 #[test]

@@ -8,6 +8,7 @@ mod apollo;
 mod catalogue;
 mod drive;
 mod photo;
+mod photo_drive;
 mod shared;
 
 use quantities::radians;

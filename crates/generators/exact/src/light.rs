@@ -58,7 +58,16 @@ impl<'a> Light<'a> {
             normal: normal(slopes),
             reflectivity: signed.map(|channel| channel.clamp(0.0, 1.0)),
             shade: shade(shaded, dark),
-            label: label(rise.present, dark),
+            label: self.label(spot.place, rise.present, dark),
+        }
+    }
+
+    fn label(&self, [x, y]: [f64; 2], crater: bool, dark: Option<Dark>) -> Label {
+        match dark {
+            Some(Dark::Track) => Label::Track,
+            _ if crater => Label::Feature,
+            _ if self.landscape.is_void(x, y) => Label::Void,
+            _ => Label::Terrain,
         }
     }
 
@@ -111,13 +120,5 @@ fn shade(shaded: f64, dark: Option<Dark>) -> Shade {
         _ if shaded <= 0.0 => Shade::Local,
         Some(_) => Shade::Remote,
         None => Shade::Lit,
-    }
-}
-
-fn label(crater: bool, dark: Option<Dark>) -> Label {
-    match dark {
-        Some(Dark::Track) => Label::Track,
-        _ if crater => Label::Feature,
-        _ => Label::Terrain,
     }
 }

@@ -185,6 +185,10 @@ codes! {
         Wake = "wake or effect",
         /// A ship, or the box around it.
         Ship = "ship",
+        /// Terrain for which the survey had no data: its height is filled in.
+        Void = "void",
+        /// Terrain that no photograph shows: its light is that of the ground around, or a light outside.
+        Inferred = "inferred light",
     }
 }
 
@@ -305,11 +309,11 @@ mod tests {
         let labels: Vec<_> = Label::ALL.iter().map(|label| (label.code(), label.name())).collect();
         let words = ["sky", "terrain", "feature", "rock", "culture", "vehicle track", "far silhouette"];
         let words = words.into_iter().chain(["light point", "translucent sheet", "fixed to the eye"]);
-        let words = words.chain(["sea", "wake or effect", "ship"]);
+        let words = words.chain(["sea", "wake or effect", "ship", "void", "inferred light"]);
         assert_eq!(labels, (0..).zip(words).collect::<Vec<_>>());
         assert_eq!([Shade::Lit, Shade::Local, Shade::Remote].map(Shade::code), [0, 1, 2]);
         assert!(Label::ALL.iter().all(|label| Label::of_code(label.code()) == Some(*label)));
-        assert_eq!((Label::of_code(13), Shade::of_code(3)), (None, None));
+        assert_eq!((Label::of_code(15), Shade::of_code(3)), (None, None));
     }
 
     #[test]

@@ -39,7 +39,13 @@ fn write_view(
     number: usize,
     restrictions: Restrictions,
 ) -> Result<(), Box<dyn Error>> {
-    let settings = Settings { restrictions, fill: Fill::EdgeBuffer, outside: 0.0, marks_voids: false };
+    let settings = Settings {
+        restrictions,
+        fill: Fill::EdgeBuffer,
+        outside: 0.0,
+        marks_voids: false,
+        blends_borders: false,
+    };
     let program = Program::new(&block::block(shift), lie(), photograph, settings)?;
     let drawn = program.draw(&observer(number))?;
     let codes = drawn.light.iter().map(|light| (255.0 * light).round() as u16).collect();

@@ -2,6 +2,7 @@
 
 use raster::Screen;
 
+use crate::blend::blend;
 use crate::canvas::{Canvas, Look};
 use crate::depth::{DepthBuffer, DepthPlane, NoDepth};
 use crate::fill::written;
@@ -123,6 +124,9 @@ impl<'a> Frame<'a> {
             look.distance = distance(pixel, look.distance);
         }
         let pieces = FillPieces { pixels: writes, ..pieces };
+        if program.settings.blends_borders {
+            blend(&mut picture, &program.panels, columns);
+        }
         picture.work = match program.settings.restrictions.both_ends {
             true => pieces.written.as_fill_work(pieces.cells),
             false => filler.work,

@@ -29,6 +29,7 @@
 //!
 //! `tests/panel_program`: check values of the specification, each switch alone, five ways to fill. `examples/fill_cost.rs` counts what they cost.
 
+mod blend;
 mod canvas;
 mod depth;
 mod error;

@@ -25,6 +25,8 @@ pub struct Settings {
     pub outside: f64,
     /// Whether a panel that touches a void has that light too, in place of its grey.
     pub marks_voids: bool,
+    /// Whether pixels on both sides of a border of panels have their mean.
+    pub blends_borders: bool,
 }
 
 /// A panel with its grey.

@@ -49,6 +49,7 @@
 //! | `panels.fill` | `edge-buffer`, `fence`, `seed`, `span`, `rasteriser` | none | `panel-program` draws, and fills panels in this way |
 //! | `panels.posts` | a table | none | `panel-program` draws posts of its own, a second of arc apart: [`PostTable`] |
 //! | `panels.voids` | `fill`, `mark` | `fill` | `mark`: `panel-program` draws, and panels that touch a void have the light `outside` |
+//! | `panels.boundary_blend` | true, false | false | `panel-program` draws, and pixels on both sides of a border of panels have their mean |
 //! | `panels.pattern` | `1`, `4`, `8`, `16`, `grid16`, `lattice32`, `off-centre16` | `4` | sampling points of a pixel |
 //! | `panels.rotate` | true, false | false | the pattern is turned from pixel to pixel |
 //! | `panels.filter` | `box`, `tent`, `gaussian` | `box` | how sampling points make a pixel |

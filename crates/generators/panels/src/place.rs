@@ -1,6 +1,6 @@
 //! What a pixel shows of the ground: its panel, and what photographs show there.
 
-use generator::Fact;
+use generator::{Fact, Label};
 use glam::DVec3;
 use photo_drape::Footprint;
 use scene_sampler::Camera;
@@ -39,6 +39,16 @@ impl Seen {
             source: shown.map(|shown| shown.pixel),
             writes: 0.0,
             touches_void: false,
+        }
+    }
+
+    /// Terrain, terrain without data, or terrain that no photograph shows.
+    pub fn label(&self, prepared: &Prepared) -> Label {
+        let is_void = prepared.stage.landscape.is_void(self.place.x, self.place.y);
+        match prepared.drape.is_shown(self.place) {
+            _ if is_void => Label::Void,
+            false => Label::Inferred,
+            true => Label::Terrain,
         }
     }
 

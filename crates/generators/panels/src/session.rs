@@ -1,7 +1,7 @@
 //! The generator made ready for a stage.
 
 use generator::{
-    FaceScene, Fact, FrameCounts, FrameError, Label, Omission, Planes, PrepareError,
+    FaceScene, Fact, FrameCounts, FrameError, Label, Omission, PlaneKind, Planes, PrepareError,
     Session as GeneratorSession, Stage, Weight, check_free_eye, face_lists_beside,
 };
 use glam::DVec3;
@@ -84,14 +84,23 @@ impl GeneratorSession for Session {
         let run = &self.prepared.run.sampling;
         let view = &self.prepared.stage.view;
         let picture = scene_sampler::draw_untimed(&scene, &self.screen, run, (view, frame), planes)?;
-        signals::record((frame, view), false, probe, |pixel| {
+        // What a pixel shows of the ground.
+        let ground = |pixel: [usize; 2]| {
             let (q, label) = picture.surfaces[pixel[1] * view.columns as usize + pixel[0]];
             let is_ground = q > 0.0 && label == Label::Terrain;
-            if !is_ground {
-                return Sample::NONE;
-            }
-            Seen::new(&scene.camera, pixel, f64::from(q)).sample(&self.prepared, &scene.camera)
+            is_ground.then(|| Seen::new(&scene.camera, pixel, f64::from(q)))
+        };
+        signals::record((frame, view), false, probe, |pixel| {
+            ground(pixel).map_or(Sample::NONE, |seen| seen.sample(&self.prepared, &scene.camera))
         });
+        if let Some(labels) = planes.get_mut(PlaneKind::Label) {
+            let columns = view.columns as usize;
+            for (at, label) in labels.iter_mut().enumerate() {
+                if let Some(seen) = ground([at % columns, at / columns]) {
+                    *label = f32::from(seen.label(&self.prepared).code());
+                }
+            }
+        }
         Ok(FrameCounts::of([
             ("panels", self.prepared.mesh.panels.len() as u64),
             ("faces", scene.faces.work.faces),

@@ -74,16 +74,28 @@ pub(crate) fn write_animation(
 
 /// Writes all pictures as an animated PNG, one in memory at a time.
 fn write_film(out: &mut dyn Write, pictures: &[PathBuf], rate: Rate) -> io::Result<()> {
-    let Some(first) = pictures.first().map(|path| read_eight_bits(path)).transpose()? else { return Ok(()) };
-    let count = pictures.len() as u32;
+    write_apng(out, pictures.len(), rate, pictures.iter().map(|path| read_eight_bits(path)))
+}
+
+/// Writes `count` pictures of 8 bits and of one size as an animated PNG, one in memory at a time, `rate` a second. Without pictures nothing is written.
+///
+/// # Errors
+/// If a picture is an error or unlike the first, there are more or fewer of them, or `out` cannot be written.
+pub fn write_apng(
+    out: &mut dyn Write,
+    count: usize,
+    rate: Rate,
+    mut pictures: impl Iterator<Item = io::Result<AnyPicture>>,
+) -> io::Result<()> {
+    let Some(first) = pictures.next().transpose()? else { return Ok(()) };
     let begin = if first.is_colour() { Apng::colour } else { Apng::new };
-    let mut film = begin(out, first.columns(), first.lines(), count, delay(rate))?;
+    let mut film = begin(out, first.columns(), first.lines(), count as u32, delay(rate))?;
     let mut add = |frame: &AnyPicture| match frame {
         AnyPicture::Grey(frame) => film.add(frame),
         AnyPicture::Colour(frame) => film.add(frame),
     };
     add(&first)?;
-    pictures[1..].iter().try_for_each(|path| add(&read_eight_bits(path)?))?;
+    pictures.try_for_each(|picture| add(&picture?))?;
     film.finish()
 }
 

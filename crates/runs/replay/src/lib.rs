@@ -51,7 +51,7 @@ mod written;
 pub use camera::Pinhole;
 pub use costs::frame_costs;
 pub use error::ReplayError;
-pub use film::write_y4m;
+pub use film::{write_apng, write_y4m};
 pub use fingerprint::{Fingerprint, differences};
 pub use folder::RunFolder;
 pub use held::{HeldRun, RUN_RECORD};

@@ -176,6 +176,11 @@ impl Landscape {
         self.level().locate(x, y).is_some_and(|(region, _)| !self.bank.is_void(region))
     }
 
+    /// Whether the survey had no data at (x, y) (m), so that the ground there is filled in; false outside the finest level.
+    pub fn is_void(&self, x: f64, y: f64) -> bool {
+        self.level().locate(x, y).is_some_and(|(region, _)| self.bank.is_void(region))
+    }
+
     /// Height at (x, y) (m); `None` outside the problem area.
     pub fn height(&self, x: f64, y: f64) -> Option<f64> {
         self.at(x, y).map(|point| point.height)
@@ -250,6 +255,9 @@ mod tests {
         let landscape = Landscape::new(bank, 0.5);
         assert!(landscape.has_data(5.0, 5.0) && landscape.has_data(15.0, 15.0));
         assert!(!landscape.has_data(15.0, 5.0) && !landscape.has_data(25.0, 5.0));
+        assert!(
+            landscape.is_void(15.0, 5.0) && !landscape.is_void(5.0, 5.0) && !landscape.is_void(25.0, 5.0)
+        );
         // It is drawn all the same.
         assert_eq!(landscape.height(15.0, 5.0), Some(0.0));
     }

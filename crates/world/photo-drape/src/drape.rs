@@ -90,6 +90,11 @@ impl Drape {
         Some(Shown { light, photograph, pixel: look.pixel, weight: look.weight, seen_by })
     }
 
+    /// Whether a photograph shows a place of the ground (north, east, up; m).
+    pub fn is_shown(&self, place: DVec3) -> bool {
+        self.layers.iter().any(|layer| layer.shows(&self.ground, place).is_some())
+    }
+
     /// Mean light of the pixels of a photograph (from 0) whose centres lie in a triangle of the ground (north, east, up; m), with their number; none
     /// where there is no such pixel.
     pub fn mean_in(&self, photograph: usize, corners: [DVec3; 3]) -> Option<(f64, u32)> {

@@ -72,12 +72,15 @@ impl Layer {
         share >= 0.5
     }
 
+    /// Pixel I, J in which the photograph shows a place of the ground; none where it does not.
+    pub fn shows(&self, ground: &Ground, place: DVec3) -> Option<[f64; 2]> {
+        let pixel = self.pixel(place).filter(|pixel| self.photograph.holds(*pixel))?;
+        self.sees(ground, [place.x, place.y]).then_some(pixel)
+    }
+
     /// How the photograph shows a place in a footprint; none where it does not, or hardly.
     pub fn look(&self, ground: &Ground, place: DVec3, footprint: &Footprint) -> Option<Look> {
-        let pixel = self.pixel(place).filter(|pixel| self.photograph.holds(*pixel))?;
-        if !self.sees(ground, [place.x, place.y]) {
-            return None;
-        }
+        let pixel = self.shows(ground, place)?;
         let step = |way: DVec3| {
             let [i, j] = self.pixel(place + way)?;
             Some([i - pixel[0], j - pixel[1]])

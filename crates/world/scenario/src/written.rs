@@ -222,7 +222,12 @@ fn scenario(root: &Reader, surroundings: &Surroundings, problems: &Problems) -> 
     let (wishes, field) = (raster::wishes(&raster), raster::field_of_view(&raster, &raster));
     let channels = channels::channels(&root.tables("channel"), &raster);
     let levels = part(root, "levels", levels);
-    let roll = roll(&root.table_or_empty("roll"));
+    let roll_table = root.table_or_empty("roll");
+    let roll = roll(&roll_table);
+    if let (Some(Some(course)), false) = (&path, roll_table.has("display")) {
+        let note = doubts::hidden_roll(course.path.waypoints());
+        note.into_iter().for_each(|note| problems.note(format!("{}: {note}", course.path.name())));
+    }
     let range = root.optional_table("range").map(|table| words::range(&table));
     let laws = laws(&root.table_or_empty("laws"));
     let scalar = scalar(&root.table_or_empty("run"));

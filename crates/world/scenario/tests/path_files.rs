@@ -236,6 +236,20 @@ fn angles_in_the_other_unit_are_told() {
 }
 
 #[test]
+fn roll_that_no_picture_shows_is_told() {
+    let told = |roll: [&str; 2], keys: &str| {
+        let rows = format!("0,1,1,90,{}\n1,1,2,90,{}\n", roll[0], roll[1]);
+        let file = format!("t_s,x_m,y_m,heading_deg,roll_deg\n{rows}");
+        notes(&read_over(None, "p.csv", file.as_bytes(), keys).unwrap()).join("; ")
+    };
+    assert!(told(["0", "-3"], "").contains("roll_deg turns no picture"));
+    assert_eq!(told(["0", "0"], ""), "");
+    for display in ["yoke", "none"] {
+        assert_eq!(told(["0", "-3"], &format!("[roll]\ndisplay = \"{display}\"\n")), "");
+    }
+}
+
+#[test]
 fn headings_across_the_way_are_told() {
     let told = |rows: &str| {
         let read = read("p.csv", &format!("t_s,x_m,y_m,heading_deg\n{rows}"));

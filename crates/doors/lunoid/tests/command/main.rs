@@ -4,6 +4,7 @@ mod augment;
 mod bad_input;
 mod banks;
 mod beam;
+mod briefing;
 mod cartridges;
 mod changed;
 mod channels;

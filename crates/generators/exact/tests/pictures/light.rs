@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::scenes::{bumps, crater_field, landscape, laws, place, planes, pose, ray, settings, sun, value};
-use generator::{PlaneKind, Planes};
+use generator::{Label, PlaneKind, Planes};
 use hardware_model::Settings;
 use landscape::{Landscape, Layer, Photometry, Source, Sun, Texture};
 use scenario::{
@@ -140,4 +140,20 @@ fn texture_is_added_behind_the_shadow_switch() {
         }
         assert!(counts[0] > 20 && counts[1] > 20 && (counts[2] > 20) == shadows, "{counts:?}");
     }
+}
+
+#[test]
+fn ground_without_data_has_a_label_of_its_own() {
+    // Regions of 8 m: two of them, ahead of the eye, have no data.
+    let voids = [[0, 1], [1, 2]];
+    let bank = landscape(bumps(5, 0.5), 0.8).bank().clone().with_voids(voids.to_vec()).unwrap();
+    let shot = shoot(Landscape::new(bank, 0.8), usual(), false);
+    let mut found = [0; 2];
+    for (index, place, _) in shot.ground() {
+        let is_void = voids.contains(&place.map(|at| (at / 8.0) as u32));
+        let expected = if is_void { Label::Void } else { Label::Terrain };
+        assert_eq!(value(&shot.planes, PlaneKind::Label, index), f64::from(expected.code()), "{place:?}");
+        found[usize::from(is_void)] += 1;
+    }
+    assert!(found.iter().all(|count| *count > 20), "{found:?}");
 }

@@ -17,7 +17,13 @@ fn of_post(last: f64) -> ([f64; 2], f64) {
         (79, 172) => last,
         _ => 3.0,
     };
-    let settings = Settings { restrictions: axes(), fill: Fill::Span, outside: 0.0, marks_voids: false };
+    let settings = Settings {
+        restrictions: axes(),
+        fill: Fill::Span,
+        outside: 0.0,
+        marks_voids: false,
+        blends_borders: false,
+    };
     let program = Program::new(&posts(0.0, height), lie(), usual(), settings).unwrap();
     let number = (75 - ROWS[0]) * (COLUMNS[1] - COLUMNS[0] + 1) + 177 - COLUMNS[0];
     program.posts_on_screen(&observer(1))[number]

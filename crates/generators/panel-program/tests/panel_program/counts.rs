@@ -10,6 +10,7 @@ pub fn as_written() -> Settings {
         fill: Fill::EdgeBuffer,
         outside: 0.0,
         marks_voids: false,
+        blends_borders: false,
     }
 }
 

@@ -9,7 +9,13 @@ use picture::{Depth, GreyPicture};
 use crate::block::{FRAME, block, camera, lie, observer, photograph, place, usual};
 
 fn draw(posts: &Posts, restrictions: Restrictions, view: &View) -> (Program, Picture) {
-    let settings = Settings { restrictions, fill: Fill::EdgeBuffer, outside: 0.0, marks_voids: false };
+    let settings = Settings {
+        restrictions,
+        fill: Fill::EdgeBuffer,
+        outside: 0.0,
+        marks_voids: false,
+        blends_borders: false,
+    };
     let program = Program::new(posts, lie(), usual(), settings).unwrap();
     let picture = program.draw(view).unwrap();
     (program, picture)
@@ -89,7 +95,13 @@ fn signed_bytes_cancel() {
     let placement = Placement::Camera { camera: camera(FRAME), axes: Axes::Body(Ellipsoid::CLARKE_1866) };
     let photograph = Photograph::new(picture, placement, Light::default()).unwrap();
     let of = |restrictions| {
-        let settings = Settings { restrictions, fill: Fill::Span, outside: 0.0, marks_voids: false };
+        let settings = Settings {
+            restrictions,
+            fill: Fill::Span,
+            outside: 0.0,
+            marks_voids: false,
+            blends_borders: false,
+        };
         let program = Program::new(&block(0.0), lie(), &photograph, settings).unwrap();
         program.panels().iter().map(|panel| 255.0 * panel.grey.light).collect::<Vec<f64>>()
     };
@@ -205,7 +217,13 @@ fn figure_3_9_comes_back_when_the_block_moves_30_seconds_north() {
     // The least shift in whole seconds at which observer 3 sees the whole top of the upper block while panels are lost at the border.
     let of = |shift: u32, photograph: &Photograph, limits: bool| {
         let restrictions = Restrictions { limits, ..Restrictions::as_written() };
-        let settings = Settings { restrictions, fill: Fill::EdgeBuffer, outside: 0.0, marks_voids: false };
+        let settings = Settings {
+            restrictions,
+            fill: Fill::EdgeBuffer,
+            outside: 0.0,
+            marks_voids: false,
+            blends_borders: false,
+        };
         let program = Program::new(&block(f64::from(shift)), lie(), photograph, settings).unwrap();
         let picture = program.draw(&observer(3)).unwrap();
         let is_top = |number: usize| (3..5).contains(&(number / 22)) && (4..7).contains(&(number % 22 / 2));

@@ -2,6 +2,7 @@
 
 #![allow(dead_code, reason = "each module takes a part of the block")]
 
+mod blends;
 mod block;
 mod check_values;
 mod counts;

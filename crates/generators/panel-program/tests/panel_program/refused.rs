@@ -6,7 +6,7 @@ use panel_program::{Fill, Posts, Program, ProgramError, Restrictions, Settings};
 use crate::block::{block, lie, observer, place, posts, usual};
 
 fn settings(restrictions: Restrictions) -> Settings {
-    Settings { restrictions, fill: Fill::EdgeBuffer, outside: 0.0, marks_voids: false }
+    Settings { restrictions, fill: Fill::EdgeBuffer, outside: 0.0, marks_voids: false, blends_borders: false }
 }
 
 /// So many rows and columns of flat posts from row 67 and column 162.

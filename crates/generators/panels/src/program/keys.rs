@@ -20,12 +20,18 @@ pub struct ProgramKeys {
     pub posts: Option<PostTable>,
     /// Whether panels that touch a void have the light outside.
     pub marks_voids: bool,
+    /// Whether pixels on both sides of a border of panels have their mean.
+    pub blends_borders: bool,
 }
 
 impl ProgramKeys {
     /// Whether the program draws, in place of the scene sampler.
     pub fn draws(&self) -> bool {
-        self.restrictions.any() || self.fill.is_some() || self.posts.is_some() || self.marks_voids
+        self.restrictions.any()
+            || self.fill.is_some()
+            || self.posts.is_some()
+            || self.marks_voids
+            || self.blends_borders
     }
 
     /// Reads the keys. `restrictions` turns all findings on; the key of a finding stands over it.
@@ -41,6 +47,7 @@ impl ProgramKeys {
         }
         let fill = table.one_of("fill", &Fill::ALL).optional();
         let marks_voids = table.one_of("voids", &VOIDS).default(false);
+        let blends_borders = table.bool("boundary_blend").default(false);
         let posts = match table.optional_table("posts") {
             Some(posts) => PostTable::read(&posts).map(Some),
             None => (!table.has("posts")).then_some(None),
@@ -50,6 +57,7 @@ impl ProgramKeys {
             fill: (fill.is_some() || !table.has("fill")).then_some(fill)?,
             posts: posts?,
             marks_voids: marks_voids?,
+            blends_borders: blends_borders?,
         })
     }
 
@@ -66,6 +74,9 @@ impl ProgramKeys {
         record["fill"] = word.into();
         if self.marks_voids {
             record["voids"] = VOIDS[1].0.into();
+        }
+        if self.blends_borders {
+            record["boundary_blend"] = true.into();
         }
         if let Some(posts) = &self.posts {
             record["posts"] = posts.record();

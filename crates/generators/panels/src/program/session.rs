@@ -5,7 +5,7 @@ use generator::{
     check_free_eye, face_lists_beside,
 };
 use glam::DVec3;
-use panel_program::{Lie, NO_PANEL, Picture, Posts, Program, ProgramError, Settings, View};
+use panel_program::{Lie, Picture, Posts, Program, ProgramError, Settings, View};
 use photo_camera::{Axes, Ellipsoid};
 use photo_drape::Ground;
 use photograph::{Photograph, Placement};
@@ -29,6 +29,8 @@ const LIMITS: &str = "take fewer posts and a smaller raster, or lift it with --s
 pub(crate) struct ProgramSession {
     stage: Stage,
     program: Program,
+    /// Whether each panel touches a void of its own posts, or of the bank.
+    touch_voids: Vec<bool>,
 }
 
 impl ProgramSession {
@@ -46,10 +48,17 @@ impl ProgramSession {
             fill: run.program.way(),
             outside: run.outside,
             marks_voids: run.program.marks_voids,
+            blends_borders: run.program.blends_borders,
         };
         let program = Program::new(&posts, lie, photograph, settings);
         let program = program.map_err(|error| refused(&error, remedy(&error)))?;
-        Ok(Self { stage, program })
+        let of_bank = |post: &usize| {
+            let place = posts.places[*post];
+            lie == Lie::Plane && stage.landscape.is_void(place.x, place.y)
+        };
+        let panels = program.panels().iter();
+        let touch_voids = panels.map(|panel| panel.touches_void || panel.posts.iter().any(of_bank)).collect();
+        Ok(Self { stage, program, touch_voids })
     }
 
     /// What it is made ready for.
@@ -77,6 +86,15 @@ impl ProgramSession {
             source: Some(panel.grey.source),
             writes: f64::from(picture.writes[pixel]),
             touches_void: panel.touches_void,
+        }
+    }
+
+    /// What is seen where a picture shows the panel of a number.
+    fn label(&self, panel: u32) -> Label {
+        match self.touch_voids.get(panel as usize) {
+            None => Label::Sky,
+            Some(true) => Label::Void,
+            Some(false) => Label::Terrain,
         }
     }
 
@@ -148,7 +166,7 @@ impl Session for ProgramSession {
             }
         }
         if let Some(labels) = planes.get_mut(PlaneKind::Label) {
-            let label = |panel: &u32| if *panel == NO_PANEL { Label::Sky } else { Label::Terrain };
+            let label = |panel: &u32| self.label(*panel);
             let all = picture.panel.iter().map(|panel| f32::from(label(panel).code()));
             labels.iter_mut().zip(all).for_each(|(plane, label)| *plane = label);
         }

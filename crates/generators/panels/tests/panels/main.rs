@@ -2,6 +2,7 @@
 
 mod faults;
 mod identity;
+mod labels;
 mod light;
 mod moffett;
 mod panels_of_cells;

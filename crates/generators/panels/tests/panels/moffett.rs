@@ -114,10 +114,13 @@ fn void_panels_are_marked_to_the_last_picture() {
     let marked = text.replace("restrictions = true", "restrictions = true\nvoids = \"mark\"\noutside = 1");
     let pose = poses("moffett")[1];
     let [(filled, usual), (shown, void)] = [text, marked].map(|text| {
-        let mut planes = Planes::new(512, 512, &[PlaneKind::Intensity]);
+        let mut planes = Planes::new(512, 512, &[PlaneKind::Intensity, PlaneKind::Label]);
         let mut probe = Probe::new(vec!["panels.void".into()], 0..512);
         session(&text, "frame").frame(0, &pose, &mut planes, &mut probe).unwrap();
         let gates: Vec<f64> = probe.waveforms.into_iter().flat_map(|wave| wave.values).collect();
+        let void = f32::from(generator::Label::Void.code());
+        let labels = planes.get(PlaneKind::Label).unwrap().iter();
+        assert!(labels.zip(&gates).all(|(label, gate)| (*label == void) == (*gate == 1.0)));
         (planes.get(PlaneKind::Intensity).unwrap().to_vec(), gates)
     });
     assert_eq!(usual, void, "the mask does not depend on what is drawn");
@@ -125,4 +128,22 @@ fn void_panels_are_marked_to_the_last_picture() {
     for ((filled, shown), gate) in filled.iter().zip(&shown).zip(&void) {
         if *gate == 1.0 { assert_eq!(*shown, 1.0) } else { assert_eq!(shown, filled) }
     }
+}
+
+#[test]
+fn the_mean_makes_cliffs_of_59_metres() {
+    // From 2000 m above the middle between two voids, on the second of the three rows: metres of a second of arc by the specification.
+    let above =
+        pose([5500.0 + 75.0 * 30.828_509_790_897, -3900.0 + 177.5 * 24.595_947_522_007, 2000.0], 0.0, -90.0);
+    let height = |text: &str| {
+        let mut planes = Planes::new(512, 512, &[PlaneKind::Distance]);
+        session(text, "frame").frame(0, &above, &mut planes, &mut Probe::off()).unwrap();
+        2000.0 - f64::from(planes.get(PlaneKind::Distance).unwrap()[256 * 512 + 256])
+    };
+    let written = scenario("moffett-void");
+    let harmonic = written.replace("mean_void = true", "mean_void = false");
+    // The mean of 102 known posts is 24.96 m, cut to 24; posts beside the voids are 83 m high.
+    assert!((height(&written) - 24.0).abs() < 0.1, "{}", height(&written));
+    // At equilibrium 3 a = 43 + 83 + b and 3 b = 83 + 2 a, by symmetry: a = 65.86 in the outer rows, b = 71.57 in the middle one.
+    assert!((height(&harmonic) - 71.57).abs() < 0.3, "{}", height(&harmonic));
 }

@@ -5,6 +5,7 @@ pub mod ground;
 pub mod machine;
 pub mod noise;
 pub mod part;
+pub mod photograph;
 pub mod scenario;
 pub mod turn;
 pub mod view;

@@ -12,6 +12,7 @@ use serde::Deserialize;
 use signal::Probe;
 use toml::Table;
 
+use super::photograph::InlinePhotograph;
 use crate::engine::Engine;
 
 /// Some frames of a scenario, one after the other.
@@ -30,6 +31,9 @@ pub struct ScenarioScene {
     #[serde(default)]
     #[cfg_attr(test, schemars(with = "serde_json::Map<String, serde_json::Value>"))]
     pub gear: Table,
+    /// Photographs of the ground, in place of the files that a scenario names.
+    #[serde(default, rename = "photograph")]
+    pub photographs: Vec<InlinePhotograph>,
 }
 
 /// Frames of a scene at most.
@@ -69,7 +73,12 @@ impl ScenarioScene {
         if last >= end {
             return Err(format!("frames: {last}: expected below {end}, the frames of the scenario"));
         }
-        let stage = front_door::build(&scenario, settings).map_err(|error| error.to_string())?;
+        let mut stage = front_door::build(&scenario, settings).map_err(|error| error.to_string())?;
+        if !self.photographs.is_empty() {
+            let photographs = self.photographs.iter().map(InlinePhotograph::made);
+            let photographs = photographs.collect::<Result<Arc<[_]>, String>>()?;
+            stage.landscape = Arc::new((*stage.landscape).clone().with_photographs(photographs));
+        }
         let table = PoseTable::resolve(&scenario, &stage.landscape, update, yoke, first..last + 1);
         let table = table.map_err(|problems| problems.to_string())?;
         let pose = |&frame: &u64| (frame, table.rows()[(frame - first) as usize].pose);

@@ -75,6 +75,16 @@ pub fn other_unit(column: &str, waypoints: &[Waypoint]) -> Option<String> {
     })
 }
 
+/// Says so if a path rolls the vehicle, although nothing turns the picture with it.
+pub(super) fn hidden_roll(waypoints: &[Waypoint]) -> Option<String> {
+    let rolls = waypoints.iter().any(|waypoint| waypoint.roll.is_some_and(|roll| roll != 0.0));
+    rolls.then(|| {
+        "roll_deg turns no picture, since the scenario does not say how roll is shown; `[roll] display = \"yoke\"` turns \
+         pictures with the vehicle, and \"none\" keeps them upright without this note"
+            .into()
+    })
+}
+
 /// Says so if the headings of a path lie across its way from its beginning to its end.
 pub(super) fn heading_across(waypoints: &[Waypoint]) -> Option<String> {
     let bearing = Bearing::of(waypoints.iter(), |heading| heading)?;
