@@ -207,6 +207,11 @@ impl ProblemList {
         self.list.iter()
     }
 
+    /// The same problems, each as `change` makes it; their order stays.
+    pub fn map(self, change: impl FnMut(Problem) -> Problem) -> Self {
+        Self { list: self.list.into_iter().map(change).collect() }
+    }
+
     /// All problems as plain fields, for JSON; one walk through each file.
     pub fn records(&self) -> Vec<ProblemRecord> {
         let positions = positions(&self.list);

@@ -5,6 +5,9 @@ use landscape::Attitude;
 use raster::Projection;
 use scenario::{Curvature, Pose, View};
 
+/// Room for rounding around what may be on the screen, as a share of its distance (chosen).
+const ROUNDING: f64 = 1e-9;
+
 /// An eye and its axes: x right, y down, z ahead. Along y lengths are scaled so that pixels are square.
 #[derive(Debug, Clone, Copy)]
 pub struct Camera {
@@ -52,6 +55,18 @@ impl Camera {
     pub fn direction(&self, direction: DVec3) -> DVec3 {
         let turned = self.turn * direction;
         DVec3::new(turned.x, turned.y * self.squeeze, turned.z)
+    }
+
+    /// Whether no part of a sphere of radius `radius` (m) about a middle, as it lies from the eye (north, east, up; m), can be on the screen.
+    pub fn misses(&self, middle: DVec3, radius: f64) -> bool {
+        let [across, along] = self.projection.centre.map(|half| half / self.projection.focal);
+        let DVec3 { x, y, z } = self.direction(middle);
+        // Room for rounding, as a share of the lengths that meet here.
+        let reach = radius + ROUNDING * (middle.length() + radius);
+        let is_beyond = |off: f64, scale: f64, slope: f64| {
+            off.abs() - slope * z > reach * (scale * scale + slope * slope).sqrt()
+        };
+        z < -reach || is_beyond(x, 1.0, across) || is_beyond(y, self.squeeze, along)
     }
 
     /// The direction (north, east, up) that a place on the screen (pixels) shows, 1 long along the view axis.
@@ -129,6 +144,33 @@ mod tests {
         let seen = camera.projection.project(camera.place(place));
         assert!((seen[0] - 130.5).abs() < 1e-9 && (seen[1] - 20.5).abs() < 1e-9, "{seen:?}");
         assert!(((place - camera.eye).length() - 50.0).abs() < 1e-9, "without curvature nothing drops");
+    }
+
+    /// Points of spheres around the screen: none is on it where the sphere is said to miss it, and nearly all that miss are found.
+    #[test]
+    fn a_sphere_that_misses_the_screen_has_no_point_on_it() {
+        let camera = camera(37.0, -8.0, 11.0);
+        let mut counts = [0; 2];
+        for step in 0..4000 {
+            let share = |k: i32, of: f64| of * (f64::from(step * k % 997) / 997.0 - 0.5);
+            let (middle, radius) = (DVec3::new(share(1, 40.0), share(31, 40.0), share(173, 20.0)), 1.5);
+            let point = |k: i32| {
+                let [x, y, z] = [k % 7 - 3, k / 7 % 7 - 3, k / 49 - 3].map(f64::from);
+                middle + radius * DVec3::new(x, y, z).normalize_or_zero()
+            };
+            let is_seen = |k: i32| {
+                let place = camera.direction(point(k));
+                let [x, y] = camera.projection.project(place);
+                place.z > 0.01 && (0.0..=200.0).contains(&x) && (0.0..=100.0).contains(&y)
+            };
+            let is_missed = camera.misses(middle, radius);
+            let is_shown = (0..343).any(is_seen);
+            assert!(!(is_missed && is_shown), "{middle}");
+            counts[usize::from(is_missed)] += 1;
+            counts[0] -= i32::from(!is_missed && is_shown);
+        }
+        // Beside a corner of the picture a sphere may be said to meet it.
+        assert!(counts[1] > 2000 && counts[0] < 200, "{counts:?}");
     }
 
     #[test]

@@ -13,6 +13,7 @@ use crate::list::List;
 use crate::parameters::{Hull, Parameters};
 use crate::piece::Corner;
 use crate::scene::SceneBuilder;
+use crate::shown::{Geometry, in_runs};
 
 /// Adds all lists of faces of a stage, the lowest priority first.
 pub fn add(scene: &mut SceneBuilder<'_>, stage: &Stage, pose: &Pose) {
@@ -63,11 +64,13 @@ fn add_list(
         shown,
         has_fallen: false,
     });
-    scene.work.add_mesh(&group.mesh);
+    scene.shown.work.add(Geometry::of_mesh(&group.mesh));
     // Normals stand in the axes of a pattern; those of what turns go with it.
     let to_list = axes.turn.transpose();
-    let shading = scene.run.shading;
-    for face in shown_faces(list, &group, of_sequence, &scene.hardware) {
+    let (screen, shading) = (scene.screen(), scene.run.shading);
+    let faces = shown_faces(list, &group, of_sequence, &scene.hardware);
+    let runs = in_runs(faces.len(), |shown, place| {
+        let face = faces[place];
         let of_mesh = &group.mesh.faces()[face];
         let places: SmallVec<[DVec3; 4]> = of_mesh
             .corners
@@ -75,15 +78,16 @@ fn add_list(
             .map(|corner| axes.place(group.mesh.vertices()[*corner as usize].place))
             .collect();
         let normal = axes.turn * group.mesh.normals()[face];
-        let Some(behind) = side(of_mesh, places[0], normal, scene.camera.eye) else { continue };
+        let Some(behind) = side(of_mesh, places[0], normal, screen.camera.eye) else { return };
         let lit = brightness(&group, face, (to_list * sun, behind), shading);
         let corners: SmallVec<[Corner; 4]> = places
             .iter()
             .zip(lit)
-            .map(|(at, brightness)| Corner { place: scene.camera.place(*at), brightness })
+            .map(|(at, brightness)| Corner { place: screen.camera.place(*at), brightness })
             .collect();
-        scene.add(&corners, of_mesh.colour, [number, face as u32]);
-    }
+        shown.add(screen, &corners, of_mesh.colour, [number, face as u32]);
+    });
+    runs.into_iter().for_each(|run| scene.shown.append(run));
 }
 
 /// Whether a face is seen from behind; `None` if it is not seen.

@@ -5,11 +5,13 @@ use generator::{Label, Stage};
 use ground_mesh::{GroundMesh, MeshError, Rings, Vertex};
 use landscape::Sun;
 use quantities::luminance;
-use scene_sampler::Wedge;
+use rayon::prelude::*;
+use scene_sampler::{Camera, Wedge};
 
 use crate::list::List;
 use crate::piece::Corner;
 use crate::scene::SceneBuilder;
+use crate::shown::{Geometry, in_runs};
 
 /// Its priority: behind everything else.
 pub const PRIORITY: i64 = i64::MAX;
@@ -33,26 +35,31 @@ pub fn add(scene: &mut SceneBuilder<'_>, stage: &Stage, rings: Rings, time: f64)
         shown: [scene.frame; 4],
         has_fallen: false,
     });
-    scene.work.vertices += mesh.vertices().len() as u64;
-    scene.work.faces += mesh.triangles().len() as u64;
-    let is_flat = scene.run.shading == ModelShading::Flat;
+    let work = Geometry {
+        vertices: mesh.vertices().len() as u64,
+        faces: mesh.triangles().len() as u64,
+        triangles: 0,
+    };
+    scene.shown.work.add(work);
+    let (screen, is_flat) = (scene.screen(), scene.run.shading == ModelShading::Flat);
     let corners: Vec<Corner> =
-        mesh.vertices().iter().map(|vertex| corner(scene, stage, &sun, vertex)).collect();
-    for (face, triangle) in mesh.triangles().iter().enumerate() {
-        let mut of_face = triangle.map(|vertex| corners[vertex as usize]);
+        mesh.vertices().par_iter().map(|vertex| corner(screen.camera, stage, &sun, vertex)).collect();
+    let runs = in_runs(mesh.triangles().len(), |shown, face| {
+        let mut of_face = mesh.triangles()[face].map(|vertex| corners[vertex as usize]);
         if is_flat {
             let mean = of_face.iter().map(|corner| corner.brightness).sum::<f64>() / 3.0;
             of_face.iter_mut().for_each(|corner| corner.brightness = mean);
         }
-        scene.add(&of_face, [1.0; 3], [number, face as u32]);
-    }
+        shown.add(screen, &of_face, [1.0; 3], [number, face as u32]);
+    });
+    runs.into_iter().for_each(|run| scene.shown.append(run));
     Ok(())
 }
 
 /// A vertex in camera axes with the light of the scene's law; a colour of the ground becomes its luminance.
-fn corner(scene: &SceneBuilder<'_>, stage: &Stage, sun: &Sun, vertex: &Vertex) -> Corner {
-    let to_eye = (scene.camera.eye - vertex.place).normalize_or_zero().to_array();
+fn corner(camera: &Camera, stage: &Stage, sun: &Sun, vertex: &Vertex) -> Corner {
+    let to_eye = (camera.eye - vertex.place).normalize_or_zero().to_array();
     let light = sun.shade(vertex.slopes, to_eye, *stage.landscape.photometry());
     let brightness = (luminance(vertex.albedo) * light).clamp(0.0, 1.0);
-    Corner { place: scene.camera.place(vertex.place), brightness }
+    Corner { place: camera.place(vertex.place), brightness }
 }

@@ -89,6 +89,7 @@ mod scan_line;
 mod scene;
 mod schedule;
 mod session;
+mod shown;
 mod signals;
 mod sizing;
 mod slots;

@@ -33,7 +33,7 @@ struct Crossings {
 impl Crossings {
     fn new(scene: &Scene, axis: usize, lines: usize) -> Self {
         let range = |piece: &Piece| samples(piece.extent(axis), lines);
-        let ranges: Vec<_> = scene.pieces.iter().map(range).collect();
+        let ranges: Vec<_> = scene.pieces.par_iter().map(range).collect();
         let mut starts = vec![0; lines + 1];
         ranges.iter().flat_map(Clone::clone).for_each(|line| starts[line + 1] += 1);
         (0..lines).for_each(|line| starts[line + 1] += starts[line]);

@@ -1,38 +1,18 @@
 //! Everything of a frame on the screen: lists with their pieces, in the order of their priorities.
 
-use faces::{Cut, Mesh};
 use generator::{FrameError, Stage, check_free_eye};
 use scenario::Pose;
 use scene_sampler::Camera;
-use smallvec::SmallVec;
 
 use crate::hardware::Hardware;
 use crate::list::List;
 use crate::parameters::Parameters;
-use crate::piece::{Corner, Piece};
+use crate::piece::Piece;
 use crate::prepared::Prepared;
 use crate::schedule::Schedule;
+use crate::shown::{Geometry, Screen, Shown};
 use crate::slots::{self, Slotted};
 use crate::{bodies, frame_lists, ground};
-
-/// What geometry has to do for a frame.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Geometry {
-    /// Vertices that are transformed.
-    pub vertices: u64,
-    /// Faces that are tested.
-    pub faces: u64,
-    /// Triangles that faces are cut into.
-    pub triangles: u64,
-}
-
-impl Geometry {
-    /// Adds the vertices and faces of a list.
-    pub fn add_mesh(&mut self, mesh: &Mesh) {
-        self.vertices += mesh.vertices().len() as u64;
-        self.faces += mesh.faces().len() as u64;
-    }
-}
 
 /// A frame on the screen.
 #[derive(Debug)]
@@ -71,13 +51,11 @@ pub struct SceneBuilder<'a> {
     pub schedule: &'a Schedule,
     /// Number of the frame.
     pub frame: u64,
-    /// What geometry has to do.
-    pub work: Geometry,
+    /// Faces of the lists so far.
+    pub shown: Shown,
     /// Columns and lines of the screen.
     size: [usize; 2],
     lists: Vec<List>,
-    pieces: Vec<Piece>,
-    faces: u64,
 }
 
 impl SceneBuilder<'_> {
@@ -92,19 +70,9 @@ impl SceneBuilder<'_> {
         self.lists.len() as u32 - 1
     }
 
-    /// Adds a face, cut in pieces, with the numbers of its list and of itself in it.
-    pub fn add(&mut self, corners: &[Corner], colour: [f64; 3], numbers: [u32; 2]) {
-        self.faces += 1;
-        if corners.len() == 3 {
-            self.pieces.extend(Piece::new(corners, (self.camera, self.size), colour, numbers));
-            return;
-        }
-        let pieces = self.run.cut.pieces(corners.len());
-        self.work.triangles += if self.run.cut == Cut::Fan { pieces.len() as u64 } else { 0 };
-        for piece in pieces {
-            let corners: SmallVec<[Corner; 8]> = piece.into_iter().map(|corner| corners[corner]).collect();
-            self.pieces.extend(Piece::new(&corners, (self.camera, self.size), colour, numbers));
-        }
+    /// What cuts faces in pieces.
+    pub fn screen(&self) -> Screen<'_> {
+        Screen { camera: self.camera, size: self.size, cut: self.run.cut }
     }
 }
 
@@ -130,18 +98,16 @@ impl Scene {
             hardware: *hardware,
             schedule,
             frame,
-            work: Geometry::default(),
+            shown: Shown::default(),
             size: prepared.size(),
             lists: Vec::new(),
-            pieces: Vec::new(),
-            faces: 0,
         };
         frame_lists::add(&mut scene, stage, pose);
         bodies::add(&mut scene, stage, pose).map_err(|error| refused(error.to_string()))?;
         if let Some(rings) = run.ground {
             ground::add(&mut scene, stage, rings, pose.time).map_err(|error| refused(error.to_string()))?;
         }
-        let SceneBuilder { mut lists, pieces, faces, work, .. } = scene;
+        let SceneBuilder { mut lists, shown: Shown { faces, work, pieces }, .. } = scene;
         let limit = hardware.edges_frame.map_or(u64::MAX, u64::from);
         let Slotted { kept, lost, lost_faces } = slots::limited(&mut lists, pieces, limit);
         Ok(Self {

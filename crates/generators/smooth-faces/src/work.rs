@@ -7,8 +7,8 @@ use crate::drawn_lists;
 use crate::hardware::{Hardware, Kind};
 use crate::prepared::Prepared;
 use crate::scan_line::TimedLine;
-use crate::scene::Geometry;
 use crate::schedule::{Item, Target};
+use crate::shown::Geometry;
 
 /// The units, in the order in which a list meets them.
 pub const RT: &str = "rt";

@@ -5,7 +5,7 @@
 //!                                       pages of docs ─▶ meaning of each key ────────────┴▶ schema
 //! ```
 //!
-//! - [`SCENARIO`], [`MODEL`]: the committed schemas, which a test of this crate makes anew and compares. The schema of cartridges is that of
+//! - [`SCENARIO`], [`MODEL`], [`LANDSCAPE`]: the committed schemas, which a test of this crate makes anew and compares. The schema of cartridges is that of
 //!   their crate.
 //! - [`Keys`]: what some readings asked for, merged key by key; [`Keys::schema`] writes it.
 //!
@@ -29,3 +29,6 @@ pub const SCENARIO: &str = include_str!("../../../../docs/schema/scenario.schema
 
 /// Schema of hardware models, and of what differs from one.
 pub const MODEL: &str = include_str!("../../../../docs/schema/hardware-model.schema.json");
+
+/// Schema of landscape files.
+pub const LANDSCAPE: &str = include_str!("../../../../docs/schema/landscape.schema.json");

@@ -43,7 +43,7 @@ pub(crate) struct Outline<'a> {
     pub list: &'a str,
     pub face: usize,
     pub corners: &'a [u32],
-    pub places: Vec<DVec3>,
+    pub places: &'a [DVec3],
 }
 
 impl Outline<'_> {
@@ -77,9 +77,17 @@ impl Outline<'_> {
         (1..self.places.len() - 1).map(part).sum()
     }
 
+    /// Unit normal towards the front of a face that has an area.
+    pub fn normal(&self) -> DVec3 {
+        self.area().normalize()
+    }
+
     /// Unit normal of the face, and whether it is plane.
     pub fn checked(&self, shading: Shading) -> Result<(DVec3, bool), FaceError> {
-        let normal = self.area().normalize();
+        let normal = self.normal();
+        if self.places.len() == 3 {
+            return Ok((normal, true));
+        }
         let is_plane = self.check_plane(normal);
         if shading == Shading::Flat {
             is_plane.clone()?;

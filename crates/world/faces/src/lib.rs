@@ -24,6 +24,7 @@
 //! - [`solids`] reads files of shapes.
 
 mod board;
+mod body;
 mod bow_wake;
 mod check;
 mod clip;
@@ -52,6 +53,7 @@ mod sun;
 mod warning;
 
 pub use board::{Board, GridVertex};
+pub use body::{BodyFaces, BodyNormals, BodyTriangle};
 pub use bow_wake::{BOW_FACES, BowWake, Side, blend};
 pub use clip::Half;
 pub use cone::Cone;
@@ -63,7 +65,7 @@ pub use flight::{Flight, MOON};
 pub use group::{Detail, Group};
 pub use levels::Level;
 pub use mesh::{Loaded, Mesh};
-pub use model::{Model, ModelShading, of_body};
+pub use model::{Model, ModelShading};
 pub use normals::{CornerNormals, Weights};
 pub use pattern::{Pattern, TwoSine};
 pub use plume::Plume;

@@ -78,7 +78,8 @@ impl Mesh {
 
     /// Adds face `number` of the list, or says why it has nothing to show.
     fn add(&mut self, list: &str, number: usize, face: Face) -> Result<Option<Warning>, FaceError> {
-        let outline = Outline { list, face: number, corners: &face.corners, places: self.places(&face) };
+        let places = self.places(&face);
+        let outline = Outline { list, face: number, corners: &face.corners, places: &places };
         if let Some(why) = outline.degenerate() {
             return Ok(Some(Warning::Dropped { list: list.into(), face: number, why }));
         }

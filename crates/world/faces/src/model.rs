@@ -1,14 +1,11 @@
-//! Face models from files of shapes, and from bodies.
+//! Face models from files of shapes.
 
 use std::collections::BTreeMap;
 use std::path::Path;
 
 use diagnostics::{Problem, ProblemList};
-use glam::DVec3;
-use solids::Body;
 use solids::shape_files::{ALBEDO, Surface, read_surface};
 
-use crate::error::FaceError;
 use crate::face::{Face, Shading, Sides, Vertex};
 use crate::mesh::{Loaded, Mesh};
 
@@ -76,52 +73,4 @@ fn vertices_and_faces(surface: &Surface, shading: ModelShading) -> (Vec<Vertex>,
     });
     let faces = faces.collect();
     (vertices, faces)
-}
-
-/// The faces of a body as list `list`, in terrain axes (north, east, up; m), cut in triangles.
-///
-/// `Smooth` averages normals over the body's faces that meet at a vertex, unless the body has normals of its own; `AsWritten` leaves
-/// a body without normals flat. A surface that does not close is seen from both sides.
-///
-/// # Errors
-/// If the body's numbers are not finite.
-pub fn of_body(list: &str, body: &Body, shading: ModelShading) -> Result<Loaded, FaceError> {
-    let solid = &body.solid;
-    let places: Vec<DVec3> = body.vertices().collect();
-    let is_smooth = match shading {
-        ModelShading::AsWritten => solid.is_smooth(),
-        ModelShading::Smooth => true,
-        ModelShading::Flat => false,
-    };
-    let averaged = averages(body, places.len());
-    let sides = if solid.is_open() { Sides::Both } else { Sides::One };
-    let shading = if is_smooth { Shading::Smooth } else { Shading::Flat };
-    let (mut vertices, mut faces) = (Vec::new(), Vec::new());
-    for (number, face) in solid.faces().iter().enumerate() {
-        let first = vertices.len() as u32;
-        let own = body.normal(number);
-        vertices.extend(face.corners.iter().map(|&corner| {
-            let place = places[corner as usize];
-            let normal = if solid.is_smooth() {
-                body.normal_at(number, place)
-            } else {
-                averaged[corner as usize].try_normalize().unwrap_or(own)
-            };
-            Vertex { place, normal: Some(normal) }
-        }));
-        for last in 2..face.corners.len() as u32 {
-            let (corners, colour) = (vec![first, first + last - 1, first + last], solid.albedo(number));
-            faces.push(Face { corners, colour, shading, sides });
-        }
-    }
-    Mesh::limited(list, vertices, faces, usize::MAX)
-}
-
-/// Sum of the normals of the faces at each vertex.
-fn averages(body: &Body, vertices: usize) -> Vec<DVec3> {
-    let mut sums = vec![DVec3::ZERO; vertices];
-    for (face, normal) in body.solid.faces().iter().zip(body.normals()) {
-        face.corners.iter().for_each(|&corner| sums[corner as usize] += normal);
-    }
-    sums
 }

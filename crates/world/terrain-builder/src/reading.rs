@@ -3,6 +3,7 @@
 mod distributions;
 mod features;
 mod growth;
+mod named;
 mod texture;
 
 use std::collections::BTreeMap;
@@ -51,8 +52,11 @@ fn parse(
     file: impl FnOnce(&Problems) -> Option<TomlFile>,
 ) -> Result<Description, ProblemList> {
     let problems = Problems::new();
-    let description = file(&problems).and_then(|file| described(&file.root(&problems), folder));
-    problems.resolve(description)
+    let file = file(&problems);
+    let description = file.as_ref().and_then(|file| described(&file.root(&problems), folder));
+    problems
+        .resolve(description)
+        .map_err(|faults| file.map_or(faults.clone(), |file| named::named(faults, &file)))
 }
 
 fn described(root: &Reader, folder: &Path) -> Option<Description> {

@@ -1,9 +1,12 @@
 //! What a terrain can be: every value against its range.
 
+use std::fmt;
+
 use rayon::prelude::*;
 
+use crate::blocks::Block;
 use crate::contents::{Boulder, Contents, Frame, Map, Range, Shape};
-use crate::error::{Unfit, expect};
+use crate::error::{Unfit, UnfitBlock, expect};
 use crate::heights::MOST_STEPS;
 use crate::tiling::{MOST_ORDER, Tiling};
 
@@ -27,13 +30,13 @@ pub(crate) fn tiling(order: u32, posts: [usize; 2]) -> Result<Tiling, Unfit> {
 }
 
 /// Whether contents make a terrain.
-pub(crate) fn check(contents: &Contents, tiling: Tiling) -> Result<(), Unfit> {
-    check_frame(&contents.frame)?;
-    check_ranges(&contents.ranges, tiling.order)?;
-    check_places(&contents.places)?;
+pub(crate) fn check(contents: &Contents, tiling: Tiling) -> Result<(), UnfitBlock> {
+    let of = |block: Block| move |unfit: Unfit| UnfitBlock { block, unfit };
+    check_frame(&contents.frame).map_err(of(Block::Header))?;
+    check_ranges(&contents.ranges, tiling.order).map_err(of(Block::Header))?;
+    check_places(&contents.places).map_err(of(Block::Places))?;
+    check_heights(contents, tiling)?;
     let posts: usize = tiling.posts().iter().product();
-    expect(contents.heights.len() == posts, "number of heights", contents.heights.len(), posts)?;
-    check_heights(&contents.heights, contents.step)?;
     for (key, map) in [("light", &contents.light), ("albedo", &contents.albedo)] {
         let found = map.as_ref().map_or(posts, Map::len);
         expect(
@@ -41,9 +44,10 @@ pub(crate) fn check(contents: &Contents, tiling: Tiling) -> Result<(), Unfit> {
             key,
             format_args!("{found} numbers"),
             format_args!("{posts} numbers, one a post"),
-        )?;
+        )
+        .map_err(of(Block::Header))?;
     }
-    contents.boulders.iter().try_for_each(check_boulder)
+    contents.boulders.iter().enumerate().try_for_each(check_boulder).map_err(of(Block::Boulders))
 }
 
 /// Whether axes stand on a body.
@@ -81,26 +85,37 @@ pub(crate) fn check_ranges(ranges: &[Range], order: u32) -> Result<(), Unfit> {
 }
 
 fn check_places(places: &[Vec<f64>; 2]) -> Result<(), Unfit> {
-    for (key, places) in [("place along x", &places[0]), ("place along y", &places[1])] {
-        let wrong = places.iter().find(|place| !(-1e9..=1e9).contains(*place));
-        expect(wrong.is_none(), key, wrong.unwrap_or(&0.0), "a length within 1e9 m")?;
-        let wrong = places.windows(2).find(|pair| pair[1] <= pair[0]);
-        let [before, found] = wrong.map_or([0.0; 2], |pair| [pair[0], pair[1]]);
-        expect(
-            wrong.is_none(),
-            key,
-            found,
-            format_args!("a length above {before} m, that of the post before it"),
-        )?;
+    for (axis, places) in ["x", "y"].into_iter().zip(places) {
+        let is_far = |place: &f64| !(-1e9..=1e9).contains(place);
+        if let Some(post) = places.iter().position(is_far) {
+            let key = format_args!("place along {axis} of post {post}");
+            expect(false, key, places[post], "a length within 1e9 m")?;
+        }
+        let is_before = |pair: &[f64]| pair[1] <= pair[0];
+        if let Some(post) = places.windows(2).position(is_before) {
+            let [before, found] = [places[post], places[post + 1]];
+            let key = format_args!("place along {axis} of post {}", post + 1);
+            let expected = format_args!("a length above {before} m, that of the post before it");
+            expect(false, key, found, expected)?;
+        }
     }
     Ok(())
 }
 
-fn check_heights(heights: &[f64], step: Option<f64>) -> Result<(), Unfit> {
-    check_step(step)?;
+fn check_heights(contents: &Contents, tiling: Tiling) -> Result<(), UnfitBlock> {
+    let Contents { heights, step, .. } = contents;
+    let [columns, rows] = tiling.posts();
+    let of_header = |unfit: Unfit| UnfitBlock { block: Block::Header, unfit };
+    expect(heights.len() == columns * rows, "number of heights", heights.len(), columns * rows)
+        .and_then(|()| check_step(*step))
+        .map_err(of_header)?;
     let most = step.map_or(MOST_HEIGHT, |step| (step * MOST_STEPS).min(MOST_HEIGHT));
-    let wrong = heights.par_iter().find_first(|height| !(-most..=most).contains(*height));
-    expect(wrong.is_none(), "height", wrong.unwrap_or(&0.0), format_args!("a length within {most} m"))
+    let is_beyond = |height: &f64| !(-most..=most).contains(height);
+    let Some(post) = heights.par_iter().position_first(is_beyond) else { return Ok(()) };
+    let place = [post % columns, post / columns];
+    let key = format_args!("height of post (column {}, row {})", place[0], place[1]);
+    expect(false, key, heights[post], format_args!("a length within {most} m"))
+        .map_err(|unfit| UnfitBlock { block: Block::Heights(tiling.owner(place)), unfit })
 }
 
 /// Whether a step is one.
@@ -109,13 +124,14 @@ pub(crate) fn check_step(step: Option<f64>) -> Result<(), Unfit> {
     expect(is_sound, "step", step.unwrap_or_default(), "a length from 1e-9 m to 1e6 m")
 }
 
-fn check_boulder(boulder: &Boulder) -> Result<(), Unfit> {
+fn check_boulder((number, boulder): (usize, &Boulder)) -> Result<(), Unfit> {
     let Boulder { centre, radius, shape, yaw, burial, .. } = *boulder;
+    let named = |key: &'static str| fmt::from_fn(move |f| write!(f, "{key} of boulder {number}"));
     let is_near = centre.iter().all(|at| at.abs() <= 1e9);
-    expect(is_near, "centre of a boulder", format_args!("{centre:?}"), "lengths within 1e9 m")?;
-    expect(radius > 0.0 && radius <= 1e5, "radius of a boulder", radius, "a length up to 1e5 m, above 0")?;
-    expect(yaw.is_finite(), "yaw of a boulder", yaw, "an angle")?;
-    expect((0.0..=0.9).contains(&burial), "burial of a boulder", burial, "a share from 0 to 0.9")?;
+    expect(is_near, named("centre"), format_args!("{centre:?}"), "lengths within 1e9 m")?;
+    expect(radius > 0.0 && radius <= 1e5, named("radius"), radius, "a length up to 1e5 m, above 0")?;
+    expect(yaw.is_finite(), named("yaw"), yaw, "an angle")?;
+    expect((0.0..=0.9).contains(&burial), named("burial"), burial, "a share from 0 to 0.9")?;
     let faces = if let Shape::Rock(faces) = shape { faces } else { 4 };
-    expect((4..=64).contains(&faces), "faces of a boulder", faces, "a whole number from 4 to 64")
+    expect((4..=64).contains(&faces), named("faces"), faces, "a whole number from 4 to 64")
 }

@@ -12,8 +12,8 @@ use crate::header::VERSION;
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{key} is {found}: expected {expected}")]
 pub struct Unfit {
-    /// Name of the value.
-    pub key: &'static str,
+    /// Name of the value, with the number of its post or boulder.
+    pub key: String,
     /// The value that was found, in words.
     pub found: String,
     /// The values that are allowed, in words.
@@ -23,11 +23,25 @@ pub struct Unfit {
 /// An `Unfit` unless what is allowed holds. Conditions are written so that NaN does not fulfil them.
 pub(crate) fn expect(
     holds: bool,
-    key: &'static str,
+    key: impl ToString,
     found: impl ToString,
     expected: impl ToString,
 ) -> Result<(), Unfit> {
-    if holds { Ok(()) } else { Err(Unfit { key, found: found.to_string(), expected: expected.to_string() }) }
+    let unfit = || Unfit { key: key.to_string(), found: found.to_string(), expected: expected.to_string() };
+    if holds { Ok(()) } else { Err(unfit()) }
+}
+
+/// A value that a terrain cannot have, and the block that it stands in.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct UnfitBlock {
+    pub block: Block,
+    pub unfit: Unfit,
+}
+
+impl From<UnfitBlock> for Unfit {
+    fn from(of: UnfitBlock) -> Self {
+        of.unfit
+    }
 }
 
 /// A file that is no terrain database, or a damaged one.

@@ -12,7 +12,7 @@ use crate::bytes::Numbers;
 use crate::check::check;
 use crate::contents::{Contents, Map};
 use crate::database::{Database, Tile};
-use crate::error::{DatabaseError, Unfit, expect};
+use crate::error::{DatabaseError, Unfit, UnfitBlock, expect};
 use crate::header::{Header, Row};
 use crate::heights::Coding;
 use crate::rows;
@@ -57,7 +57,7 @@ impl Reading<'_, '_, '_> {
 
     fn malformed(&self, block: Block) -> DatabaseError {
         let unfit = Unfit {
-            key: "its content",
+            key: "its content".into(),
             found: "of another form".into(),
             expected: "what is written there".into(),
         };
@@ -86,7 +86,7 @@ impl Reading<'_, '_, '_> {
             boulders,
             sidecar,
         };
-        check(&contents, tiling).map_err(|unfit| self.unfit(Block::Header, unfit))?;
+        check(&contents, tiling).map_err(|UnfitBlock { block, unfit }| self.unfit(block, unfit))?;
         let tiles = self.tiles(only(Block::Tiles))?;
         Ok(Database { contents, tiling, tiles })
     }

@@ -41,4 +41,9 @@ impl Tiling {
         let end = (at + 1) << self.order;
         at << self.order..end + usize::from(at + 1 == self.counts[axis])
     }
+
+    /// Column and row of the tile whose block has a post, by the post's column and row.
+    pub fn owner(self, post: [usize; 2]) -> [usize; 2] {
+        [0, 1].map(|axis| (post[axis] >> self.order).min(self.counts[axis] - 1))
+    }
 }

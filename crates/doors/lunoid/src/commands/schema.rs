@@ -30,6 +30,8 @@ enum Kind {
     Model,
     /// A scene whose answer is known.
     Cartridge,
+    /// Features over a base, from which ground is built.
+    Landscape,
 }
 
 impl Schema {
@@ -39,6 +41,7 @@ impl Schema {
             Kind::Scenario => file_schema::SCENARIO,
             Kind::Model => file_schema::MODEL,
             Kind::Cartridge => cartridge::SCHEMA,
+            Kind::Landscape => file_schema::LANDSCAPE,
         })?;
         Ok(Verdict::Yes)
     }

@@ -1,5 +1,6 @@
 //! The committed schemas are those of the readers, every key of the pages is in them, and shipped files fit and name them.
 
+mod landscape;
 mod lines;
 mod random;
 mod taplo;

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use faces::{Loaded, Model, ModelShading, Shading, Sides, of_body};
+use faces::{BodyFaces, BodyTriangle, Face, Loaded, Mesh, Model, ModelShading, Shading, Sides, Vertex};
 use glam::{DMat3, DVec3};
 use solids::{Body, Kind, Solid};
 
@@ -85,33 +85,86 @@ fn body(solid: Solid) -> Body {
     Body::place(1, Kind::Rock, &Arc::new(solid), DVec3::new(10.0, 20.0, 0.0), &turn, 2.0)
 }
 
+/// Triangles of a body with the normals at their corners.
+fn triangles(body: &Body, shading: ModelShading) -> Vec<(BodyTriangle, [DVec3; 3])> {
+    let faces = BodyFaces::new("body", body).expect("finite places");
+    let normals = faces.normals(shading);
+    faces.triangles().map(|triangle| (triangle, normals.of(&triangle))).collect()
+}
+
+fn cube() -> Solid {
+    Solid::boxed(-DVec3::ONE, DVec3::ONE, 0.5).expect("a cube")
+}
+
 #[test]
 fn a_body_is_faceted_or_rounded() {
-    let cube = || Solid::boxed(-DVec3::ONE, DVec3::ONE, 0.5).expect("a cube");
     let placed = body(cube());
-    let flat = of_body("cube", &placed, ModelShading::AsWritten).expect("faces").mesh;
-    assert_eq!((flat.faces().len(), flat.vertices().len()), (12, 24));
+    let faces = BodyFaces::new("cube", &placed).expect("finite places");
+    assert_eq!((faces.triangles().count(), faces.vertices(), faces.sides()), (12, 24, Sides::One));
     let middle = DVec3::new(10.0, 20.0, 0.0);
-    for (face, normal) in flat.faces().iter().zip(flat.normals()) {
-        assert_eq!((face.shading, face.sides, face.colour), (Shading::Flat, Sides::One, [0.5; 3]));
-        assert!((flat.places(face)[0] - middle).dot(*normal) > 0.0);
+    for (triangle, normals) in triangles(&placed, ModelShading::AsWritten) {
+        assert_eq!((normals, faces.colour(&triangle)), ([triangle.normal; 3], [0.5; 3]));
+        assert!((triangle.places[0] - middle).dot(triangle.normal) > 0.0);
     }
-    let round = of_body("cube", &placed, ModelShading::Smooth).expect("faces").mesh;
-    for vertex in round.vertices() {
-        let expected = (vertex.place - middle).normalize();
-        assert!(vertex.normal.expect("an average").distance(expected) < 1e-14);
+    for (triangle, normals) in triangles(&placed, ModelShading::Smooth) {
+        for (place, normal) in triangle.places.into_iter().zip(normals) {
+            assert!(normal.distance((place - middle).normalize()) < 1e-14);
+        }
     }
-    let given =
-        body(cube().with_normals(|face, _| Some(cube().faces()[face].normal + DVec3::new(0.0, 0.1, 0.2))));
-    let smooth = of_body("cube", &given, ModelShading::AsWritten).expect("faces").mesh;
-    assert!(smooth.faces().iter().all(|face| face.shading == Shading::Smooth));
+    let leaning = |face: usize| cube().faces()[face].normal + DVec3::new(0.0, 0.1, 0.2);
+    let given = body(cube().with_normals(|face, _| Some(leaning(face))));
+    for (triangle, normals) in triangles(&given, ModelShading::AsWritten) {
+        let (turn, _) = given.to_ground();
+        assert!(normals[1].distance(turn * leaning(triangle.face).normalize()) < 1e-14);
+    }
+    assert!(
+        triangles(&given, ModelShading::Flat).iter().all(|(triangle, normals)| normals[0] == triangle.normal)
+    );
+}
+
+/// The list of faces that a file of the same shape would give has the same normals, to the bit.
+#[test]
+fn triangles_of_a_body_are_those_of_a_list_of_faces() {
+    let rock = |seed: f64| {
+        let corners = (0..14).map(|k| {
+            let turn = f64::from(k) * (2.4 + 0.01 * seed);
+            let up = f64::from(k) / 6.5 - 1.0;
+            DVec3::new(libm::cos(turn), libm::sin(turn), up).normalize()
+        });
+        Solid::hull(&corners.collect::<Vec<_>>(), 0.3).expect("a rock")
+    };
+    for seed in 0..40 {
+        let placed = body(rock(f64::from(seed)));
+        let places: Vec<DVec3> = placed.vertices().collect();
+        let corners = placed.solid.faces().iter().flat_map(|face| {
+            (2..face.corners.len())
+                .map(|last| vec![face.corners[0], face.corners[last - 1], face.corners[last]])
+        });
+        let faces: Vec<Face> = corners.map(|corners| Face::flat(corners, [0.3; 3])).collect();
+        let vertices = places.into_iter().map(Vertex::at).collect();
+        let Loaded { mesh, .. } = Mesh::load("rock", vertices, faces).expect("a list");
+        let found = triangles(&placed, ModelShading::Flat);
+        assert!(found.len() > 12 && found.len() == mesh.faces().len());
+        for ((triangle, _), (face, normal)) in found.iter().zip(mesh.faces().iter().zip(mesh.normals())) {
+            assert_eq!((&triangle.places[..], triangle.normal), (&mesh.places(face)[..], *normal));
+        }
+    }
 }
 
 #[test]
 fn an_open_surface_is_seen_from_both_sides() {
     let places = vec![DVec3::ZERO, DVec3::Y, DVec3::X, DVec3::new(1.0, 1.0, 0.0)];
-    let sail = Solid::open(places, vec![(vec![0, 1, 3, 2], 0.7)]).expect("a sail");
-    let mesh = of_body("sail", &body(sail), ModelShading::AsWritten).expect("faces").mesh;
-    assert!(mesh.faces().len() == 2 && mesh.faces().iter().all(|face| face.sides == Sides::Both));
-    assert!(mesh.normals().iter().all(|normal| normal.distance(DVec3::Z) < 1e-15));
+    let sail = body(Solid::open(places, vec![(vec![0, 1, 3, 2], 0.7)]).expect("a sail"));
+    assert_eq!(BodyFaces::new("sail", &sail).expect("finite places").sides(), Sides::Both);
+    let found = triangles(&sail, ModelShading::AsWritten);
+    assert_eq!(found.len(), 2);
+    assert!(found.iter().all(|(triangle, _)| triangle.normal.distance(DVec3::Z) < 1e-15));
+}
+
+#[test]
+fn a_body_without_a_place_is_refused() {
+    let turn = DMat3::IDENTITY;
+    let lost = Body::place(1, Kind::Rock, &Arc::new(cube()), DVec3::new(0.0, f64::NAN, 0.0), &turn, 1.0);
+    let error = BodyFaces::new("lost", &lost).expect_err("no number").to_string();
+    assert!(error.contains("lost"), "{error}");
 }

@@ -87,6 +87,26 @@ fn every_fault_is_told_by_its_place() {
     }
 }
 
+/// A fault names the feature: its number in the file, its kind and its name, where it has them.
+#[test]
+fn a_fault_of_a_feature_names_it() {
+    let both = |second: String| refused(&format!("{HEAD}{}{second}", FEATURES[0]));
+    let told = both(FEATURES[4].replace("= 0.0", "= 0.95"));
+    assert!(told.contains("`feature[1].burial` is 0.95") && told.contains("ground.toml:"), "{told}");
+    assert!(told.contains("(feature 2 of the file, boulder \"a-rock\")"), "{told}");
+    let told = both(FEATURES[4].replace("burial", "buried"));
+    assert!(
+        told.contains("unknown key `feature[1].buried` (feature 2 of the file, boulder \"a-rock\")"),
+        "{told}"
+    );
+    let told = both(FEATURES[1].replace("height_m = 120.0", "height_m = true"));
+    assert!(told.contains("(feature 2 of the file, growth \"hill\")"), "{told}");
+    let nameless = both(FEATURES[4].replace("id = ", "name = "));
+    assert!(nameless.contains("(feature 2 of the file, boulder)"), "{nameless}");
+    let place = refused(&HEAD.replace("50.0", "0"));
+    assert!(!place.contains("of the file"), "{place}");
+}
+
 #[test]
 fn damaged_text_is_refused_and_never_a_panic() {
     let text = file_of(&[0, 1, 2, 3, 4, 5]);

@@ -55,6 +55,21 @@ fn sizes_beyond_the_file_are_refused_before_memory_is_asked_for() {
     assert!(matches!(error, DatabaseError::Length { .. }), "{error}");
 }
 
+/// Whole steps of a thousand kilometres make of every height but 0 one that no terrain has: tile and post are named.
+#[test]
+fn a_height_that_cannot_be_is_named_with_its_tile_and_post() {
+    let text = changed(56, &1e6_f64.to_le_bytes(), 16).to_string();
+    let tile = text.split("tile (column ").nth(1).and_then(|rest| rest.split(')').next());
+    let post = text.split("post (column ").nth(1).and_then(|rest| rest.split(')').next());
+    let numbers = |text: Option<&str>| -> Vec<usize> {
+        text.unwrap().split(", row ").map(|number| number.parse().unwrap()).collect()
+    };
+    let (tile, post) = (numbers(tile), numbers(post));
+    assert!(text.starts_with("moon.lod: the block of the heights of tile"), "{text}");
+    // Tiles of four cells; the last post of a row belongs to the last tile.
+    assert_eq!(tile, post.iter().map(|at| (at / 4).min(1)).collect::<Vec<_>>(), "{text}");
+}
+
 /// A database whose block is changed; table and header are signed again.
 fn with_block(block: usize, value: impl FnOnce(&mut [u8])) -> DatabaseError {
     let mut bytes = Database::new(ground(3, 2, [2, 2], None)).unwrap().bytes();
@@ -74,8 +89,14 @@ fn with_block(block: usize, value: impl FnOnce(&mut [u8])) -> DatabaseError {
 fn blocks_with_other_content_are_named() {
     let first = |value: f64| move |bytes: &mut [u8]| bytes[..8].copy_from_slice(&value.to_le_bytes());
     let cases = [
-        (with_block(0, first(1e7)), "place along x is 100: expected a length above 10000000 m"),
-        (with_block(0, first(f64::NAN)), "place along x is NaN: expected a length within 1e9 m"),
+        (
+            with_block(0, first(1e7)),
+            "the block of the places of posts: place along x of post 1 is 100: expected a length above 10000000 m",
+        ),
+        (
+            with_block(0, first(f64::NAN)),
+            "the block of the places of posts: place along x of post 0 is NaN: expected a length within 1e9 m",
+        ),
         (
             with_block(1, first(-1.0)),
             "the block of the errors and bounds of tiles: its content is of another form",
@@ -89,6 +110,10 @@ fn blocks_with_other_content_are_named() {
             "the block of the light of tile (column 0, row 0): its content",
         ),
         (with_block(14, |bytes| bytes[64] = 3), "the block of the boulders: its content is of another form"),
+        (
+            with_block(14, |bytes| bytes[68 + 40..][..8].copy_from_slice(&0.95_f64.to_le_bytes())),
+            "the block of the boulders: burial of boulder 1 is 0.95: expected a share from 0 to 0.9",
+        ),
         (with_block(15, |bytes| bytes[0] = 0xff), "the block of the text of the landscape: its content"),
     ];
     for (error, expected) in cases {
@@ -111,13 +136,13 @@ fn contents_that_make_no_terrain_are_refused() {
     );
     let mut void = contents();
     void.heights[3] = f64::NAN;
-    assert!(told(void).starts_with("height is NaN: expected a length within"));
+    assert!(told(void).starts_with("height of post (column 3, row 0) is NaN: expected a length within"));
     let mut few = contents();
     few.heights.pop();
     assert_eq!(told(few), "number of heights is 24: expected 25");
     let mut buried = contents();
     buried.boulders[1].burial = 0.95;
-    assert_eq!(told(buried), "burial of a boulder is 0.95: expected a share from 0 to 0.9");
+    assert_eq!(told(buried), "burial of boulder 1 is 0.95: expected a share from 0 to 0.9");
     let dark =
         terrain_database::Contents { light: Some(terrain_database::Map::U8(vec![0; 24])), ..contents() };
     assert_eq!(told(dark), "light is 24 numbers: expected 25 numbers, one a post");
