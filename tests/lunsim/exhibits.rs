@@ -1,5 +1,7 @@
 //! The twelve pictures of the report's exhibits.
 
+use std::fs;
+use std::path::Path;
 use std::sync::Arc;
 
 use generator::{Generator, PlaneKind, Planes};
@@ -74,6 +76,39 @@ fn every_frame_is_ground_from_edge_to_edge_and_near_exact() {
             println!("{name} {frame}: {found:?}");
             assert!(found.reflectivity < 0.01 && found.intensity < 0.02, "{name} {frame}: {found:?}");
             assert!(found.shade < 0.015 && found.missing == 0.0, "{name} {frame}: {found:?}");
+        }
+    }
+}
+
+/// Table 1 of the appendix: run parameters, and the viewed-area limits that the program printed. The page has what is found here.
+#[test]
+fn the_legend_of_the_charts_is_that_of_the_page() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/blocks/lunsim.md");
+    let page = fs::read_to_string(page).unwrap();
+    for (letter, name) in ["A", "B", "C"].into_iter().zip(EXHIBITS) {
+        let shipped = Shipped::read(name, None);
+        let stage = shipped.stage().stage();
+        let session = program().prepare(stage.clone()).unwrap();
+        for frame in 0..4 {
+            let pose = shipped.pose(frame).pose;
+            let facts = session.explain(frame, &pose, [512, 512]).unwrap();
+            assert_eq!(
+                facts.iter().map(|fact| fact.what.as_str()).collect::<Vec<_>>(),
+                ["viewed area", "point", "ground", "light", "code"]
+            );
+            let sun = stage.scenery.sun(pose.time);
+            let [heading, depression, azimuth, elevation] =
+                [pose.attitude.heading, -pose.attitude.pitch, sun.azimuth, sun.elevation]
+                    .map(|angle| degrees(angle).round());
+            let row = format!(
+                "| {letter}{} | {:.0}, {:.0}, {:.0} | {heading}, {depression} | {azimuth}, {elevation} | {} |",
+                frame + 1,
+                pose.eye[0],
+                pose.eye[1],
+                pose.eye[2],
+                facts[0].value
+            );
+            assert!(page.contains(&row), "the page has not: {row}");
         }
     }
 }

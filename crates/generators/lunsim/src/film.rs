@@ -116,7 +116,7 @@ impl Film<'_> {
     }
 
     /// The point under the middle of a pixel.
-    fn point_at(&self, at: [[usize; 2]; 2]) -> Option<usize> {
+    pub fn point_at(&self, at: [[usize; 2]; 2]) -> Option<usize> {
         self.point([0, 1].map(|axis| {
             let [pixel, count] = at[axis];
             (2 * pixel + 1) * self.plot.size[axis] / (2 * count)
@@ -129,7 +129,8 @@ impl Film<'_> {
         (point != SKY).then_some(point as usize)
     }
 
-    fn value(&self, kind: PlaneKind, point: usize) -> f64 {
+    /// What a plane has of a point of the grid.
+    pub fn value(&self, kind: PlaneKind, point: usize) -> f64 {
         let (row, column) = (point / self.grid.size, point % self.grid.size);
         let place = self.grid.place(row, column);
         let normal = |axis: usize| {

@@ -68,6 +68,7 @@
 //! the twelve exhibits.
 
 mod area;
+mod explained;
 mod film;
 mod grid;
 mod hardware;

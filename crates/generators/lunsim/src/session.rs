@@ -1,14 +1,16 @@
 //! LUNSIM as a generator: from a stage and a pose to the planes of a frame, block by block.
 
 use generator::{
-    Along, Counter, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes, PrepareError,
-    Scan, Session as GeneratorSession, Stage, Timed, check_eye, face_lists_beside, photographs_beside,
+    Along, Counter, Fact, FrameCounts, FrameError, Generator, Joined, Omission, PlaneKind, Planes,
+    PrepareError, Scan, Session as GeneratorSession, Stage, Timed, check_eye, face_lists_beside,
+    photographs_beside,
 };
 use scenario::{Pose, View};
 use serde_json::{Value, json};
 use signal::{Probe, Signal, Wire};
 
 use crate::area::{self, ViewedArea};
+use crate::explained;
 use crate::film::{Film, IntensityCodes, PLANES};
 use crate::grid::Grid;
 use crate::light::{Lit, light};
@@ -129,6 +131,16 @@ impl GeneratorSession for Session {
         omissions.extend(photographs_beside(&self.stage.landscape, NAME));
         omissions.extend(face_lists_beside(&self.stage.scenery, NAME));
         omissions
+    }
+
+    /// The viewed area, which the program printed beside a picture, and the point of the grid in a pixel.
+    fn explain(&self, frame: u64, pose: &Pose, [column, line]: [usize; 2]) -> Result<Vec<Fact>, FrameError> {
+        let Some(picture) = self.picture(frame, pose)? else {
+            return Ok(vec![Fact::new("viewed area", "no ground is in view")]);
+        };
+        let View { columns, lines, .. } = self.stage.view;
+        let at = [[column, columns as usize], [line, lines as usize]];
+        Ok(explained::facts(&picture.film(), &picture.area, at))
     }
 
     fn wires(&self) -> Vec<Wire> {
