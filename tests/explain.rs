@@ -65,7 +65,7 @@ fn sky_and_bodies_are_told_as_such() {
     assert!(top.because[0].starts_with("sky"), "{:?}", top.because);
     let [columns, lines] = [scene.settings.raster.columns as usize, scene.settings.raster.lines as usize];
     let grid: Vec<[usize; 2]> =
-        (0..columns).step_by(11).flat_map(|x| (lines / 3..lines).step_by(8).map(move |y| [x, y])).collect();
+        (0..columns).step_by(23).flat_map(|x| (lines / 3..lines).step_by(17).map(move |y| [x, y])).collect();
     let told = told(&scene.stage(), &scene, 0, &grid);
     let body = told.iter().find(|told| told.writer == Writer::Body).expect("a body is in sight");
     assert!(body.because.iter().any(|reason| reason.contains("pg.present is on")), "{:?}", body.because);
