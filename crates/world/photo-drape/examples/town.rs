@@ -14,7 +14,7 @@ const SIDE: f64 = 200.0;
 const REGION: f64 = 2.0;
 /// Side of a texel of the albedo map (m).
 const TEXEL: f64 = 0.5;
-/// Buildings either way.
+/// How many buildings stand either way.
 const BUILDINGS: usize = 6;
 /// From the begin of one roof to that of the next (m).
 const PITCH: f64 = 28.0;

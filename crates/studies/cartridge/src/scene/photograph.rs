@@ -31,7 +31,7 @@ pub enum Levels {
     },
     /// `first + across I + down J` at the middles of pixels, where I is 0.5 in the first column and J is 0.5 in the first line.
     Ramp {
-        /// Columns and lines.
+        /// Columns and lines of the picture.
         size: [usize; 2],
         /// Level at the upper left corner of the picture.
         first: f64,
@@ -42,7 +42,7 @@ pub enum Levels {
     },
     /// Dark and bright squares in turn, the upper left one dark.
     Checker {
-        /// Columns and lines.
+        /// Columns and lines of the picture.
         size: [usize; 2],
         /// Side of a square (pixels).
         square: usize,
@@ -57,7 +57,7 @@ pub enum Levels {
 const MOST_SIDE: usize = 1024;
 
 impl InlinePhotograph {
-    /// The photograph itself.
+    /// The photograph that its levels and camera make.
     pub(super) fn made(&self) -> Result<Photograph, String> {
         let text = serde_json::to_string(&self.camera).map_err(|error| error.to_string())?;
         let file = read_photo_file("photograph.camera", &text)
