@@ -57,12 +57,6 @@ pub const EVIDENCE: &[Evidence] = &[
         form: Form::Lines,
     },
     Evidence {
-        name: "parts",
-        title: "Every wire of real parts: ten thousand sweeps of each model by the second engine, ten by ngspice",
-        command: ".ci/parts",
-        form: Form::Lines,
-    },
-    Evidence {
         name: "relations",
         title: "Relations that must hold for any scene, and the determinism matrix",
         command: "cargo test --quiet -p lunoid-tests --test relations -- --nocapture",
