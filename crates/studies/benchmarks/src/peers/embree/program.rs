@@ -3,7 +3,7 @@
 use super::{EyeMesh, Sight};
 use crate::peers::drawing::{Compiled, Drawing, Source};
 
-/// The ray tracer.
+/// What the ray tracer is made of.
 static SOURCE: Source = Source {
     program: "embree",
     text: concat!(env!("CARGO_MANIFEST_DIR"), "/peers/embree.cpp"),
