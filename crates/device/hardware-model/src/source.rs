@@ -78,7 +78,7 @@ impl ModelSource {
     }
 
     /// The overlay that a user means: a file, or the name of one of [`FAULTS`] where there is no such file.
-    pub(crate) fn overlay(path: &Path) -> Self {
+    pub fn overlay(path: &Path) -> Self {
         let name = path.to_string_lossy();
         let is_fault = FAULTS.iter().any(|(known, _)| *known == name);
         if is_fault && !is_file(path) { Self::Fault(name.into_owned()) } else { Self::File(path.to_owned()) }

@@ -181,6 +181,21 @@ fn expect_readable(path: &Path) -> Result<(), Failure> {
     Ok(files::open(path).map(drop)?)
 }
 
+/// Sees before any work that what stands in a folder under names such that `writes` can be replaced, all of it.
+pub fn expect_replaceable(folder: &Path, writes: fn(&str) -> bool) -> Result<(), Failure> {
+    if folder.exists() && !folder.is_dir() {
+        let why = "this is a file, expected a folder; name another";
+        return Err(Failure::output(format!("{}: {why}", folder.display())));
+    }
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let mut ours: Vec<PathBuf> = entries
+        .filter(|entry| entry.file_name().to_str().is_some_and(writes))
+        .map(|entry| entry.path())
+        .collect();
+    ours.sort();
+    ours.iter().try_for_each(|path| expect_writable(path))
+}
+
 fn expect_writable(path: &Path) -> Result<(), Failure> {
     let refused = |why: String| Err(Failure::output(format!("{}: {why}", path.display())));
     if path == Path::new("-") {

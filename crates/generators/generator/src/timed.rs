@@ -55,6 +55,11 @@ pub trait Timed: Sync {
         Vec::new()
     }
 
+    /// How long the work of a frame takes in all (master ticks), where that is another time than the length of the frame.
+    fn in_all(&self, _frame: &FrameTiming) -> Option<u64> {
+        None
+    }
+
     /// Times that its source reports for one frame, in the order of its routines; none if it reports none.
     fn reported(&self) -> &'static [ReportedTime] {
         &[]

@@ -37,7 +37,7 @@ impl Geometry {
 pub struct Screen<'a> {
     /// Camera of the pose.
     pub camera: &'a Camera,
-    /// Columns and lines.
+    /// Columns and lines of the picture.
     pub size: [usize; 2],
     /// How faces of more than three corners are cut.
     pub cut: Cut,

@@ -128,24 +128,28 @@ impl Other {
         misses::lines_text(record, lines, line, 1e9 / self.timed.master().hertz())
     }
 
-    /// A table of how long each frame of `record` takes, unit by unit and in all: in seconds, or in milliseconds where it has
-    /// deadlines.
+    /// A table of how long each frame of `record` takes, unit by unit and in all, or else how long the frame is: in seconds, or in
+    /// milliseconds where it has deadlines.
     pub fn times_text(&self, record: &TimingRecord) -> String {
-        times_text(record, self.timed.master().hertz())
+        times_text(record, self.timed.master().hertz(), |frame| self.timed.in_all(frame))
     }
 }
 
-fn times_text(record: &TimingRecord, master_hz: f64) -> String {
+fn times_text(record: &TimingRecord, master_hz: f64, in_all: impl Fn(&FrameTiming) -> Option<u64>) -> String {
     let is_short = record.frames.iter().any(|frame| !frame.deadlines.is_empty());
     let (scale, unit_of_time) = if is_short { (1e3, "ms") } else { (1.0, "s") };
     let time = |ticks: u64| format!("{:.2}", scale * ticks as f64 / master_hz);
     let head = |frame: &FrameTiming| -> Vec<String> {
-        let units = frame.units.iter().map(|unit| format!("{} ({unit_of_time})", unit.unit));
-        ["frame".to_owned()].into_iter().chain(units).chain([format!("in all ({unit_of_time})")]).collect()
+        let units = frame.units.iter().map(|unit| unit.unit.as_str());
+        // A frame with deadlines is as long as its period, whatever is done in it.
+        let last = if is_short && in_all(frame).is_none() { "frame length" } else { "in all" };
+        let columns = units.chain([last]).map(|column| format!("{column} ({unit_of_time})"));
+        ["frame".to_owned()].into_iter().chain(columns).collect()
     };
     let row = |frame: &FrameTiming| -> Vec<String> {
         let units = frame.units.iter().map(|unit| time(unit.busy));
-        [frame.frame.to_string()].into_iter().chain(units).chain([time(frame.ticks)]).collect()
+        let last = time(in_all(frame).unwrap_or(frame.ticks));
+        [frame.frame.to_string()].into_iter().chain(units).chain([last]).collect()
     };
     let rows: Vec<_> =
         record.frames.first().map(head).into_iter().chain(record.frames.iter().map(row)).collect();

@@ -44,6 +44,7 @@ pub fn open(path: &Path, wishes: &Wishes) -> Result<Opened, OpenError> {
     let mut tables = faults_of_tables(path, row, wishes).into_iter();
     let model = model(path, &scenario, row, wishes).map_err(|error| together(error, tables.by_ref()))?;
     overlays::expect_of(row, row.map_or(model.model.name.as_str(), |row| row.name), wishes)?;
+    row.map_or(Ok(()), |row| overlays::expect_no_parts(row, &model, wishes))?;
     wish(&mut scenario, wishes);
     let settings = crate::settings(&scenario, &model.model).map_err(|error| unfit(path, &error))?;
     expect_pixels(path, &settings)?;

@@ -4,8 +4,10 @@ use std::path::{Path, PathBuf};
 
 use diagnostics::{Problems, TomlFile};
 use generator::Row;
+use hardware_model::{EffectiveValue, LoadedModel, ModelSource};
 use limits::Limit;
 
+use crate::keys::{Decides, decides};
 use crate::{OpenError, Wishes};
 
 /// An overlay over run parameters and gear of a generator.
@@ -65,4 +67,24 @@ pub(crate) fn expect_of(row: Option<&Row>, drawn_by: &str, wishes: &Wishes) -> R
             row.name
         ))),
     }
+}
+
+/// Refuses an overlay of the hardware model that sets a part which the generator of `row` does not have; raster, range and laws are
+/// those of any generator.
+pub(crate) fn expect_no_parts(row: &Row, model: &LoadedModel, wishes: &Wishes) -> Result<(), OpenError> {
+    for asked in of_model(wishes)? {
+        let name = ModelSource::overlay(&asked).name();
+        let is_part = |value: &&EffectiveValue| {
+            let is_of_overlay = value.origin.rsplit_once(':').is_some_and(|(file, _)| file == name);
+            is_of_overlay && value.key != "format" && matches!(decides(&value.key), Decides::Model)
+        };
+        if let Some(EffectiveValue { key, origin, .. }) = model.values.iter().find(is_part) {
+            return Err(OpenError::Wish(format!(
+                "--overlay {}: {origin} sets `{key}`, and {} has no such part; leave the overlay out, or give --machine a hardware model",
+                asked.display(),
+                row.name
+            )));
+        }
+    }
+    Ok(())
 }

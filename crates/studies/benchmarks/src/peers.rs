@@ -3,6 +3,7 @@
 //! Each is a package of the system. What we write for it lies in the folder `peers` of this crate and is compiled when it is asked for.
 //! Where a package is missing, the row says which one, and is skipped.
 
+pub mod drawing;
 pub mod embree;
 mod process;
 pub mod verilator;

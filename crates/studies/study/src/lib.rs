@@ -21,6 +21,7 @@
 //! **Descents** ([`descent`]): pictures of the ways beside those curves, for a page.
 //! **Levels** ([`levels`]): what levels of detail lose, against triangles and time. **Tracks** ([`tracks`]): corners that are followed
 //! while levels change.
+//! **Judged** ([`judged`]): pictures of a generator against those of the judge, frame by frame.
 //! **Lights** ([`lights`]): the light of a lamp over a mission, in each way that a generator has to draw it.
 //! **Seas** ([`sea`]): contrast and spectrum of a sea of false normals beside those of true waves.
 //! **Reports** ([`report`]): what came of a study as text, as a document, and as tables and plots in a folder.
@@ -34,6 +35,7 @@ pub mod descent;
 pub mod economy;
 mod figures;
 mod fronts;
+pub mod judged;
 pub mod ladder;
 pub mod levels;
 pub mod lights;

@@ -67,6 +67,20 @@ impl ElevationArgs {
         }
     }
 
+    /// The first of the options that is given.
+    pub fn given(&self) -> Option<&'static str> {
+        let options = [
+            (self.scale.is_some(), "--scale"),
+            (self.offset.is_some(), "--offset"),
+            (!self.no_data.is_empty(), "--no-data"),
+            (!self.ignore.is_empty(), "--ignore"),
+            (self.band.is_some(), "--band"),
+            (self.spacing_m.is_some(), "--spacing-m"),
+            (self.first_line_south, "--first-line-south"),
+        ];
+        options.into_iter().find_map(|(is_given, name)| is_given.then_some(name))
+    }
+
     /// Whole numbers are how files of another unit than the metre look when they do not name their scale.
     pub fn warn_of_unit(&self, elevation: &Elevation) {
         let is_flat = elevation.range().is_none_or(|[low, high]| low == high);

@@ -130,6 +130,60 @@ fn a_generator_without_levels_is_refused_with_those_that_have_some() {
     assert!(said.contains("--frames 3..4: one frame; expected at least two"), "{said}");
 }
 
+/// The judge is off by nothing against itself, and coarse ground by more than fine ground.
+#[test]
+fn frames_are_held_against_the_judge() {
+    let scene = rough();
+    let judged = |more: &[&str]| -> Vec<Value> {
+        let words = ["study", "judge", "rough.toml", "--every", "15", "--no-progress", "--json"];
+        let (out, _) = scene.expect(0, &[&words[..], more].concat());
+        let told: Value = serde_json::from_str(&out).unwrap();
+        assert_eq!(told["schema"].as_str(), Some("lunoid.study-judge/1"));
+        told["frames"].as_array().unwrap().clone()
+    };
+    let of = |frame: &Value, keys: [&str; 2]| frame[keys[0]][keys[1]].as_f64().unwrap();
+    for frame in judged(&["--machine", "exact"]) {
+        assert_eq!((of(&frame, ["metres", "worst"]), of(&frame, ["greys", "worst"])), (0.0, 0.0));
+        assert_eq!((frame["pixels"].as_u64(), frame["outline"].as_u64()), (Some(240 * 200), Some(0)));
+    }
+    let (fine, coarse) = (judged(&["--set", "lod.levels=1", "--out", "found"]), judged(&[]));
+    assert_eq!(fine.iter().map(|frame| frame["frame"].as_u64().unwrap()).collect::<Vec<_>>(), [0, 15]);
+    for (fine, coarse) in fine.iter().zip(&coarse) {
+        assert!(of(fine, ["metres", "rms"]) < 0.5 * of(coarse, ["metres", "rms"]), "{fine} {coarse}");
+        assert!(of(fine, ["metres", "rms"]) > 0.0 && of(fine, ["greys", "worst"]) < 255.0, "{fine}");
+    }
+    for file in ["judge.json", "judge.csv", "judge.md", "judge.svg"] {
+        assert!(scene.path().join("found").join(file).exists(), "{file}");
+    }
+    let (_, said) = scene.expect(2, &["study", "judge", "rough.toml", "--machine", "ideal"]);
+    assert!(said.contains("draws no distances"), "{said}");
+}
+
+/// The last file that a study writes cannot be replaced, so none is written.
+#[test]
+fn a_study_looks_at_all_its_places_before_it_writes_one() {
+    let scene = rough();
+    for (study, last) in [
+        ("levels", "levels-triangles.png"),
+        ("tracks", "tracks.svg"),
+        ("pops", "pops.png"),
+        ("sea", "sea.png"),
+    ] {
+        let folder = scene.join(study);
+        std::fs::create_dir_all(folder.join(last)).unwrap();
+        let words = ["study", study, "rough.toml", "--no-progress", "--out", study];
+        let (out, said) = scene.expect(4, &words);
+        assert!(
+            out.is_empty() && said.contains(last) && said.contains("this is a folder"),
+            "{study}: {said}"
+        );
+        assert_eq!(std::fs::read_dir(folder).unwrap().count(), 1, "{study}");
+    }
+    scene.write("taken", "");
+    let (_, said) = scene.expect(4, &["study", "levels", "rough.toml", "--out", "taken"]);
+    assert!(said.contains("taken: this is a file, expected a folder"), "{said}");
+}
+
 /// The folder of a run has pictures, poses, range, distance, normal, label and light: a client reads them with NumPy alone.
 #[test]
 fn a_program_reads_a_run_without_us() {

@@ -59,6 +59,26 @@ fn an_overlay_goes_over_the_generator_that_has_its_tables() {
     assert!(err.contains("loader"), "{err}");
 }
 
+/// Parts of the hybrid machine are none of a generator's; raster and range are.
+#[test]
+fn an_overlay_of_parts_is_refused_where_a_generator_draws() {
+    let scene = Scene::new();
+    let replay = |code: i32, overlay: &str| {
+        let words = ["replay", "tiny.toml", "--machine", "smooth-faces", "--frames", "0..1", "--out", "over"];
+        scene.expect(code, &[&words[..], &["--overlay", overlay]].concat()).1
+    };
+    scene.write("parts.toml", "format = 1\n[raster]\nsweeps = 40\n[loader]\naccess_ns = 90\n");
+    for (overlay, told) in
+        [("tear", "built-in faults/tear.toml:"), ("parts.toml", "parts.toml:5 sets `loader.access_ns`")]
+    {
+        let err = replay(2, overlay);
+        assert!(err.contains(&format!("--overlay {overlay}: ")) && err.contains(told), "{err}");
+        assert!(err.contains("smooth-faces has no such part"), "{err}");
+    }
+    scene.write("view.toml", "format = 1\n[raster]\nsweeps = 40\n");
+    replay(0, "view.toml");
+}
+
 #[test]
 fn what_is_wrong_in_an_overlay_is_told_and_nothing_else() {
     let scene = Scene::new();

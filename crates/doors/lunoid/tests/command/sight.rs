@@ -193,6 +193,12 @@ fn what_cannot_be_looked_at_is_refused() {
     scenario(&["--out", "seen.jpg"], "expected a name that ends in .tif");
     scenario(&["--to", "100,100", "--out", "line.tif"], "expected a name that ends in .csv");
     scenario(&["--out", "tiny.toml"], "would replace");
+    for (option, value) in
+        [("--band", "1"), ("--scale", "2"), ("--offset", "1"), ("--no-data", "-9"), ("--spacing-m", "5")]
+    {
+        let said = format!("{option}: tiny.toml is a scenario or a bank");
+        scenario(&["--to", "100,100", option, value], &said);
+    }
     let posts =
         |more: &[&str], said: &str| refused(2, &[&RIDGE[..], &["--from", "5,0"], more].concat(), said);
     posts(&["--surface", "landscape"], "which has no closed form");

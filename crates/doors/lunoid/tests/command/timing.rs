@@ -417,3 +417,23 @@ fn the_search_ends_where_tears_begin() {
     assert_eq!(seen(&slowest.to_string()), 0.0);
     assert!(seen(&(slowest + 50.0).to_string()) > 0.0);
 }
+
+/// The viewer of `lod-mesh` has one unit work after the other, but for two stages of its board: in all it takes less than the frame is long.
+#[test]
+fn a_frame_of_one_unit_after_another_says_what_it_takes_in_all() {
+    let scene = Scene::new();
+    let last = |machine: &str| -> (String, Vec<f64>) {
+        let (out, _) =
+            scene.expect(0, &["timing", "show", "tiny.toml", "--machine", machine, "--frames", "0..1"]);
+        let at = out.find("\nframe ").expect("a table of times");
+        let mut lines = out[at + 1..].lines();
+        let head = lines.next().unwrap().trim_end().rsplit("  ").next().unwrap().trim().to_owned();
+        let row = lines.next().unwrap().split_whitespace().skip(1);
+        (head, row.map(|number| number.parse().unwrap()).collect())
+    };
+    let (head, times) = last("lod-mesh");
+    let [cpu, bus, vertex, triangle, capture, in_all] = times[..] else { panic!("{times:?}") };
+    assert_eq!(head, "in all (ms)");
+    assert!((cpu + bus + vertex.max(triangle) + capture - in_all).abs() < 0.03, "{times:?}");
+    assert_eq!(last("smooth-faces").0, "frame length (ms)");
+}

@@ -152,6 +152,61 @@ fn ground_lies_under_the_water_and_boxes_stand_in_it() {
     assert!(lowest > 1.0 && lowest < 4.0, "the box begins at the water, {lowest} m");
 }
 
+/// Where marching along a ray first finds a gap of 0 or more (m), infinite up to `far`; and the largest gap well before.
+fn marched(gap: impl Fn(f64) -> f64, far: f64) -> [f64; 2] {
+    const STEP: f64 = 0.02;
+    let (mut before, mut most) = (gap(1.0), f64::NEG_INFINITY);
+    for range in (1..).map(|k| 1.0 + STEP * f64::from(k)).take_while(|range| *range < far) {
+        let behind = gap(range);
+        if behind >= 0.0 {
+            // Between two steps the gap grows evenly, nearly.
+            return [range - STEP * behind / (behind - before), most];
+        }
+        // A gap that grows up to where it closes does not count as near.
+        most = if before > behind { most.max(before) } else { most };
+        before = behind;
+    }
+    [f64::INFINITY, most.max(before)]
+}
+
+/// A beach rises out of the sea. A pixel shows what marching meets first: water, or ground above the calm water. Ground below that hides no
+/// water, even where a trough bares it.
+#[test]
+fn a_beach_hides_water_from_the_calm_line_up_alone() {
+    let (base, rise) = (0.0, 0.01);
+    let ground = landscape(plane(100.0, [4, 4], base, [rise, 0.0]), 0.5);
+    let mut pose = pose([130.0, 200.0, 6.0], -4.0, 0.0);
+    let (mut bared, mut shore, mut deep) = (0, 0, 0);
+    for time in [0.0, 7.0] {
+        pose.time = time;
+        let found = planes(&ground, scenery(sea([0.0, 0.0, 400.0, 400.0])), &usual(Curvature::None), &pose);
+        let surface = sea([0.0; 4]).waves.at(time);
+        for index in (0..(PIXELS[0] * PIXELS[1]) as usize).step_by(5) {
+            let ray = ray(&usual(Curvature::None), &pose, index);
+            let at = |range: f64| [0, 1].map(|axis| pose.eye[axis] + range * ray.direction[axis]);
+            let height = |range: f64| pose.eye[2] + ray.rise * range;
+            let [on_ground, _] = marched(|range| base + rise * at(range)[0] - height(range), 149.0);
+            let is_under = base + rise * at(on_ground)[0] <= 2.0;
+            let limit = if is_under { f64::INFINITY } else { on_ground };
+            let gap = |range: f64| 2.0 + surface.at(at(range)).height - height(range);
+            let [on_water, nearest] = marched(gap, limit.min(149.0));
+            // A ray that nearly touches a crest, or meets both at one place, may go either way.
+            if nearest > -1e-3 || limit.min(on_water) > 148.0 {
+                continue;
+            }
+            let (label, range) =
+                (value(&found, PlaneKind::Label, index), value(&found, PlaneKind::Range, index));
+            let expected = if on_water < limit { Label::Sea } else { Label::Terrain };
+            assert_eq!(label, f64::from(expected.code()), "{time} s, pixel {index}: {on_ground} {on_water}");
+            assert!((range - limit.min(on_water)).abs() < 0.01, "{time} s, pixel {index}: {range}");
+            bared += u32::from(is_under && on_ground < on_water && on_water < limit);
+            shore += u32::from(expected == Label::Terrain);
+            deep += u32::from(expected == Label::Sea && on_water < on_ground);
+        }
+    }
+    assert!(bared > 8 && shore > 8 && deep > 100, "{bared} bared, {shore} of the shore, {deep} of water");
+}
+
 /// Beyond its area there is no water, and an eye under water sees none.
 #[test]
 fn water_ends_with_its_area() {

@@ -115,6 +115,10 @@ impl Timed for Job {
         Ok(FrameTiming { level_changes: self.level_changes(&looked), ..timing })
     }
 
+    fn in_all(&self, frame: &FrameTiming) -> Option<u64> {
+        Some(work::frame_time(&frame.tasks))
+    }
+
     fn sizing(&self, frames: &[FrameTiming]) -> Vec<SizedFigure> {
         sizing::figures(self.session.prepared(), self.session.hardware(), frames)
     }

@@ -3,6 +3,7 @@
 mod economy;
 mod error;
 mod folder;
+mod judged;
 mod ladder_plots;
 mod levels;
 mod lights;
@@ -17,6 +18,7 @@ mod tracks;
 pub use economy::EconomyReport;
 pub use error::ErrorReport;
 pub use folder::{ReportError, is_of, make_folder};
+pub use judged::JudgedReport;
 pub use levels::LevelReport;
 pub use lights::LightReport;
 pub use pops::PopReport;

@@ -132,6 +132,7 @@ impl SightCommand {
         }
         match (Source::of(&self.ground)?, self.surface) {
             (Source::Landscape(landscape, title), surface) => {
+                self.expect_no_reading()?;
                 let level = match surface {
                     None | Some(Surface::Landscape | Surface::Shown) => None,
                     Some(Surface::Mesh(level)) => Some(level),
@@ -150,6 +151,16 @@ impl SightCommand {
         }
     }
 
+    /// Refuses options that say how an elevation file is read.
+    fn expect_no_reading(&self) -> Result<(), Failure> {
+        self.reading.given().map_or(Ok(()), |option| {
+            let ground = self.ground.display();
+            Err(Failure::usage(format!(
+                "{option}: {ground} is a scenario or a bank, whose heights are known; leave the option out, or name an elevation file"
+            )))
+        })
+    }
+
     /// The ground of a scenario as it is drawn in a frame.
     fn drawn(&self) -> Result<Site, Failure> {
         if self.ground.extension().is_none_or(|ending| ending != "toml") {
@@ -158,6 +169,7 @@ impl SightCommand {
                 self.ground.display()
             )));
         }
+        self.expect_no_reading()?;
         if self.cell_m.is_some() {
             return Err(Failure::usage("--cell-m: drawn ground has posts of its own; leave the option out"));
         }

@@ -2,6 +2,7 @@
 
 mod economy;
 mod error;
+mod judge;
 mod level_ladders;
 mod levels;
 mod lights;
@@ -23,13 +24,14 @@ const AFTER: &str = "Examples:
   lunoid study economy scenarios/showpiece.toml --quick
   lunoid study shadow scenarios/vehicle-shadow.toml
   lunoid study pops scenarios/lod-descent.toml
+  lunoid study judge scenarios/lod-descent.toml --every 60
   lunoid study levels scenarios/lod-landing.toml
   lunoid study tracks scenarios/lod-descent.toml --only one-level
   lunoid study lights scenarios/night-landing.toml --light ridge-beacon
   lunoid study sea scenarios/sea-waves.toml --every 15
   lunoid study error --help";
 
-/// Measure error against run time, what a scene does not need, what flat ground costs a shadow, what pops, what levels lose, how a lamp shines, and how a sea looks beside true waves.
+/// Measure error against run time, what a scene does not need, what flat ground costs a shadow, what pops, what levels lose, what a generator is off the judge, how a lamp shines, and how a sea looks beside true waves.
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]
 pub struct StudyCommand {
@@ -50,6 +52,8 @@ enum Study {
     Stability(stability::StabilityStudy),
     /// Distances along the view axis frame by frame, and what levels of detail do to them.
     Pops(pops::PopStudy),
+    /// Pictures of a generator against those of exact, frame by frame.
+    Judge(judge::JudgeStudy),
     /// Levels of detail against what is lost: triangles, error, time, and what nothing beats.
     Levels(levels::LevelStudy),
     /// Corners that are followed over frames while levels of detail change.
@@ -73,6 +77,7 @@ impl StudyCommand {
             Study::Economy(study) => study.run(),
             Study::Stability(study) => study.run(),
             Study::Pops(study) => study.run(),
+            Study::Judge(study) => study.run(),
             Study::Levels(study) => study.run(),
             Study::Tracks(study) => study.run(),
             Study::Lights(study) => study.run(),
@@ -102,6 +107,7 @@ impl Study {
                 "pops",
                 "a pop lies between two frames, and a cut would lose one; give each worker --frames, each with the first frame of the next",
             ),
+            Self::Judge(_) => ("judge", "it has one table of all frames; give each worker --frames"),
             Self::Levels(_) => (
                 "levels",
                 "it holds times against one another, and times of two workers cannot be; give each worker a scenario",

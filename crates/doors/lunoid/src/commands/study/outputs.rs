@@ -8,7 +8,7 @@ use hardware_model::ShadowCache;
 use serde_json::Value;
 
 use crate::Failure;
-use crate::output::{Place, expect_outputs, print, print_json, tell};
+use crate::output::{Place, expect_outputs, expect_replaceable, print, print_json, tell};
 
 /// Options that say where the results of a study go.
 #[derive(Debug, Args)]
@@ -32,10 +32,11 @@ impl Outputs {
         }
     }
 
-    /// Sees that nothing in the folder of which `writes` says that the study writes it is one of `inputs`.
+    /// Sees that nothing in the folder of which `writes` says that the study writes it is one of `inputs`, and that all of it can be replaced.
     pub fn expect_apart(&self, writes: fn(&str) -> bool, inputs: &[Place]) -> Result<(), Failure> {
         let folder = self.out.iter().map(|out| Place::folder("--out", out, writes));
-        expect_outputs(&folder.collect::<Vec<_>>(), inputs)
+        expect_outputs(&folder.collect::<Vec<_>>(), inputs)?;
+        self.out.iter().try_for_each(|out| expect_replaceable(out, writes))
     }
 
     /// Every machine of a study wants the same shadow boundaries: they are found once if there is a place for them.

@@ -5,8 +5,9 @@ use std::fmt::Write as _;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
 use super::list::Against;
+use super::osmesa::OsMesa;
 use super::{Comparison, Guests, Side};
-use benchmarks::peers::embree::{Embree, Program, camera_sight, screen_mesh};
+use benchmarks::peers::embree::{Embree, EyeMesh, Program, camera_sight, screen_mesh};
 use benchmarks::peers::median;
 
 /// Rays of a packet, and qualities of the structure: the fastest of each counts.
@@ -25,7 +26,7 @@ struct Medians {
 /// All comparisons whose quantity has `part` in it, as a table in Markdown.
 ///
 /// # Errors
-/// If a side cannot be drawn, or a ray tracer shows another picture.
+/// If a side cannot be drawn, or a program of other people shows another picture.
 pub fn table(part: &str) -> Result<String, String> {
     let [one, two] = [1, 2].map(|threads| ThreadPoolBuilder::new().num_threads(threads).build());
     let pools = [one.map_err(|error| error.to_string())?, two.map_err(|error| error.to_string())?];
@@ -33,9 +34,12 @@ pub fn table(part: &str) -> Result<String, String> {
     for row in Guests::read()?.comparison.iter().filter(|row| row.quantity.contains(part)) {
         let Comparison { issue, quantity, must, aim, .. } = row;
         let found = medians(row, &pools).map_err(|error| format!("{quantity}: {error}"))?;
-        let Some(Medians { first, second, remark }) = found else {
-            let _ = writeln!(text, "| {issue} | {quantity} | {must} | {aim} | | Embree is not here | | | |");
-            continue;
+        let Medians { first, second, remark } = match found {
+            Ok(medians) => medians,
+            Err(skipped) => {
+                let _ = writeln!(text, "| {issue} | {quantity} | {must} | {aim} | | {skipped} | | | |");
+                continue;
+            }
         };
         let (figure, is_met) = row.figure(first, second);
         let met = if is_met { "met" } else { "**not met**" };
@@ -49,36 +53,28 @@ pub fn table(part: &str) -> Result<String, String> {
     Ok(text)
 }
 
-/// Medians of a row; `None` where a package is missing.
-fn medians(row: &Comparison, [one, two]: &[ThreadPool; 2]) -> Result<Option<Medians>, String> {
+/// Medians of a row; the inner error is a line that names the package that is missing here.
+fn medians(row: &Comparison, [one, two]: &[ThreadPool; 2]) -> Result<Result<Medians, String>, String> {
     let mut first = Side::new(&row.first)?;
     match &row.against {
         Against::Side(other) => {
             let mut second = Side::new(other)?;
-            in_turns(row.turns, || first.draw(two), || second.draw(two)).map(Some)
+            in_turns(row.turns, || first.draw(two), || second.draw(two)).map(Ok)
         }
         Against::OneThread => {
             let mut second = Side::new(&row.first)?;
-            in_turns(row.turns, || first.draw(two), || second.draw(one)).map(Some)
+            in_turns(row.turns, || first.draw(two), || second.draw(one)).map(Ok)
         }
         Against::Embree { fineness, anew } => {
-            let Ok(program) = Program::compile()? else { return Ok(None) };
-            first.draw(two)?;
-            let (picture, frame, pose) = first.picture()?;
-            let faces = first.session().faces(frame, &pose).map_err(|error| error.to_string())?;
-            let mesh = screen_mesh(&faces.ok_or("the generator has no faces")?, &first.stage.view);
+            let program = match Program::compile()? {
+                Ok(program) => program,
+                Err(skipped) => return Ok(Err(skipped)),
+            };
+            let Drawn { picture, mesh } = drawn(&mut first, two)?;
             let mut embree = program.start(&mesh, &camera_sight(&first.stage.view, *fineness))?;
             let (packet, quality) = fastest(&mut embree, *anew, Embree::show)?;
-            let difference = difference(
-                &picture,
-                &embree.picture()?,
-                [first.stage.view.columns as usize, *fineness as usize],
-            );
-            if difference > ALIKE {
-                return Err(format!(
-                    "the pictures differ by {difference:.4} in the mean: expected the same scene"
-                ));
-            }
+            let columns = first.stage.view.columns as usize;
+            let difference = alike(&picture, &embree.picture()?, [columns, *fineness as usize])?;
             let found = in_turns(
                 row.turns,
                 || first.draw(two),
@@ -88,9 +84,49 @@ fn medians(row: &Comparison, [one, two]: &[ThreadPool; 2]) -> Result<Option<Medi
                 "{} triangles, packets of {packet}, {quality}; pictures differ by {difference:.4}",
                 mesh.faces.len()
             );
-            Ok(Some(Medians { remark, ..found }))
+            Ok(Ok(Medians { remark, ..found }))
+        }
+        Against::Osmesa { anew } => {
+            let Drawn { picture, mesh } = drawn(&mut first, two)?;
+            let mut osmesa = match OsMesa::new(&mesh, &camera_sight(&first.stage.view, 1))? {
+                Ok(osmesa) => osmesa,
+                Err(skipped) => return Ok(Err(skipped)),
+            };
+            osmesa.show(*anew)?;
+            let columns = first.stage.view.columns as usize;
+            let difference = alike(&picture, &osmesa.picture()?, [columns, 1])?;
+            let found = in_turns(row.turns, || first.draw(two), || osmesa.show(*anew))?;
+            let remark = format!("{} triangles; pictures differ by {difference:.4}", mesh.faces.len());
+            Ok(Ok(Medians { remark, ..found }))
         }
     }
+}
+
+/// A picture, and the faces that it was drawn from.
+struct Drawn {
+    picture: Vec<f32>,
+    mesh: EyeMesh,
+}
+
+/// The next picture of a side, with its faces before the camera.
+fn drawn(side: &mut Side, pool: &ThreadPool) -> Result<Drawn, String> {
+    side.draw(pool)?;
+    let (picture, frame, pose) = side.picture()?;
+    let faces = side.session().faces(frame, &pose).map_err(|error| error.to_string())?;
+    let mesh = screen_mesh(&faces.ok_or("the generator has no faces")?, &side.stage.view);
+    Ok(Drawn { picture, mesh })
+}
+
+/// Mean difference of two pictures; see [`difference`].
+///
+/// # Errors
+/// If they do not show the same scene.
+fn alike(picture: &[f32], other: &[f32], size: [usize; 2]) -> Result<f64, String> {
+    let difference = difference(picture, other, size);
+    if difference > ALIKE {
+        return Err(format!("the pictures differ by {difference:.4} in the mean: expected the same scene"));
+    }
+    Ok(difference)
 }
 
 /// A frame by Embree (s), with its structure if that is made anew.

@@ -8,7 +8,7 @@ use serde::Deserialize;
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Guests {
-    /// Two sides, or one side on two threads and on one, or a side and a ray tracer.
+    /// Two sides, or one side on two threads and on one, or a side and a program of other people.
     pub comparison: Vec<Comparison>,
     /// Peak memory of sides.
     pub memory: Vec<MemoryRow>,
@@ -59,6 +59,11 @@ pub enum Against {
         /// Rays in place of a pixel, across and upright.
         fineness: u32,
         /// Whether its structure is made anew for each frame.
+        anew: bool,
+    },
+    /// OSMesa over the same faces, one sample a pixel.
+    Osmesa {
+        /// Whether its vertex buffer is filled anew for each frame.
         anew: bool,
     },
 }

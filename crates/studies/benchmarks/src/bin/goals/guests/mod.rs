@@ -1,4 +1,5 @@
-//! The generators that are no hybrid machine: against themselves, against the judge, and against Embree over their own faces.
+//! The generators that are no hybrid machine: against themselves, against the judge, and against Embree and OSMesa over their own
+//! faces.
 //!
 //! `peers/guests.toml` lists what is compared, with what must hold and what is aimed at; the binary `goals` prints it. Both sides of a
 //! comparison take turns on two threads, from a pose to finished planes. Medians count.
@@ -6,6 +7,7 @@
 mod comparison;
 mod list;
 mod memory;
+mod osmesa;
 mod side;
 
 pub use comparison::{fastest, table};
