@@ -53,7 +53,7 @@ impl Geometry {
 fn a_drive_over_a_photograph_has_the_geometry_of_the_closed_form() {
     let Some(data) = shared::data() else { return };
     let read = |file: &str| {
-        survey::read(&data.join("lunar").join(file), &ReadOptions::default()).expect("a readable file")
+        survey::read(data.join("lunar").join(file), &ReadOptions::default()).expect("a readable file")
     };
     let folder = tempfile::tempdir().expect("a folder");
     let image = read("nac_southpole_image_M139939938LE_1m.tif");
