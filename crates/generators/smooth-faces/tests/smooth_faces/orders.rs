@@ -1,6 +1,6 @@
 //! Which list wins a sample.
 
-use faces::Order;
+use faces::{Face, Group, Mesh, Order};
 use generator::PlaneKind;
 use glam::DVec3;
 use scenario::OtherSide;
@@ -38,6 +38,20 @@ fn the_lower_number_wins_by_lists_and_the_nearer_face_by_depth() {
     let (red, of_depth) = middle(squares([2, 1]), Order::Depth);
     assert!((red - lit).abs() < 1e-6);
     assert_eq!(of_depth, disagreements, "the count is the same under both orders");
+}
+
+/// Threads share out the faces of a long list; the face stored first wins all the same.
+#[test]
+fn of_a_thousand_faces_in_one_place_the_first_one_shows() {
+    let mut list = square("pile", DVec3::new(150.0, 100.0, 0.0), 60.0, 1, [1.0, 0.0, 0.0]);
+    let below = Face::flat(vec![0, 1, 2, 3], [0.0, 0.0, 1.0]);
+    let faces = [&list.group.mesh.faces()[..1], &vec![below; 999]].concat();
+    let mesh = Mesh::load("pile", list.group.mesh.vertices().to_vec(), faces).unwrap().mesh;
+    list.group = Group::new("pile", mesh, 1);
+    for order in [Order::Lists, Order::Depth] {
+        let (red, disagreements) = middle(vec![list.clone()], order);
+        assert!((red - 0.644_217_7).abs() < 1e-6 && disagreements == 0, "{order:?}: {red}");
+    }
 }
 
 #[test]
