@@ -99,11 +99,26 @@ impl Drawing {
     pub fn picture(&mut self) -> Result<Vec<f32>, String> {
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
         let path = folder.path().join("picture");
-        let said = self.process.ask(&format!("picture {}", path.display()))?;
-        if said != "written" {
-            return Err(self.process.unexpected("written", &said));
-        }
+        self.expect(&format!("picture {}", path.display()), "written")?;
         read_picture(&path, self.size)
+    }
+
+    /// Hands over a texture of so many columns and lines: its light, line by line from the top left.
+    ///
+    /// # Errors
+    /// If it does not take it.
+    pub fn texture(&mut self, [columns, lines]: [usize; 2], lights: &[f32]) -> Result<(), String> {
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let path = folder.path().join("texture");
+        let bytes: Vec<u8> = lights.iter().flat_map(|light| light.to_le_bytes()).collect();
+        fs::write(&path, bytes).map_err(|error| format!("{}: {error}", path.display()))?;
+        self.expect(&format!("texture {columns} {lines} {}", path.display()), "read")
+    }
+
+    /// Asks for something that is answered by one word.
+    fn expect(&mut self, question: &str, word: &str) -> Result<(), String> {
+        let said = self.process.ask(question)?;
+        if said == word { Ok(()) } else { Err(self.process.unexpected(word, &said)) }
     }
 }
 

@@ -68,13 +68,8 @@ impl Embree {
     ///
     /// # Errors
     /// If it cannot be handed over.
-    pub fn texture(&mut self, [columns, lines]: [usize; 2], lights: &[f32]) -> Result<(), String> {
-        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
-        let path = folder.path().join("texture");
-        let bytes: Vec<u8> = lights.iter().flat_map(|light| light.to_le_bytes()).collect();
-        fs::write(&path, bytes).map_err(|error| format!("{}: {error}", path.display()))?;
-        let said = self.process.ask(&format!("texture {columns} {lines} {}", path.display()))?;
-        if said == "read" { Ok(()) } else { Err(self.process.unexpected("read", &said)) }
+    pub fn texture(&mut self, size: [usize; 2], lights: &[f32]) -> Result<(), String> {
+        self.drawing.texture(size, lights)
     }
 
     /// Traces a frame of a mesh whose vertices have a pixel I, J of the texture in place of a normal, by packets of 16, 8 or 1 rays: its
@@ -83,7 +78,7 @@ impl Embree {
     /// # Errors
     /// If it does not answer so.
     pub fn drape(&mut self, packet: u32) -> Result<f64, String> {
-        self.seconds(&format!("drape {packet}"))
+        self.drawing.seconds(&format!("drape {packet}"))
     }
 
     /// Traces one ray from each vertex to the sun of this direction (north, east, up), from `lift` (m) on, by packets of 16, 8 or 1 rays: the
