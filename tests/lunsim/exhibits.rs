@@ -99,7 +99,7 @@ fn the_legend_of_the_charts_is_that_of_the_page() {
             let sun = stage.scenery.sun(pose.time);
             let [heading, depression, azimuth, elevation] =
                 [pose.attitude.heading, -pose.attitude.pitch, sun.azimuth, sun.elevation]
-                    .map(|angle| degrees(angle).round());
+                    .map(|angle| degrees(angle).rem_euclid(360.0).round());
             let row = format!(
                 "| {letter}{} | {:.0}, {:.0}, {:.0} | {heading}, {depression} | {azimuth}, {elevation} | {} |",
                 frame + 1,
