@@ -46,7 +46,8 @@ pub fn lines(
     let [mut side, mut alone] = [two.install(|| Side::new(&choice))?, two.install(|| Side::new(&choice))?];
     let mut text = String::new();
     let mut times = [Vec::new(), Vec::new()];
-    (side.draw(two)?, alone.draw(one)?);
+    side.draw(two)?;
+    alone.draw(one)?;
     for _ in 0..TURNS {
         times[0].push(side.draw(two)?);
         times[1].push(alone.draw(one)?);
