@@ -185,7 +185,7 @@ fn expect_readable(path: &Path) -> Result<(), Failure> {
 pub fn expect_replaceable(folder: &Path, writes: fn(&str) -> bool) -> Result<(), Failure> {
     if folder.exists() && !folder.is_dir() {
         let why = "this is a file, expected a folder; name another";
-        return Err(Failure::output(format!("{}: {why}", folder.display())));
+        return Err(Failure::output(format!("--out {}: {why}", folder.display())));
     }
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     let mut ours: Vec<PathBuf> = entries
