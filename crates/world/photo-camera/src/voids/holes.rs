@@ -85,7 +85,7 @@ impl Holes {
         self.ends.push(End { posts: self.posts.len(), rim: self.rims.len(), is_enclosed });
     }
 
-    /// Each hole.
+    /// Each hole, by its first post.
     pub fn iter(&self) -> impl ExactSizeIterator<Item = Hole<'_>> {
         (0..self.ends.len()).map(|number| {
             let before =

@@ -94,8 +94,11 @@ fn planes_come_back_exactly_from_a_lake() {
     }
 }
 
+/// Whether the post of a row and column is void.
+type IsVoid = fn(usize, usize) -> bool;
+
 /// Holes of many posts, by row and column of 150: a lake, one with islands, a ring, a thin slanting line, one whose islands leave the grid.
-fn many_posts() -> [(&'static str, fn(usize, usize) -> bool); 5] {
+fn many_posts() -> [(&'static str, IsVoid); 5] {
     fn squared(row: usize, column: usize) -> usize {
         row.abs_diff(75).pow(2) + column.abs_diff(72).pow(2)
     }

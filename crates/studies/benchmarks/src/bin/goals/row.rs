@@ -8,9 +8,9 @@ pub struct Row {
     pub quantity: String,
     /// What must be reached, and what is aimed at.
     pub figures: [f64; 2],
-    /// What was measured.
+    /// The figure that was measured.
     pub measured: f64,
-    /// Words behind it.
+    /// Words that stand behind it.
     pub words: &'static str,
     /// Whether it is what must be.
     pub is_met: bool,

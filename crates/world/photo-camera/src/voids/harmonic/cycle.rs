@@ -33,7 +33,7 @@ struct Level {
     rows: usize,
     /// Diagonal of the equations; 0 where there is none.
     diagonal: Vec<f32>,
-    /// One over it.
+    /// One over the diagonal; 0 where there is none.
     inverse: Vec<f32>,
     /// Weight of the bond with the post to the right.
     right: Vec<f32>,

@@ -47,7 +47,7 @@ impl Rim {
     }
 }
 
-/// Fills holes harmonically.
+/// Fills holes harmonically, each by itself.
 pub(super) fn fill(shape: [usize; 2], heights: &mut [f64], holes: &[Hole]) -> Result<(), VoidError> {
     let mut values = vec![0.0; holes.iter().map(|hole| hole.posts.len()).sum()];
     let mut rest = &mut values[..];
