@@ -80,7 +80,8 @@ fn a_box_returns_light_by_a_law_of_its_own() {
     let mut shot = Shot::new(60, 40, 400.0);
     shot.pose.attitude.heading = radians(320.0);
     shot.pose.eye[2] = 30.0;
-    shot.sun.azimuth = radians(320.0);
+    // A side that looks to 124.4 degrees mirrors this sun to the eye, which is at 140.
+    shot.sun.azimuth = radians(108.8);
     let gloss = Photometry::Specular { strength: 2.0, exponent: 3 };
     let to_sun = DVec3::from_array(shot.sun.direction());
     let mut light = |law| {
@@ -102,6 +103,6 @@ fn a_box_returns_light_by_a_law_of_its_own() {
         (f64::from(most), body.normals().map(of_face).fold(0.0, f64::max))
     };
     let [plain, shining] = [light(Photometry::Lambert), light(gloss)];
-    assert!((plain.0 - plain.1).abs() < 1e-6, "{plain:?}");
+    assert!(plain.0 > 0.1 && (plain.0 - plain.1).abs() < 1e-6, "{plain:?}");
     assert!((shining.0 / shining.1 - 1.0).abs() < 0.1 && shining.0 > 1.2 * plain.0, "{plain:?} {shining:?}");
 }
