@@ -154,8 +154,9 @@ fn name_pixels(mesh: &mut EyeMesh, camera: &Camera, pose: &Pose) {
     let axes = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
         .map(|way| camera.direction(DVec3::from_array(way)));
     for [place, look] in &mut mesh.vertices {
-        // The mesh counts ahead, right, down; the camera right, down, ahead.
-        let seen = DVec3::new(f64::from(place[1]), f64::from(place[2]), f64::from(place[0]));
+        // The mesh counts ahead, right, down; the camera right, down by its own measure, ahead.
+        let [ahead, right, down] = place.map(f64::from);
+        let seen = DVec3::new(right, down / camera.squeeze(), ahead);
         let [north, east] = [0, 1].map(|way| pose.eye[way] + axes[way].dot(seen));
         *look = [east / pixel, (GROUND - north) / pixel, 0.0].map(|part| part as f32);
     }
