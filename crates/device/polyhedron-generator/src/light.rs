@@ -30,8 +30,13 @@ pub(crate) struct Returned {
 impl Returned {
     /// That of `body`, which an eye at `eye` (north, east, up; m) sees.
     pub fn new(body: &Body, eye: DVec3) -> Self {
-        let to_eye = (eye - body.centre).try_normalize().unwrap_or(DVec3::Z);
-        Self { law: body.solid.photometry(), to_eye }
+        let law = body.solid.photometry();
+        // Lambert's law does not ask where the eye is.
+        let to_eye = match law {
+            Photometry::Lambert => DVec3::Z,
+            _ => (eye - body.centre).normalize_or(DVec3::Z),
+        };
+        Self { law, to_eye }
     }
 }
 
