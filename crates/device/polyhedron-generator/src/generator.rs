@@ -223,7 +223,11 @@ impl Pencil {
                 continue;
             }
             let corner = |at: usize| {
-                let lit = light.reflectivity((turn * normals[at]).to_array(), face.albedo, &returned);
+                let normal = (turn * normals[at]).to_array();
+                let lit = match &returned {
+                    None => light.diffuse(normal, face.albedo),
+                    Some(returned) => light.reflectivity(normal, face.albedo, returned),
+                };
                 let light = if *dark { 0.0 } else { lit };
                 Corner { light, ..likeness.corner(face.corners[at], tangents) }
             };

@@ -19,7 +19,7 @@ pub struct FaceLight {
     pub shading: BodyShading,
 }
 
-/// How a body returns light to an eye.
+/// How a body whose law is not Lambert's returns light to an eye.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Returned {
     law: Photometry,
@@ -28,35 +28,32 @@ pub(crate) struct Returned {
 }
 
 impl Returned {
-    /// That of `body`, which an eye at `eye` (north, east, up; m) sees.
-    pub fn new(body: &Body, eye: DVec3) -> Self {
+    /// That of `body`, which an eye at `eye` (north, east, up; m) sees; none under Lambert's law, which does not ask where the eye is.
+    pub fn new(body: &Body, eye: DVec3) -> Option<Self> {
         let law = body.solid.photometry();
-        // Lambert's law does not ask where the eye is.
-        let to_eye = match law {
-            Photometry::Lambert => DVec3::Z,
-            _ => (eye - body.centre).normalize_or(DVec3::Z),
-        };
-        Self { law, to_eye }
+        (law != Photometry::Lambert).then(|| Self { law, to_eye: (eye - body.centre).normalize_or(DVec3::Z) })
     }
 }
 
 impl FaceLight {
-    /// Reflectivity of a face, 0..=1, by its unit normal (north, east, up): `max(n.s, 0)` times its albedo, times the factor of its body's law.
+    /// Reflectivity of a face under Lambert's law, 0..=1, by its unit normal (north, east, up): `max(n.s, 0)` times its albedo.
+    #[inline(always)]
+    pub(crate) fn diffuse<N: Number>(&self, normal: [N; 3], albedo: N) -> N {
+        along(normal, self.sun).at_least(albedo.like(0.0)) * albedo
+    }
+
+    /// The same under the law of its body.
     #[inline(always)]
     pub(crate) fn reflectivity<N: Number>(&self, normal: [N; 3], albedo: N, returned: &Returned) -> N {
-        let along = |way: DVec3| {
-            let (x, y, z) = (albedo.like(way.x), albedo.like(way.y), albedo.like(way.z));
-            normal[0] * x + normal[1] * y + normal[2] * z
-        };
-        let mu0 = along(self.sun);
-        match returned.law {
-            Photometry::Lambert => mu0.at_least(albedo.like(0.0)) * albedo,
-            law => {
-                let cos_g = albedo.like(self.sun.dot(returned.to_eye));
-                law.returned(albedo, [mu0, along(returned.to_eye), cos_g])
-            }
-        }
+        let [mu0, mu] = [self.sun, returned.to_eye].map(|way| along(normal, way));
+        returned.law.returned(albedo, [mu0, mu, albedo.like(self.sun.dot(returned.to_eye))])
     }
+}
+
+/// Cosine between a unit normal (north, east, up) and a unit vector.
+#[inline(always)]
+fn along<N: Number>([north, east, up]: [N; 3], way: DVec3) -> N {
+    north * north.like(way.x) + east * north.like(way.y) + up * north.like(way.z)
 }
 
 #[cfg(test)]
@@ -79,8 +76,13 @@ mod tests {
     #[test]
     fn a_face_that_mirrors_the_sun_to_the_eye_has_the_whole_highlight() {
         let light = FaceLight { sun: DVec3::new(0.6, 0.0, 0.8), shading: BodyShading::Flat };
-        let of_the_top =
-            |law, eye| -> f64 { light.reflectivity([0.0, 0.0, 1.0], 0.25, &Returned::new(&body(law), eye)) };
+        let of_the_top = |law, eye| -> f64 {
+            let up = [0.0, 0.0, 1.0];
+            match Returned::new(&body(law), eye) {
+                None => light.diffuse(up, 0.25),
+                Some(returned) => light.reflectivity(up, 0.25, &returned),
+            }
+        };
         let gloss = Photometry::Specular { strength: 2.0, exponent: 8 };
         let (mirrored, beside) = (DVec3::new(-60.0, 0.0, 80.0), DVec3::new(-80.0, 0.0, 60.0));
         assert_eq!(of_the_top(Photometry::Lambert, mirrored), 0.25 * 0.8);

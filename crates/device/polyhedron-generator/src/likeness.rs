@@ -95,9 +95,15 @@ impl Likeness {
         }
         // Where the eye is for the solid.
         let at = turn.transpose() * (eye.place - body.foot) / scale;
-        let returned = Returned::new(body, eye.place);
-        for faces in faces {
-            self.find_seen(simd, eye, (at, &turn), (faces, &returned), dark);
+        let turned = |normals| turned(&turn, normals);
+        match Returned::new(body, eye.place) {
+            _ if dark => self.find_all(simd, at, faces, |_, albedo| albedo.like(0.0)),
+            None => {
+                self.find_all(simd, at, faces, |normals, albedo| eye.light.diffuse(turned(normals), albedo))
+            }
+            Some(returned) => self.find_all(simd, at, faces, |normals, albedo| {
+                eye.light.reflectivity(turned(normals), albedo, &returned)
+            }),
         }
         true
     }
@@ -131,15 +137,26 @@ impl Likeness {
         true
     }
 
-    /// Which of eight faces look at the eye, which is at `at` for the solid.
+    /// Which faces look at the eye, which is at `at` for the solid, with their reflectivities by normals in body axes and albedos.
+    #[inline(always)]
+    fn find_all<V: Simd>(
+        &mut self,
+        simd: V,
+        at: DVec3,
+        faces: &[EightFaces],
+        lit: impl Fn([f64x8<V>; 3], f64x8<V>) -> f64x8<V>,
+    ) {
+        faces.iter().for_each(|eight| self.find_seen(simd, at, eight, &lit));
+    }
+
+    /// The same of eight faces.
     #[inline(always)]
     fn find_seen<V: Simd>(
         &mut self,
         simd: V,
-        eye: &Eye<'_>,
-        (at, turn): (DVec3, &DMat3),
-        (faces, returned): (&EightFaces, &Returned),
-        dark: bool,
+        at: DVec3,
+        faces: &EightFaces,
+        lit: &impl Fn([f64x8<V>; 3], f64x8<V>) -> f64x8<V>,
     ) {
         let [x, y, z] = &faces.normals;
         let normals = [eight(simd, x), eight(simd, y), eight(simd, z)];
@@ -150,8 +167,7 @@ impl Likeness {
         let is_seen = from_foot.simd_gt(distance);
         let first = self.faces.len() as u32;
         self.seen |= is_seen.to_bitmask().checked_shl(first).unwrap_or(0);
-        let lit = eye.light.reflectivity(turned(turn, normals), eight(simd, &faces.albedos), returned);
-        let lit = if dark { lit.like(0.0) } else { lit };
+        let lit = lit(normals, eight(simd, &faces.albedos));
         let lit = is_seen.select(lit, lit.like(f64::from(UNSEEN))).to_array();
         let mut faces = [0.0; LANES];
         for n in 0..LANES {
