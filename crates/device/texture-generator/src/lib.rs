@@ -103,12 +103,11 @@ impl TextureGenerator<'_> {
         let simd = sweeps.north.token();
         let (places, amplitudes) = ([sweeps.at(near), sweeps.at(far)], [fading.at(near), fading.at(far)]);
         let mut sum = S::Double::splat(simd, S::ZERO);
-        for (grain, (&near_amplitude, &far_amplitude)) in
-            self.texture.grains().iter().zip(amplitudes[0].iter().zip(&amplitudes[1]))
-        {
+        for (layer, grain) in self.texture.grains().iter().enumerate() {
             if near < grain.layer().range {
-                let amplitude = |value| S::Vector::<L>::simd_from(simd, S::from_f64(value));
-                let amplitude = S::Double::of(amplitude(near_amplitude), amplitude(far_amplitude));
+                let amplitude =
+                    |at: usize| S::Vector::<L>::simd_from(simd, S::from_f64(amplitudes[at][layer]));
+                let amplitude = S::Double::of(amplitude(0), amplitude(1));
                 sum = sum + amplitude * pattern::<L, S>(grain.lattice(), places);
             }
         }

@@ -22,7 +22,7 @@ pub struct JudgedReport {
     pub frames: Vec<JudgedFrame>,
 }
 
-/// What is told of a frame.
+/// Heads of the columns that a frame has in the tables.
 const COLUMNS: [&str; 10] = [
     "frame",
     "time (s)",

@@ -10,6 +10,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::time::Instant;
 
+use crate::guests::Sense;
 use crate::row::Row;
 use benchmarks::peers::embree::{EyeMesh, Program, Sight as MeshSight};
 use benchmarks::peers::median;
@@ -132,7 +133,7 @@ fn light_maps(heights: &Heights, pool: &ThreadPool) -> Result<Result<Vec<Row>, S
     let row = |how: &str, other: f64| {
         let quantity =
             format!("fast light map, {POSTS} x {POSTS} posts, against Embree, one ray a post, {how}");
-        Row::as_fast(37, quantity, [5.0, 20.0], [ours, other], remark.clone())
+        Row::of_times(37, quantity, (Sense::AsFast, [5.0, 20.0]), [ours, other], remark.clone())
     };
     Ok(Ok(vec![row("space divided for it", traced + divided), row("space divided before", traced)]))
 }
@@ -203,7 +204,13 @@ fn viewsheds(heights: &Heights, pool: &ThreadPool) -> Result<Result<Vec<Row>, St
         );
         let remark =
             format!("{:.1} % of the posts visible, {:.2} % otherwise", share(visible), share(differ));
-        rows.push(Row::as_fast(37, quantity, [1.0, 4.0], [median(ours), median(seen.seconds)], remark));
+        rows.push(Row::of_times(
+            37,
+            quantity,
+            (Sense::AsFast, [1.0, 4.0]),
+            [median(ours), median(seen.seconds)],
+            remark,
+        ));
     }
     Ok(Ok(rows))
 }

@@ -1,5 +1,7 @@
 //! A row of a table of measured figures: what is compared, what must hold, what was found.
 
+use crate::guests::Sense;
+
 /// What is compared, figures of the issue, the measured one with its words, both sides, remark.
 pub struct Row {
     /// Issue that set the figures.
@@ -24,48 +26,17 @@ impl Row {
     /// Head of a table of rows, in Markdown.
     pub const HEAD: &str = "| issue | quantity | must | aim | measured | | ours | other | |\n|---|---|---|---|---|---|---|---|---|\n";
 
-    /// A row of times (s): ours must be less by so much.
-    pub fn as_fast(
+    /// A row of two times (s), ours and the other's.
+    pub fn of_times(
         issue: u32,
         quantity: String,
-        figures: [f64; 2],
-        [ours, other]: [f64; 2],
+        (sense, figures): (Sense, [f64; 2]),
+        times: [f64; 2],
         remark: String,
     ) -> Self {
-        let measured = other / ours;
-        let is_met = measured >= figures[0];
-        Self {
-            issue,
-            quantity,
-            figures,
-            measured,
-            words: "times as fast",
-            is_met,
-            sides: millis([ours, other]),
-            remark,
-        }
-    }
-
-    /// A row of times (s): ours may be so many times the other at most.
-    pub fn times_the_time(
-        issue: u32,
-        quantity: String,
-        figures: [f64; 2],
-        [ours, other]: [f64; 2],
-        remark: String,
-    ) -> Self {
-        let measured = ours / other;
-        let is_met = measured <= figures[0];
-        Self {
-            issue,
-            quantity,
-            figures,
-            measured,
-            words: "times its time",
-            is_met,
-            sides: millis([ours, other]),
-            remark,
-        }
+        let (measured, is_met) = sense.figure(times, figures[0]);
+        let (words, sides) = (sense.words(), times.map(|seconds| format!("{:.2} ms", seconds * 1e3)));
+        Self { issue, quantity, figures, measured, words, is_met, sides, remark }
     }
 
     /// The row as a line of a table in Markdown.
@@ -87,20 +58,18 @@ impl Row {
     }
 }
 
-/// Times (s) as they are printed.
-fn millis(times: [f64; 2]) -> [String; 2] {
-    times.map(|seconds| format!("{:.2} ms", seconds * 1e3))
-}
-
 #[cfg(test)]
 mod tests {
     use super::Row;
+    use crate::guests::Sense;
 
     #[test]
     fn rows_of_times_count_both_ways() {
-        let fast = Row::as_fast(1, "q".into(), [3.0, 9.0], [0.002, 0.006], String::new());
+        let row =
+            |sense, figures, times| Row::of_times(1, "q".into(), (sense, figures), times, String::new());
+        let fast = row(Sense::AsFast, [3.0, 9.0], [0.002, 0.006]);
         assert_eq!((fast.measured, fast.is_met), (3.0, true));
-        let slow = Row::times_the_time(1, "q".into(), [3.0, 1.0], [0.008, 0.002], String::new());
+        let slow = row(Sense::TimesTheTime, [3.0, 1.0], [0.008, 0.002]);
         assert_eq!((slow.measured, slow.is_met), (4.0, false));
         assert_eq!(
             slow.line(),

@@ -14,6 +14,7 @@ use terrain_builder::MOON_RADIUS;
 use terrain_database::{Contents, Database, Frame, documented_bytes};
 
 use super::SCENARIO;
+use crate::guests::Sense;
 use crate::row::Row;
 
 /// Tiles along a side, and their order.
@@ -102,7 +103,13 @@ fn first_picture(
     let quantity =
         format!("from that database, {name}, to the first picture, against reading it and checking its hash");
     let times = [median(ours), median(other)];
-    Ok(Row::times_the_time(37, quantity, [4.0, 1.5], times, "with the scenario's own bank".into()))
+    Ok(Row::of_times(
+        37,
+        quantity,
+        (Sense::TimesTheTime, [4.0, 1.5]),
+        times,
+        "with the scenario's own bank".into(),
+    ))
 }
 
 /// The first picture of a scenario, from its files.

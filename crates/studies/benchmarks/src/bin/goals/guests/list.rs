@@ -46,6 +46,24 @@ pub enum Sense {
     TimesTheTime,
 }
 
+impl Sense {
+    /// The figure of two times (s), that of the first side and that of the other, and whether it is what must be.
+    pub fn figure(self, [first, second]: [f64; 2], must: f64) -> (f64, bool) {
+        match self {
+            Self::AsFast => (second / first, second / first >= must),
+            Self::TimesTheTime => (first / second, first / second <= must),
+        }
+    }
+
+    /// Words behind the figure.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::AsFast => "times as fast",
+            Self::TimesTheTime => "times its time",
+        }
+    }
+}
+
 /// What a side is held against.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -116,10 +134,7 @@ impl Guests {
 impl Comparison {
     /// The figure of both medians (s), and whether it is what must be.
     pub fn figure(&self, first: f64, second: f64) -> (f64, bool) {
-        match self.sense {
-            Sense::AsFast => (second / first, second / first >= self.must),
-            Sense::TimesTheTime => (first / second, first / second <= self.must),
-        }
+        self.sense.figure([first, second], self.must)
     }
 }
 

@@ -11,6 +11,6 @@ mod osmesa;
 mod side;
 
 pub use comparison::{fastest, table};
-pub use list::{Comparison, Guests, SideChoice};
+pub use list::{Comparison, Guests, Sense, SideChoice};
 pub use memory::{memory_table, peak};
 pub use side::Side;

@@ -15,7 +15,7 @@ use rayon::ThreadPool;
 use scenario::Pose;
 use scene_sampler::Camera;
 
-use crate::guests::{Side, SideChoice, fastest};
+use crate::guests::{Sense, Side, SideChoice, fastest};
 use crate::row::Row;
 
 /// Scenario whose ground it is, and the side of that ground (m).
@@ -53,7 +53,8 @@ pub fn lines(
         times[1].push(alone.draw(one)?);
     }
     let quantity = "drape of a million posts and 25 million pixels: two threads against one".to_owned();
-    text += &Row::as_fast(38, quantity, [1.8, 1.95], times.map(median), String::new()).line();
+    text +=
+        &Row::of_times(38, quantity, (Sense::AsFast, [1.8, 1.95]), times.map(median), String::new()).line();
     drop(alone);
     match against_embree(&mut side, two, &lights)? {
         Ok(row) => text += &row.line(),
@@ -145,7 +146,7 @@ fn against_embree(side: &mut Side, two: &ThreadPool, lights: &[f32]) -> Result<R
     );
     let remark =
         format!("{} triangles, packets of {packet}; pictures differ by {apart:.4}", mesh.faces.len());
-    Ok(Ok(Row::as_fast(38, quantity, [1.0, 3.0], times.map(median), remark)))
+    Ok(Ok(Row::of_times(38, quantity, (Sense::AsFast, [1.0, 3.0]), times.map(median), remark)))
 }
 
 /// Puts the photograph's pixel I, J where a mesh before the camera has the light of its vertices.

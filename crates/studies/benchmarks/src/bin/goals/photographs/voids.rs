@@ -7,6 +7,7 @@ use photo_camera::voids::{Fill, Wishes, fill};
 use quantities::sin_cos;
 use rayon::ThreadPool;
 
+use crate::guests::Sense;
 use crate::row::Row;
 
 /// Posts along a side.
@@ -57,7 +58,7 @@ fn row(name: &str, is_void: fn(usize) -> bool, figures: [f64; 2], pool: &ThreadP
     let quantity =
         format!("fill of voids, {POSTS} x {POSTS} posts, {name}, against one pass of plain relaxation");
     let remark = format!("{} voids, at most {left:.1e} m from the mean of their neighbours", voids.len());
-    Ok(Row::times_the_time(38, quantity, figures, [median(ours), median(passes)], remark))
+    Ok(Row::of_times(38, quantity, (Sense::TimesTheTime, figures), [median(ours), median(passes)], remark))
 }
 
 /// Height of a post (m): two waves.
