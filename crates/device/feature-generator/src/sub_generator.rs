@@ -71,17 +71,17 @@ impl SubGenerator {
         surface: &mut Surface<'_, S>,
     ) {
         let (parabola, left) = (parabola.cast(), S::from_f64(-self.side));
-        let outputs = surface.height[samples.clone()]
-            .iter_mut()
-            .zip(&mut surface.along[samples.clone()])
-            .zip(&mut surface.across[samples.clone()]);
-        for (range, ((height, along), across)) in ranges[samples].iter().zip(outputs) {
+        // A piece has a few samples: four iterators for it would cost as much as two of them.
+        let height = &mut surface.height[samples.clone()];
+        let along = &mut surface.along[samples.clone()][..height.len()];
+        let across = &mut surface.across[samples.clone()][..height.len()];
+        for (at, range) in ranges[samples].iter().enumerate() {
             // The difference is taken in f64: far away a range has no millimetres left in f32.
             let offset = S::from_f64(range - self.middle);
             let [rise, rise_along, rise_across] = around(offset, left, |square| law(&parabola, square));
-            height[lane] += rise;
-            along[lane] += rise_along;
-            across[lane] += rise_across;
+            height[at][lane] += rise;
+            along[at][lane] += rise_along;
+            across[at][lane] += rise_across;
         }
     }
 
