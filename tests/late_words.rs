@@ -246,13 +246,9 @@ fn what_is_told_of_craters_and_boundaries_is_the_difference_of_whole_pictures() 
 #[test]
 fn a_load_on_time_draws_the_machine_whose_loads_take_no_time() {
     let mut changed = 0;
-    for (scenario, frame, is_crater) in [
-        ("craters", 4, true),
-        ("craters", 10, true),
-        ("full-drive", 3, true),
-        ("full-drive", 3, false),
-        ("full-drive", 40, false),
-    ] {
+    for (scenario, frame, is_crater) in
+        [("craters", 10, true), ("full-drive", 3, true), ("full-drive", 40, false)]
+    {
         let plain = Asked::new(scenario, "ideal", 48);
         let columns = plain.stage.settings.raster.columns as usize;
         let expected = plain.whole(frame);
@@ -272,7 +268,7 @@ fn a_load_on_time_draws_the_machine_whose_loads_take_no_time() {
             assert!(refused.contains("late in sweep"), "{refused}");
         }
     }
-    assert!(changed >= 2, "{changed} of 10 late loads changed a pixel");
+    assert!(changed >= 2, "{changed} of 6 late loads changed a pixel");
 }
 
 /// A word that the model holds back, and the same machine without that: two machines, two pictures, no word of `twice`.

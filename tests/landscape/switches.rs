@@ -52,18 +52,19 @@ fn a_presence_line_keeps_the_dark_wall_dark() {
     let (set, drawn) = bowl(Gate::Presence, 0.0);
     let mut dark = 0;
     for sweep in 0..set.stage.settings.raster.sweeps {
-        for (sample, &range) in wave(&drawn, sweep, "sweep.range").iter().enumerate() {
+        let [ranges, found, keys] =
+            ["sweep.range", "mu.reflectivity", "mu.vs1"].map(|signal| wave(&drawn, sweep, signal));
+        for ((&range, &found), &key) in ranges.iter().zip(found).zip(keys) {
             if is_on_the_edge(&set, sweep, range) {
                 continue;
             }
             let inside = inside(&set, sweep, range);
             let expected = inside.unwrap_or(light(0.0)).max(0.0);
-            let found = wave(&drawn, sweep, "mu.reflectivity")[sample];
             assert!(
                 (found - expected).abs() < 1e-9,
                 "sweep {sweep}, {range} m: {found}, expected {expected}"
             );
-            assert_eq!(wave(&drawn, sweep, "mu.vs1")[sample] == 1.0, inside.is_some());
+            assert_eq!(key == 1.0, inside.is_some());
             dark += usize::from(expected == 0.0);
         }
     }
@@ -78,16 +79,17 @@ fn a_self_keyed_gate_lets_lit_terrain_shine_through_the_dark_wall() {
         let (set, drawn) = bowl(Gate::SelfKeyed, threshold);
         let mut through = Vec::new();
         for sweep in 0..set.stage.settings.raster.sweeps {
-            for (sample, &range) in wave(&drawn, sweep, "sweep.range").iter().enumerate() {
+            let [ranges, found, keys] =
+                ["sweep.range", "mu.reflectivity", "mu.vs1"].map(|signal| wave(&drawn, sweep, signal));
+            for ((&range, &found), &key) in ranges.iter().zip(found).zip(keys) {
                 if is_on_the_edge(&set, sweep, range) {
                     continue;
                 }
                 let inside = inside(&set, sweep, range);
                 let keyed = inside.filter(|light| *light > threshold);
                 let expected = keyed.unwrap_or(light(0.0));
-                let found = wave(&drawn, sweep, "mu.reflectivity")[sample];
                 assert!((found - expected).abs() < 1e-9, "sweep {sweep}, {range} m: {found}");
-                assert_eq!(wave(&drawn, sweep, "mu.vs1")[sample] == 1.0, keyed.is_some());
+                assert_eq!(key == 1.0, keyed.is_some());
                 if sweep == 32 && inside.is_some() && keyed.is_none() {
                     through.push(range);
                 }

@@ -4,6 +4,7 @@ use glam::DVec3;
 use rayon::prelude::*;
 use scene_sampler::{Camera, Corner, Ground, GroundMap};
 
+use crate::coarser::Choice;
 use crate::parameters::Shading;
 use crate::prepared::Prepared;
 
@@ -14,15 +15,21 @@ impl Own {
     /// The numbers of corners, three a panel, where each panel has one light.
     pub fn new(prepared: &Prepared) -> Self {
         let count = match prepared.run.shading {
-            Shading::Panel => prepared.mesh.panels.len() as u32,
+            Shading::Panel => prepared.mesh.count() as u32,
             Shading::Texture | Shading::Gouraud => 0,
         };
         Self((0..count).map(|panel| [0, 1, 2].map(|corner| 3 * panel + corner)).collect())
     }
 }
 
-/// The ground as a camera sees it at `time` (s).
-pub fn ground<'a>(prepared: &'a Prepared, own: &'a Own, camera: &Camera, time: f64) -> Ground<'a> {
+/// The ground as a camera sees it at `time` (s), with the panels of `choice` where there is one.
+pub fn ground<'a>(
+    prepared: &'a Prepared,
+    own: &'a Own,
+    choice: Option<&'a Choice>,
+    camera: &Camera,
+    time: f64,
+) -> Ground<'a> {
     let mesh = &prepared.mesh;
     let sun = prepared.stage.scenery.sun(time).direction();
     let map = match &prepared.relit {
@@ -30,27 +37,33 @@ pub fn ground<'a>(prepared: &'a Prepared, own: &'a Own, camera: &Camera, time: f
         None if prepared.run.shading == Shading::Texture => photographs(prepared, camera),
         None => None,
     };
-    let place = |vertex: &DVec3| camera.place(*vertex);
     match prepared.run.shading {
         Shading::Texture => {
-            let corner = |vertex: &DVec3| Corner { place: place(vertex), colour: [0.0; 3] };
-            let corners = mesh.vertices.par_iter().map(corner).collect();
-            Ground { corners, triangles: &mesh.panels, map }
+            let corner = |vertex: DVec3| Corner { place: camera.place(vertex), colour: [0.0; 3] };
+            match choice {
+                Some(Choice { posts, triangles }) => {
+                    let corners = posts.par_iter().map(|post| corner(mesh.vertex(*post))).collect();
+                    Ground { corners, triangles, map }
+                }
+                None => {
+                    let corners = mesh.of_vertices(|_, vertex| corner(vertex));
+                    Ground { corners, triangles: mesh.panels(), map }
+                }
+            }
         }
         Shading::Gouraud => {
-            let corner = |(number, vertex): (usize, &DVec3)| {
+            let corners = mesh.of_vertices(|number, vertex| {
                 let grey = || f64::from(prepared.vertices[number]);
-                Corner { place: place(vertex), colour: colour(map.as_ref(), *vertex, camera, grey) }
-            };
-            let corners = mesh.vertices.par_iter().enumerate().map(corner).collect();
-            Ground { corners, triangles: &mesh.panels, map: None }
+                Corner { place: camera.place(vertex), colour: colour(map.as_ref(), vertex, camera, grey) }
+            });
+            Ground { corners, triangles: mesh.panels(), map: None }
         }
         Shading::Panel => {
-            let corners = (0..mesh.panels.len()).into_par_iter().flat_map_iter(|panel| {
+            let corners = (0..mesh.count()).into_par_iter().flat_map_iter(|panel| {
                 let corners = mesh.corners(panel);
                 let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
                 let colour = colour(map.as_ref(), middle, camera, || prepared.greys[panel].light);
-                corners.map(|vertex| Corner { place: place(&vertex), colour })
+                corners.map(|vertex| Corner { place: camera.place(vertex), colour })
             });
             Ground { corners: corners.collect(), triangles: &own.0, map: None }
         }

@@ -54,18 +54,15 @@ pub fn grey(drape: &Drape, choice: Choice, corners: [DVec3; 3], unseen: &[f32]) 
 
 /// Light of all panels.
 pub fn of_panels(drape: &Drape, choice: Choice, mesh: &Mesh, unseen: &[f32]) -> Vec<Grey> {
-    (0..mesh.panels.len())
-        .into_par_iter()
-        .map(|panel| grey(drape, choice, mesh.corners(panel), unseen))
-        .collect()
+    (0..mesh.count()).into_par_iter().map(|panel| grey(drape, choice, mesh.corners(panel), unseen)).collect()
 }
 
 /// Light of all vertices: the mean of their panels, by area.
 pub fn of_vertices(mesh: &Mesh, greys: &[Grey]) -> Vec<f32> {
-    let mut sums = vec![[0.0; 2]; mesh.vertices.len()];
+    let mut sums = vec![[0.0; 2]; mesh.ground().heights().len()];
     for (panel, grey) in greys.iter().enumerate() {
         let area = area(mesh.corners(panel));
-        for corner in mesh.panels[panel] {
+        for corner in mesh.panels()[panel] {
             let [sum, areas] = &mut sums[corner as usize];
             (*sum, *areas) = (*sum + area * grey.light, *areas + area);
         }

@@ -12,6 +12,8 @@
 //!
 //! - **Posts** are the finest level of the bank at `spacing_m`, divided by `subdivide`, without craters smaller than that.
 //! - **Panels.** Each cell is cut along its shorter diagonal in space, or along the one from south-east to north-west, as the thesis states.
+//! - **Coarser panels.** With `coarser_px`, a frame takes larger triangles of posts where no point of them lies farther beside the panels on the screen. The
+//!   light of a pixel is still looked up in the photographs.
 //! - **Light** is that of the photographs, with their own sun and shadows: looked up in each pixel's footprint, or one light a panel, or that of the
 //!   vertices, mixed in space. A panel has the mean of the pixels whose centres lie in it; one that is too small for that has a look at its middle. A
 //!   vertex has the mean of its panels, by area.
@@ -29,6 +31,7 @@
 //! | `panels.subdivide` | 1 to 64 | 1 | cells along each side of a cell |
 //! | `panels.panel_pixels` | 0.01 to 1000000 | none | pixels of the first photograph on a panel in the middle of the ground, at most; in place of `subdivide` |
 //! | `panels.diagonal` | `shorter`, `stated` | `shorter` | how cells are cut |
+//! | `panels.coarser_px` | 0 to 100 | 0 | pixels up to which coarser panels may lie beside the panels; 0: none are coarser |
 //! | `panels.drape` | `texture`, `gouraud`, `panel` | `texture` | light of each pixel, of vertices, or one a panel |
 //! | `panels.choice` | `best`, `blend` | `best` | which photograph rules where several see the ground |
 //! | `panels.infer` | true, false | true | unseen ground has light from around, where seen ground encloses it |
@@ -82,6 +85,7 @@
 //! Coarser levels of the bank, remote shadow of ground that is not lit anew, texture, far silhouettes and vehicle tracks are listed as omissions. So is the scenario's sun, where it differs from
 //! the photographs' by more than 5 degrees and nothing is lit anew.
 
+mod coarser;
 mod faults;
 mod frame_ground;
 mod greys;
@@ -98,6 +102,8 @@ mod session;
 mod signals;
 mod time;
 
+pub use coarser::{Bounds, Choice};
+pub use mesh::Mesh;
 pub use panels::Panels;
 pub use parameters::{Diagonal, Fineness, Parameters, Shading};
 pub use program::{Block, PostTable, ProgramKeys};

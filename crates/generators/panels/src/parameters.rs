@@ -17,6 +17,8 @@ pub struct Parameters {
     pub fineness: Fineness,
     /// How cells are cut.
     pub diagonal: Diagonal,
+    /// Pixels up to which coarser panels may lie beside the panels; 0 draws the panels themselves.
+    pub coarser_px: f64,
     /// Where the light of a pixel comes from.
     pub shading: Shading,
     /// Which photograph rules where several see the ground.
@@ -68,6 +70,7 @@ impl Default for Parameters {
             spacing: None,
             fineness: Fineness::Cells(1),
             diagonal: Diagonal::Shorter,
+            coarser_px: 0.0,
             shading: Shading::Texture,
             choice: Choice::Best,
             infers: true,
@@ -93,6 +96,7 @@ impl Parameters {
         let fineness = fineness(table);
         let diagonal = table.one_of("diagonal", &DIAGONALS).default(usual.diagonal);
         let shading = table.one_of("drape", &SHADINGS).default(usual.shading);
+        let coarser_px = coarser(table, shading);
         let choice = table.one_of("choice", &CHOICES).default(usual.choice);
         let infers = table.bool("infer").default(usual.infers);
         let outside = table.f64("outside").between(0.0, 1.0).default(usual.outside);
@@ -103,6 +107,7 @@ impl Parameters {
             spacing: (spacing.is_some() || !table.has("spacing_m")).then_some(spacing)?,
             fineness: fineness?,
             diagonal: diagonal?,
+            coarser_px: coarser_px?,
             shading: shading?,
             choice: choice?,
             infers: infers?,
@@ -123,6 +128,7 @@ impl Parameters {
             ("spacing_m", self.spacing.into()),
             fineness,
             ("diagonal", word(&DIAGONALS, &self.diagonal).into()),
+            ("coarser_px", self.coarser_px.into()),
             ("drape", word(&SHADINGS, &self.shading).into()),
             ("choice", word(&CHOICES, &self.choice).into()),
             ("infer", self.infers.into()),
@@ -147,6 +153,17 @@ fn fineness(table: &Reader) -> Option<Fineness> {
         (false, true) => pixels.map(Fineness::Pixels),
         _ => cells.map(Fineness::Cells),
     }
+}
+
+/// Coarser panels, which a light of their own would show.
+fn coarser(table: &Reader, shading: Option<Shading>) -> Option<f64> {
+    let pixels = table.f64("coarser_px").between(0.0, 100.0).unit("pixels").default(0.0)?;
+    if pixels > 0.0 && shading.is_some_and(|shading| shading != Shading::Texture) {
+        let title = "panels that have a light of their own cannot be coarser";
+        table.report(table.problem("coarser_px", title).expected("`drape = \"texture\"`, or 0"));
+        return None;
+    }
+    Some(pixels)
 }
 
 /// The word of a value.

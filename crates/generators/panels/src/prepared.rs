@@ -6,6 +6,7 @@ use std::sync::Arc;
 use generator::{PrepareError, Stage};
 use photo_drape::{Drape, DrapeError, Footprint, Ground};
 
+use crate::coarser::Bounds;
 use crate::greys::{self, Grey, Source};
 use crate::mesh::Mesh;
 use crate::name::NAME;
@@ -21,6 +22,8 @@ pub struct Prepared {
     pub run: Parameters,
     pub drape: Arc<Drape>,
     pub mesh: Mesh,
+    /// How far coarser panels lie beside these, where frames may have coarser ones.
+    pub coarser: Option<Bounds>,
     /// Light of each post where no photograph shows the ground.
     pub unseen: Arc<[f32]>,
     /// Light of each panel; none where pixels are looked up one by one.
@@ -43,7 +46,9 @@ impl Prepared {
     /// If there is no photograph, one does not lie on the ground, or there are too many posts.
     pub fn new(stage: Stage, run: Parameters) -> Result<Self, PrepareError> {
         let drape = Arc::new(laid(&stage, &run)?);
-        let mesh = Mesh::new(drape.ground(), run.diagonal);
+        let mesh = Mesh::new(drape.shared_ground(), run.diagonal);
+        let is_coarser = run.coarser_px > 0.0;
+        let coarser = is_coarser.then(|| Bounds::new(&mesh, stage.view.laws.curvature));
         let unseen: Arc<[f32]> = unseen(&drape, &run)?.into();
         let relit = run.relights.then(|| Relit::new(&drape, &stage)).transpose()?;
         let needs_greys = run.shading != Shading::Texture && relit.is_none();
@@ -53,7 +58,7 @@ impl Prepared {
             Shading::Gouraud if needs_greys => greys::of_vertices(&mesh, &greys),
             _ => Vec::new(),
         };
-        Ok(Self { stage, run, drape, mesh, unseen, greys, vertices, relit })
+        Ok(Self { stage, run, drape, mesh, coarser, unseen, greys, vertices, relit })
     }
 
     /// Panels that no photograph sees, of those whose light is known.

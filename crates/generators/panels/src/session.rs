@@ -12,6 +12,7 @@ use scene_sampler::{Camera, Filled, Scene, judged_faces};
 use serde_json::Value;
 use signal::{Probe, Wire};
 
+use crate::coarser::Choice;
 use crate::frame_ground::{Own, ground};
 use crate::name::NAME;
 use crate::parameters::Parameters;
@@ -40,12 +41,29 @@ impl Session {
         Ok(Self { own: Own::new(&prepared), prepared, screen })
     }
 
-    fn scene(&self, frame: u64, pose: &Pose) -> Result<Scene, FrameError> {
-        self.check(frame, pose)?;
+    /// The scene of a frame, and how many panels its ground has.
+    fn scene(&self, frame: u64, pose: &Pose) -> Result<(Scene, usize), FrameError> {
         let camera = Camera::new(pose, &self.prepared.stage.view);
-        let ground = ground(&self.prepared, &self.own, &camera, pose.time);
+        let choice = self.prepared.coarser.as_ref().map(|bounds| {
+            let curvature = self.prepared.stage.view.laws.curvature;
+            Choice::new(&self.prepared.mesh, bounds, &camera, curvature, self.prepared.run.coarser_px)
+        });
+        self.scene_of((frame, pose), camera, choice.as_ref())
+    }
+
+    /// The same with the panels of `choice`, or all of them.
+    fn scene_of(
+        &self,
+        (frame, pose): (u64, &Pose),
+        camera: Camera,
+        choice: Option<&Choice>,
+    ) -> Result<(Scene, usize), FrameError> {
+        self.check(frame, pose)?;
+        let ground = ground(&self.prepared, &self.own, choice, &camera, pose.time);
+        let panels = ground.triangles.len();
         let run = &self.prepared.run.sampling;
-        Scene::new(&self.prepared.stage, run, &self.screen, camera, ground, (frame, pose.time))
+        let scene = Scene::new(&self.prepared.stage, run, &self.screen, camera, ground, (frame, pose.time))?;
+        Ok((scene, panels))
     }
 
     /// The pixel of a frame with what it shows of the ground.
@@ -80,7 +98,7 @@ impl GeneratorSession for Session {
         planes: &mut Planes,
         probe: &mut Probe,
     ) -> Result<FrameCounts, FrameError> {
-        let scene = self.scene(frame, pose)?;
+        let (scene, panels) = self.scene(frame, pose)?;
         let run = &self.prepared.run.sampling;
         let view = &self.prepared.stage.view;
         let picture = scene_sampler::draw_untimed(&scene, &self.screen, run, (view, frame), planes)?;
@@ -102,7 +120,7 @@ impl GeneratorSession for Session {
             }
         }
         Ok(FrameCounts::of([
-            ("panels", self.prepared.mesh.panels.len() as u64),
+            ("panels", panels as u64),
             ("faces", scene.faces.work.faces),
             ("triangles", scene.faces.work.triangles),
             ("entries", picture.entries),
@@ -146,7 +164,7 @@ impl GeneratorSession for Session {
 
     /// Panel, posts, photograph, pixels and light of the ground in a pixel; then the stack of every sampling point.
     fn explain(&self, frame: u64, pose: &Pose, pixel: [usize; 2]) -> Result<Vec<Fact>, FrameError> {
-        let scene = self.scene(frame, pose)?;
+        let (scene, _) = self.scene(frame, pose)?;
         self.filled(frame, &scene, pixel, |filled| {
             let ground = filled.nearness().map(|q| Seen::new(&scene.camera, pixel, q));
             let mut facts = ground.map_or(Vec::new(), |seen| seen.facts(&self.prepared, &scene.camera));
@@ -163,11 +181,14 @@ impl GeneratorSession for Session {
         pixel: [usize; 2],
         number: usize,
     ) -> Result<Option<Value>, FrameError> {
-        let scene = self.scene(frame, pose)?;
+        let (scene, _) = self.scene(frame, pose)?;
         self.filled(frame, &scene, pixel, |filled| filled.document(number, &[]))
     }
 
+    /// All panels: coarser ones are held to them.
     fn faces(&self, frame: u64, pose: &Pose) -> Result<Option<FaceScene>, FrameError> {
-        Ok(Some(judged_faces(self.scene(frame, pose)?, &self.prepared.run.sampling)))
+        let camera = Camera::new(pose, &self.prepared.stage.view);
+        let (scene, _) = self.scene_of((frame, pose), camera, None)?;
+        Ok(Some(judged_faces(scene, &self.prepared.run.sampling)))
     }
 }

@@ -22,7 +22,7 @@ impl DistancePlane {
     pub fn new([p, q, r]: [DVec3; 3], projection: &Projection) -> Option<Self> {
         let normal = (q - p).cross(r - p);
         let over_k = normal / normal.dot(p);
-        let slope = [over_k.x, over_k.y].map(|along| along / projection.focal);
+        let slope = [over_k.x / projection.focal, over_k.y / projection.focal];
         let origin = over_k.z - slope[0] * projection.centre[0] - slope[1] * projection.centre[1];
         [slope[0], slope[1], origin].iter().all(|value| value.is_finite()).then_some(Self { slope, origin })
     }

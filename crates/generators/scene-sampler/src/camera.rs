@@ -87,6 +87,14 @@ impl Camera {
         self.projection.focal * self.squeeze.sqrt()
     }
 
+    /// Pixels that a length (m) a metre away has on the screen, at most: anywhere on it, along either axis, however it lies.
+    pub fn most_pixels(&self) -> f64 {
+        let [across, along] = self.projection.centre.map(|half| half / self.projection.focal);
+        let along = along / self.squeeze;
+        let corner = across * across + along * along;
+        self.projection.focal * self.squeeze.max(1.0) * (1.0 + corner)
+    }
+
     /// Lengths along y in camera axes over those of the scene.
     pub fn squeeze(&self) -> f64 {
         self.squeeze

@@ -148,7 +148,10 @@ pub fn fill(picture: &Picture, scene: &Scene, planes: &mut Planes) {
                 PlaneKind::Label => f32::from(picture.surfaces[at].1.code()),
                 PlaneKind::Range => range(picture.surfaces[at].0, picture.ray(scene, at, columns)),
                 PlaneKind::Distance => distance(picture.surfaces[at].0, picture.ray(scene, at, columns)),
-                _ => luminance(picture.colours[at].map(f64::from)) as f32,
+                _ => {
+                    let [red, green, blue] = picture.colours[at];
+                    luminance([f64::from(red), f64::from(green), f64::from(blue)]) as f32
+                }
             };
         });
     }

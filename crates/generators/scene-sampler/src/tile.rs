@@ -262,8 +262,8 @@ pub fn mapped(
 
 /// Middle (pixels on the screen) of a pixel of a sub-area.
 fn middle(area: &SubArea, pixel: usize) -> [f64; 2] {
-    let first = [area.columns().start, area.rows().start].map(f64::from);
-    [first[0] + (pixel % SIDE) as f64 + 0.5, first[1] + (pixel / SIDE) as f64 + 0.5]
+    let (column, row) = (f64::from(area.columns().start), f64::from(area.rows().start));
+    [column + (pixel % SIDE) as f64 + 0.5, row + (pixel / SIDE) as f64 + 0.5]
 }
 
 /// Numbers of the pixels of a sub-area, and their places on the screen.

@@ -39,9 +39,11 @@ impl Places {
 
     /// Distances (q, 1/m) of a plane at the sampling points of a pixel, bit for bit as [`DistancePlane::at`] has them there.
     pub fn distances<const N: usize>(&self, pixel: usize, plane: &DistancePlane) -> [f64; N] {
-        let [column, row] = self.pixel(pixel).map(f64::from);
+        let [column, row] = self.pixel(pixel);
+        let (column, row) = (f64::from(column), f64::from(row));
         let first = if self.sampling.is_turned() { pixel * N } else { 0 };
-        let [x, y] = [0, 1].map(|axis| &self.offsets[axis][first..first + N]);
+        let [x, y] = &self.offsets;
+        let (x, y) = (&x[first..first + N], &y[first..first + N]);
         let mut distances = [0.0; N];
         for i in 0..N {
             distances[i] = plane.at([column + x[i], row + y[i]]);

@@ -9,6 +9,8 @@
 //
 //   show           draws a frame of the buffer that is there, up to its read-back: SECONDS
 //   show anew      the same with a vertex buffer that is filled anew: SECONDS
+//   texture COLUMNS LINES PATH   reads a texture, floats line by line from the top left; from now on the first two numbers of a normal are a
+//                  place in it, whose light is taken between the four pixels around it: read
 //   picture PATH   writes the last frame as floats, line by line from the top left: written
 //
 // The picture has 8 bits a colour. Two threads shade pixels.
@@ -25,6 +27,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -122,6 +125,34 @@ void bind(const Scene &scene) {
     glEnableClientState(GL_COLOR_ARRAY);
 }
 
+/// Reads the texture that `line` asks for, in 8 bits as the picture has, and lays it over everything.
+void lay(const std::string &line) {
+    std::istringstream words(line);
+    std::string what, path;
+    GLsizei columns = 0, lines = 0;
+    words >> what >> columns >> lines >> path;
+    std::vector<float> lights(static_cast<std::size_t>(columns) * static_cast<std::size_t>(lines));
+    std::ifstream file(path, std::ios::binary);
+    if (!file.read(reinterpret_cast<char *>(lights.data()), static_cast<std::streamsize>(lights.size() * sizeof(float)))) fail(path + ": too short");
+    std::vector<std::uint8_t> codes(lights.size());
+    std::transform(lights.begin(), lights.end(), codes.begin(), [](float light) { return static_cast<std::uint8_t>(std::lround(255.0f * light)); });
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_LUMINANCE8, columns, lines, 0, GL_LUMINANCE, GL_UNSIGNED_BYTE, codes.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glEnable(GL_TEXTURE_2D);
+    glMatrixMode(GL_TEXTURE);
+    glLoadIdentity();
+    glScalef(1.0f / static_cast<float>(columns), 1.0f / static_cast<float>(lines), 1.0f);
+    glDisableClientState(GL_COLOR_ARRAY);
+    glColor3f(1.0f, 1.0f, 1.0f);
+    glTexCoordPointer(2, GL_FLOAT, sizeof(Vertex), reinterpret_cast<const void *>(offsetof(Vertex, normal)));
+    glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+    if (glGetError() != GL_NO_ERROR) fail(path + ": no texture could be made of it");
+}
+
 double seconds_since(std::chrono::steady_clock::time_point begin) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
@@ -155,6 +186,9 @@ int main(int count, char **arguments) {
             const double seconds = seconds_since(begin);
             if (glGetError() != GL_NO_ERROR) fail("the frame could not be drawn");
             std::cout << seconds << std::endl;
+        } else if (line.rfind("texture ", 0) == 0) {
+            lay(line);
+            std::cout << "read" << std::endl;
         } else if (line.rfind("picture ", 0) == 0) {
             const std::string path = line.substr(8);
             std::vector<float> light(picture.size() / 4);
@@ -164,7 +198,7 @@ int main(int count, char **arguments) {
             if (!file.flush()) fail(path + ": cannot be written");
             std::cout << "written" << std::endl;
         } else {
-            fail("expected 'show', 'show anew' or 'picture PATH', found '" + line + "'");
+            fail("expected 'show', 'show anew', 'texture COLUMNS LINES PATH' or 'picture PATH', found '" + line + "'");
         }
     }
     OSMesaDestroyContext(context);

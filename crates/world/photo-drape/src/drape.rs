@@ -1,5 +1,7 @@
 //! All photographs over the ground.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 use landscape::Landscape;
 use photograph::Photograph;
@@ -37,7 +39,7 @@ pub struct Shown {
 /// Photographs over the posts of ground.
 #[derive(Debug, Clone)]
 pub struct Drape {
-    ground: Ground,
+    ground: Arc<Ground>,
     layers: Vec<Layer>,
     choice: Choice,
 }
@@ -58,12 +60,17 @@ impl Drape {
             Layer::new(photograph, at + 1, landscape.bank(), &ground, &posts)
         };
         let layers = photographs.iter().enumerate().map(layer).collect::<Result<_, _>>()?;
-        Ok(Self { ground, layers, choice })
+        Ok(Self { ground: ground.into(), layers, choice })
     }
 
     /// Posts under the photographs.
     pub fn ground(&self) -> &Ground {
         &self.ground
+    }
+
+    /// The same posts, to be kept by whoever draws them.
+    pub fn shared_ground(&self) -> Arc<Ground> {
+        self.ground.clone()
     }
 
     /// The photographs, in their order.

@@ -89,22 +89,30 @@ impl Ground {
 
     /// South-western post of the cell around a place (north, east; m), and the shares of its northern and eastern posts, 0 to 1.
     /// Beyond the border it is the cell of the border.
+    #[inline]
     pub fn cell(&self, place: [f64; 2]) -> ([usize; 2], [f64; 2]) {
-        let at = [0, 1].map(|axis| {
+        let along = |axis: usize| {
             let at = (place[axis] - self.corner[axis]) / self.spacing;
-            at.clamp(0.0, (self.size[axis] - 1) as f64)
-        });
-        let first = [0, 1].map(|axis| (at[axis] as usize).min(self.size[axis] - 2));
-        (first, [0, 1].map(|axis| at[axis] - first[axis] as f64))
+            let at = at.clamp(0.0, (self.size[axis] - 1) as f64);
+            let first = (at as usize).min(self.size[axis] - 2);
+            (first, at - first as f64)
+        };
+        let ((row, up), (column, right)) = (along(0), along(1));
+        ([row, column], [up, right])
     }
 
     /// Unit normal of the ground at a place (north, east; m), by the slopes of the posts around it.
+    #[inline]
     pub fn normal(&self, place: [f64; 2]) -> DVec3 {
-        let [north, east] = self.between(place, |post| self.slopes[post].map(f64::from));
+        let [north, east] = self.between(place, |post| {
+            let [north, east] = self.slopes[post];
+            [f64::from(north), f64::from(east)]
+        });
         DVec3::new(-north, -east, 1.0).normalize()
     }
 
     /// What posts around a place have, mixed bilinearly.
+    #[inline]
     pub fn between<const N: usize>(&self, place: [f64; 2], of: impl Fn(usize) -> [f64; N]) -> [f64; N] {
         let (first, share) = self.cell(place);
         let mut sum = [0.0; N];
@@ -114,7 +122,9 @@ impl Ground {
             // A post without weight need not have a value.
             if weight > 0.0 {
                 let values = of((first[0] + up) * self.size[1] + first[1] + right);
-                sum.iter_mut().zip(values).for_each(|(sum, value)| *sum += weight * value);
+                for k in 0..N {
+                    sum[k] += weight * values[k];
+                }
             }
         }
         sum

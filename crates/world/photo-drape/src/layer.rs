@@ -94,12 +94,12 @@ impl Layer {
     pub fn light(&self, look: &Look) -> f64 {
         let [long, short] = principal(look.axes);
         // Full axes in pixels.
-        let [length, width] = [long, short].map(|axis| 2.0 * libm::hypot(axis[0], axis[1]));
+        let (length, width) = (2.0 * libm::hypot(long[0], long[1]), 2.0 * libm::hypot(short[0], short[1]));
         let count = (length / width.max(1.0)).ceil().clamp(1.0, f64::from(MOST_PROBES));
         let level = libm::log2(width.max(length / count).max(1.0));
         let probe = |number: u32| {
             let along = (2.0 * f64::from(number) + 1.0) / count - 1.0;
-            let at = [0, 1].map(|axis| look.pixel[axis] + along * long[axis]);
+            let at = [look.pixel[0] + along * long[0], look.pixel[1] + along * long[1]];
             self.pyramid.light(&self.photograph, at, level)
         };
         (0..count as u32).map(probe).sum::<f64>() / count
@@ -121,7 +121,7 @@ fn principal([a, b]: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
     // Points of the ellipse are a cos t + b sin t; they are farthest where the derivative of the square is 0.
     let turn = 0.5 * libm::atan2(2.0 * dot(a, b), dot(a, a) - dot(b, b));
     let (sin, cos) = sin_cos(turn);
-    let first = [0, 1].map(|k| cos * a[k] + sin * b[k]);
-    let second = [0, 1].map(|k| cos * b[k] - sin * a[k]);
+    let first = [cos * a[0] + sin * b[0], cos * a[1] + sin * b[1]];
+    let second = [cos * b[0] - sin * a[0], cos * b[1] - sin * a[1]];
     if dot(first, first) >= dot(second, second) { [first, second] } else { [second, first] }
 }

@@ -42,7 +42,7 @@ impl Pyramid {
             None => whole(photograph, pixel),
             Some(at) => {
                 let scale = (1_u64 << level) as f64;
-                self.levels[at].light(pixel.map(|at| at / scale))
+                self.levels[at].light([pixel[0] / scale, pixel[1] / scale])
             }
         };
         let first = of(fine);
@@ -56,20 +56,26 @@ fn whole(photograph: &Photograph, pixel: [f64; 2]) -> f64 {
     between([picture.columns(), picture.lines()], pixel, |column, line| photograph.light_of(column, line))
 }
 
+// Of these and what they ask, no array goes through `map`: its closures stay calls, one for each of many looks at a pixel.
 /// A value at a pixel I, J of a picture of `size` (columns, lines), linear between the centres; beyond the outermost centres theirs.
+#[inline]
 fn between(size: [usize; 2], pixel: [f64; 2], value: impl Fn(usize, usize) -> f64) -> f64 {
-    let [(left, right, across), (above, below, down)] = [0, 1].map(|axis| {
-        let last = (size[axis] - 1) as f64;
-        let at = (pixel[axis] - 0.5).clamp(0.0, last);
-        let first = at as usize;
-        (first, (first + 1).min(size[axis] - 1), at - first as f64)
-    });
+    let (left, right, across) = beside(size[0], pixel[0]);
+    let (above, below, down) = beside(size[1], pixel[1]);
     let row = |line: usize| {
-        let [from, to] = [left, right].map(|column| value(column, line));
-        from + across * (to - from)
+        let from = value(left, line);
+        from + across * (value(right, line) - from)
     };
     let (from, to) = (row(above), row(below));
     from + down * (to - from)
+}
+
+/// Pixels before and behind a place along an axis of `count` pixels, and the share of the second; beyond the outermost centres theirs.
+#[inline]
+fn beside(count: usize, at: f64) -> (usize, usize, f64) {
+    let at = (at - 0.5).clamp(0.0, (count - 1) as f64);
+    let first = at as usize;
+    (first, (first + 1).min(count - 1), at - first as f64)
 }
 
 impl Level {
@@ -90,6 +96,7 @@ impl Level {
     }
 
     /// Light at a pixel of this picture.
+    #[inline]
     fn light(&self, pixel: [f64; 2]) -> f64 {
         between(self.size, pixel, |column, line| f64::from(self.lights[line * self.size[0] + column]))
     }

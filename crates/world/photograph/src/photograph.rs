@@ -73,7 +73,7 @@ impl Photograph {
 
     /// Whether a pixel I, J lies inside the picture.
     pub fn holds(&self, [i, j]: [f64; 2]) -> bool {
-        let [columns, lines] = [self.picture.columns(), self.picture.lines()].map(|count| count as f64);
+        let (columns, lines) = (self.picture.columns() as f64, self.picture.lines() as f64);
         (0.0..columns).contains(&i) && (0.0..lines).contains(&j)
     }
 

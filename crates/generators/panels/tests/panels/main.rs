@@ -1,5 +1,6 @@
 //! Photographs over panels of ground: what pictures, panels and explanations show.
 
+mod coarser;
 mod faults;
 mod identity;
 mod labels;

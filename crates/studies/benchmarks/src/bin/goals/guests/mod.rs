@@ -13,4 +13,5 @@ mod side;
 pub use comparison::{fastest, table};
 pub use list::{Comparison, Guests, Sense, SideChoice};
 pub use memory::{memory_table, peak};
+pub use osmesa::OsMesa;
 pub use side::Side;

@@ -29,6 +29,15 @@ impl OsMesa {
         Ok(Ok(Self(drawing)))
     }
 
+    /// Gives it a texture of `size` (columns, lines): light line by line from the top. From now on the first two numbers of a vertex's normal are its
+    /// pixel I, J.
+    ///
+    /// # Errors
+    /// If it cannot be handed over.
+    pub fn texture(&mut self, size: [usize; 2], lights: &[f32]) -> Result<(), String> {
+        self.0.texture(size, lights)
+    }
+
     /// Draws a frame up to its read-back, from a vertex buffer that is filled anew or from the one that is there: its time (s).
     ///
     /// # Errors
