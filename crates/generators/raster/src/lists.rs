@@ -1,18 +1,23 @@
 //! Which triangles each sub-area lists.
 
+use rayon::prelude::*;
+
 use crate::fixed::STEPS;
 use crate::screen::Screen;
 use crate::triangle::Triangle;
 
+/// Triangles that a thread lists at a time. Chosen: the lists do not depend on it.
+const CHUNK: usize = 16_384;
+
+/// Stretches of sub-areas whose lists are put together by a thread at a time. Chosen likewise.
+const STRETCHES: usize = 16;
+
 /// For every sub-area the triangles that may cover sampling points of it (EP-0611021, abstract).
 ///
 /// A sub-area lists a triangle if the triangle's box meets it and each edge function is at least 0 at one of its corners. That
-/// never misses; near acute corners it lists a few too many. One value is filled for frame after frame and asks for memory
-/// only when a frame has more entries than all before.
+/// never misses; near acute corners it lists a few too many. The threads of the current rayon pool share the triangles out.
 #[derive(Debug, Default)]
 pub struct Lists {
-    /// Sub-area and triangle of every entry, triangle by triangle.
-    pairs: Vec<[u32; 2]>,
     /// Where the list of each sub-area begins in `entries`, and where the last one ends.
     starts: Vec<u32>,
     entries: Vec<u32>,
@@ -21,14 +26,27 @@ pub struct Lists {
 impl Lists {
     /// Lists the `triangles`, at most 2^32 of them, by their places in the slice.
     pub fn fill(&mut self, screen: &Screen, triangles: &[Triangle]) {
-        self.pairs.clear();
-        // A small triangle meets one sub-area, or two.
-        self.pairs.reserve(2 * triangles.len());
+        if triangles.len() <= CHUNK {
+            return self.fill_part(screen, triangles, 0);
+        }
+        let part = |(at, triangles): (usize, &[Triangle])| {
+            let mut part = Self::default();
+            part.fill_part(screen, triangles, (at * CHUNK) as u32);
+            part
+        };
+        let parts: Vec<Self> = triangles.par_chunks(CHUNK).enumerate().map(part).collect();
+        self.join(&parts, screen.sub_areas());
+    }
+
+    /// Lists `triangles`, the first of which has the number `first`.
+    fn fill_part(&mut self, screen: &Screen, triangles: &[Triangle], first: u32) {
+        // Sub-area and triangle of every entry, triangle by triangle: a small one meets one sub-area, or two.
+        let mut pairs = Vec::<[u32; 2]>::with_capacity(2 * triangles.len());
         self.starts.clear();
         self.starts.resize(screen.sub_areas() + 1, 0);
-        for (number, triangle) in triangles.iter().enumerate() {
+        for (number, triangle) in (first..).zip(triangles) {
             for_each_met(screen, triangle, |area| {
-                self.pairs.push([area, number as u32]);
+                pairs.push([area, number]);
                 self.starts[area as usize] += 1;
             });
         }
@@ -37,13 +55,40 @@ impl Lists {
             end += *start;
             *start = end;
         }
-        self.entries.resize(self.pairs.len(), 0);
+        self.entries.resize(pairs.len(), 0);
         // From the last to the first: `starts` moves from the end of each list to its beginning.
-        for &[area, number] in self.pairs.iter().rev() {
+        for &[area, number] in pairs.iter().rev() {
             let start = &mut self.starts[area as usize];
             *start -= 1;
             self.entries[*start as usize] = number;
         }
+    }
+
+    /// Puts the lists of parts together, in the order of the parts.
+    fn join(&mut self, parts: &[Self], areas: usize) {
+        self.starts.clear();
+        self.starts.push(0);
+        let mut end = 0;
+        for area in 0..areas {
+            end += parts.iter().map(|part| part.of(area).len() as u32).sum::<u32>();
+            self.starts.push(end);
+        }
+        self.entries.resize(end as usize, 0);
+        let mut rest = &mut self.entries[..];
+        let mut stretches = Vec::with_capacity(STRETCHES);
+        for stretch in 0..STRETCHES {
+            let [from, to] = [stretch, stretch + 1].map(|stretch| stretch * areas / STRETCHES);
+            let (own, others) = rest.split_at_mut((self.starts[to] - self.starts[from]) as usize);
+            stretches.push((from..to, own));
+            rest = others;
+        }
+        stretches.into_par_iter().for_each(|(areas, mut own)| {
+            for list in areas.flat_map(|area| parts.iter().map(move |part| part.of(area))) {
+                let (filled, others) = own.split_at_mut(list.len());
+                filled.copy_from_slice(list);
+                own = others;
+            }
+        });
     }
 
     /// Triangles that the sub-area of a number lists, in their order in the slice.

@@ -32,17 +32,25 @@ impl Band {
         let (columns, rows) = (area.columns(), area.rows());
         self.end = rows.end as usize;
         self.grow();
-        for (k, (q, label)) in tile.surfaces.iter().enumerate() {
-            let [row, column] = [k / columns.len(), k % columns.len()];
-            let row = rows.start as usize + row - self.first;
-            self.surfaces[row * self.width + columns.start as usize + column] = (*q as f32, *label);
+        let first = columns.start as usize;
+        for (row, surfaces) in (rows.start as usize..).zip(tile.surfaces.chunks(columns.len())) {
+            let place = (row - self.first) * self.width + first;
+            for (kept, (q, label)) in self.surfaces[place..].iter_mut().zip(surfaces) {
+                *kept = (*q as f32, *label);
+            }
         }
         let across = columns.len() + 2 * self.reach;
-        for (k, (colour, weight)) in tile.colours.iter().enumerate() {
-            let x = (columns.start as usize + k % across).wrapping_sub(self.reach);
-            let y = (rows.start as usize + k / across).wrapping_sub(self.reach);
-            if x < self.width && y < self.height {
-                let (sum, weights) = &mut self.sums[(y - self.first) * self.width + x];
+        // What reaches beyond the border of the screen is left out: the first place that lies on it, and how many do.
+        let skipped = self.reach.saturating_sub(first);
+        let left = (first + skipped).saturating_sub(self.reach);
+        for (row, colours) in (rows.start as usize..).zip(tile.colours.chunks(across)) {
+            let y = row.wrapping_sub(self.reach);
+            if y >= self.height {
+                continue;
+            }
+            let place = (y - self.first) * self.width;
+            let sums = &mut self.sums[place + left..place + self.width];
+            for ((sum, weights), (colour, weight)) in sums.iter_mut().zip(&colours[skipped..]) {
                 *sum = [sum[0] + colour[0], sum[1] + colour[1], sum[2] + colour[2]];
                 *weights += weight;
             }
@@ -54,7 +62,9 @@ impl Band {
         let end = if self.end == self.height { self.height } else { self.end - self.reach };
         let pixels = (end - self.first) * self.width;
         // Beyond the border of the screen there are no sampling points: the others weigh more.
-        let mean = |(sum, weight): ([f64; 3], f64)| sum.map(|channel| (channel / weight) as f32);
+        let mean = |([red, green, blue], weight): ([f64; 3], f64)| {
+            [(red / weight) as f32, (green / weight) as f32, (blue / weight) as f32]
+        };
         colours.extend(self.sums.drain(..pixels).map(mean));
         surfaces.extend(self.surfaces.drain(..pixels));
         self.first = end;

@@ -51,10 +51,16 @@ impl Ground<'_> {
             Ok(faces)
         };
         all.reserve(self.triangles.len());
+        // While chunks are clipped, those before them are put into the list.
+        let mut before = Vec::new();
         for triangles in self.triangles.chunks(CHUNKS * CHUNK) {
-            let parts: Result<Vec<Faces>, FaceError> = triangles.par_chunks(CHUNK).map(clipped).collect();
-            parts?.into_iter().for_each(|part| all.append(part));
+            let (parts, ()) = rayon::join(
+                || triangles.par_chunks(CHUNK).map(clipped).collect::<Result<Vec<Faces>, FaceError>>(),
+                || before.drain(..).for_each(|part| all.append(part)),
+            );
+            before = parts?;
         }
+        before.into_iter().for_each(|part| all.append(part));
         all.corners = self.corners;
         Ok(all)
     }

@@ -1,10 +1,11 @@
 //! From a scene to a picture: all sub-areas, then the beam.
 
+use std::ops::Range;
 use std::sync::{Mutex, PoisonError};
 
 use generator::{FrameError, Label, PlaneKind, Planes};
 use glam::DVec3;
-use light_points::BeamBudget;
+use light_points::{BeamBudget, Share};
 use quantities::luminance;
 use raster::{Lists, Screen};
 use rayon::prelude::*;
@@ -108,31 +109,62 @@ pub fn draw(
         idle.lock().unwrap_or_else(PoisonError::into_inner).push(sampler);
         Ok((tile, reading))
     };
-    let pixels = screen.size().iter().map(|pixels| *pixels as usize).product();
-    let mut picture = Picture {
-        colours: Vec::with_capacity(pixels),
-        surfaces: Vec::with_capacity(pixels),
-        entries: lists.entries() as u64,
-        ..Picture::default()
-    };
-    let mut band = Band::new(screen, usize::from(run.filter != raster::Filter::Box));
-    let mut shares = Vec::new();
+    let mut gathered = Gathered::new(screen, run, lists);
     let [columns, rows] = screen.counts().map(|count| count as usize);
+    // While rows are drawn, those before them are put into the picture.
+    let mut before = None;
     for row in (0..rows).step_by(ROWS) {
         let numbers = row * columns..(row + ROWS).min(rows) * columns;
-        let tiles: Result<Vec<(Tile, Option<Reading>)>, FeatureError> =
-            numbers.clone().into_par_iter().map(drawn).collect();
-        for (number, (tile, reading)) in numbers.zip(tiles.map_err(refused)?) {
-            band.add(&tile, &screen.sub_area(number));
-            picture.losses = picture.losses.and(tile.losses);
-            picture.readings.extend(reading);
-            shares.extend(tile.shares.into_iter().map(|(point, share)| (number as u32, point, share)));
-        }
-        band.hand_over(&mut picture.colours, &mut picture.surfaces);
+        let (tiles, ()) = rayon::join(
+            || numbers.clone().into_par_iter().map(drawn).collect::<Result<Vec<Drawn>, FeatureError>>(),
+            || before.take().into_iter().for_each(|(numbers, tiles)| gathered.add(numbers, tiles)),
+        );
+        before = Some((numbers, tiles.map_err(refused)?));
     }
+    before.into_iter().for_each(|(numbers, tiles)| gathered.add(numbers, tiles));
+    let Gathered { mut picture, shares, .. } = gathered;
     let points = &scene.lights.points;
     picture.beam = Beam::new(points, shares, run, budget, (1e9 / view.update.hertz()) as u64);
     Ok(picture)
+}
+
+/// A sub-area, and its reading where that is asked for.
+type Drawn = (Tile, Option<Reading>);
+
+/// Sub-areas that were drawn, put together.
+struct Gathered<'a> {
+    screen: &'a Screen,
+    picture: Picture,
+    band: Band,
+    /// Sub-area, number of the calligraphic point, and what becomes of it there.
+    shares: Vec<(u32, u32, Share)>,
+}
+
+impl<'a> Gathered<'a> {
+    /// An empty picture of a screen.
+    fn new(screen: &'a Screen, run: &Parameters, lists: &Lists) -> Self {
+        let pixels = screen.size().iter().map(|pixels| *pixels as usize).product();
+        let picture = Picture {
+            colours: Vec::with_capacity(pixels),
+            surfaces: Vec::with_capacity(pixels),
+            entries: lists.entries() as u64,
+            ..Picture::default()
+        };
+        let band = Band::new(screen, usize::from(run.filter != raster::Filter::Box));
+        Self { screen, picture, band, shares: Vec::new() }
+    }
+
+    /// Adds the sub-areas of some rows, in their order.
+    fn add(&mut self, numbers: Range<usize>, tiles: Vec<Drawn>) {
+        for (number, (tile, reading)) in numbers.zip(tiles) {
+            self.band.add(&tile, &self.screen.sub_area(number));
+            self.picture.losses = self.picture.losses.and(tile.losses);
+            self.picture.readings.extend(reading);
+            let of_area = |(point, share)| (number as u32, point, share);
+            self.shares.extend(tile.shares.into_iter().map(of_area));
+        }
+        self.band.hand_over(&mut self.picture.colours, &mut self.picture.surfaces);
+    }
 }
 
 /// Fills those of [`PLANES`] that a caller wants.

@@ -170,9 +170,9 @@ impl Sides<'_> {
 
     fn bound(&self, name: &str) -> f64 {
         let settings = self.scene.settings;
-        // Differences of neighbours: a rounding of either is one of a step, and a quarter of a microsecond has many.
+        // Differences of neighbours: each of both may be off, that is one of a step, and a quarter of a microsecond has many.
         let steps = match name {
-            "dpp.derivative" => (0.25e-6 * settings.timebase.sample_rate().hertz()).max(1.0),
+            "dpp.derivative" => 2.0 * (0.25e-6 * settings.timebase.sample_rate().hertz()).max(1.0),
             _ => 1.0,
         };
         let craters = match name {

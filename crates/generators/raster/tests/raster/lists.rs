@@ -53,7 +53,7 @@ fn look_at(triangles: usize) -> usize {
 #[test]
 fn no_sample_is_lost_to_a_list() {
     let triangles =
-        std::env::var("RASTER_TRIANGLES").map_or(100_000, |count| count.parse().expect("a number"));
+        std::env::var("RASTER_TRIANGLES").map_or(30_000, |count| count.parse().expect("a number"));
     let asked = look_at(triangles);
     println!("{triangles} triangles, {asked} samples of sub-areas that do not list them, none lost");
     assert!(asked > 300 * triangles, "only {asked} samples were looked at");
@@ -77,6 +77,29 @@ fn the_order_of_the_triangles_does_not_matter() {
             back.sort_unstable();
             assert_eq!(back, forwards.of(number));
         }
+    }
+}
+
+/// Threads share triangles out, and lists of many are put together: each is as long as those of small lots by themselves, and in order. A
+/// frame of few triangles after them has its own.
+#[test]
+fn lists_of_many_triangles_are_those_of_lots() {
+    let mut random = Random(6);
+    let screen = Screen::new([61, 45], 7).expect("a screen");
+    let triangles: Vec<Triangle> = (0..50_000).filter_map(|_| triangle(random.triangle(60.0))).collect();
+    let (mut all, mut lot) = (Lists::default(), Lists::default());
+    for count in [triangles.len(), 300, 20_000] {
+        all.fill(&screen, &triangles[..count]);
+        let mut expected = vec![Vec::new(); screen.sub_areas()];
+        for (first, triangles) in (0..).step_by(1000).zip(triangles[..count].chunks(1000)) {
+            lot.fill(&screen, triangles);
+            for (area, list) in expected.iter_mut().enumerate() {
+                list.extend(lot.of(area).iter().map(|number| first + number));
+            }
+        }
+        let found: Vec<Vec<u32>> = (0..screen.sub_areas()).map(|area| all.of(area).to_vec()).collect();
+        assert!(found == expected, "{count} triangles");
+        assert_eq!(all.entries(), expected.iter().map(Vec::len).sum::<usize>());
     }
 }
 
