@@ -23,6 +23,9 @@ use crate::tile::{SIDE, Sampler, Tile};
 /// Rows of sub-areas that are drawn before they are put into the picture. Chosen: enough work for all threads, and little memory.
 const ROWS: usize = 8;
 
+/// Sub-areas that a thread draws one after another, with the same stacks. Chosen: few enough that threads end together.
+const RUN: usize = 8;
+
 /// A picture in linear light, and what it took.
 #[derive(Default)]
 pub struct Picture {
@@ -101,13 +104,16 @@ pub fn draw(
         is_read.then(|| Reading::of(sampler.stack(), scene, lists, &area, number))
     };
     let idle = Mutex::new(Vec::new());
-    let drawn = |number: usize| {
+    let drawn = |numbers: Range<usize>| -> Result<Vec<Drawn>, FeatureError> {
         let waiting = idle.lock().unwrap_or_else(PoisonError::into_inner).pop();
         let mut sampler = waiting.map_or_else(|| Sampler::new(run), Ok)?;
-        let tile = sampler.draw(scene, lists, screen, number)?;
-        let reading = reading(&sampler, number);
+        let mut one = |number: usize| {
+            let tile = sampler.draw(scene, lists, screen, number)?;
+            Ok((tile, reading(&sampler, number)))
+        };
+        let tiles = numbers.map(&mut one).collect();
         idle.lock().unwrap_or_else(PoisonError::into_inner).push(sampler);
-        Ok((tile, reading))
+        tiles
     };
     let mut gathered = Gathered::new(screen, run, lists);
     let [columns, rows] = screen.counts().map(|count| count as usize);
@@ -116,7 +122,7 @@ pub fn draw(
     for row in (0..rows).step_by(ROWS) {
         let numbers = row * columns..(row + ROWS).min(rows) * columns;
         let (tiles, ()) = rayon::join(
-            || numbers.clone().into_par_iter().map(drawn).collect::<Result<Vec<Drawn>, FeatureError>>(),
+            || in_runs(&numbers).map(drawn).collect::<Result<Vec<Vec<Drawn>>, FeatureError>>(),
             || before.take().into_iter().for_each(|(numbers, tiles)| gathered.add(numbers, tiles)),
         );
         before = Some((numbers, tiles.map_err(refused)?));
@@ -126,6 +132,13 @@ pub fn draw(
     let points = &scene.lights.points;
     picture.beam = Beam::new(points, shares, run, budget, (1e9 / view.update.hertz()) as u64);
     Ok(picture)
+}
+
+/// Sub-areas in runs that one thread draws.
+fn in_runs(numbers: &Range<usize>) -> impl IndexedParallelIterator<Item = Range<usize>> {
+    let Range { start, end } = *numbers;
+    let run = move |run: usize| start + run * RUN..(start + (run + 1) * RUN).min(end);
+    (0..numbers.len().div_ceil(RUN)).into_par_iter().map(run)
 }
 
 /// A sub-area, and its reading where that is asked for.
@@ -155,8 +168,8 @@ impl<'a> Gathered<'a> {
     }
 
     /// Adds the sub-areas of some rows, in their order.
-    fn add(&mut self, numbers: Range<usize>, tiles: Vec<Drawn>) {
-        for (number, (tile, reading)) in numbers.zip(tiles) {
+    fn add(&mut self, numbers: Range<usize>, tiles: Vec<Vec<Drawn>>) {
+        for (number, (tile, reading)) in numbers.zip(tiles.into_iter().flatten()) {
             self.band.add(&tile, &self.screen.sub_area(number));
             self.picture.losses = self.picture.losses.and(tile.losses);
             self.picture.readings.extend(reading);
