@@ -37,7 +37,7 @@ impl Half {
         [self.ends[0], self.ends[1], self.corner]
     }
 
-    /// First and last row, first and last column.
+    /// First and last row of its corners (axis 0), or first and last column (axis 1).
     fn reach(&self, axis: usize) -> [u32; 2] {
         let [a, b, c] = self.corners().map(|post| post[axis]);
         [a.min(b).min(c), a.max(b).max(c)]

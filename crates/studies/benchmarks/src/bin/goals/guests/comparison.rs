@@ -59,7 +59,8 @@ fn medians(row: &Comparison, [one, two]: &[ThreadPool; 2]) -> Result<Result<Medi
     match &row.against {
         Against::Side(other) => {
             let mut second = Side::new(other)?;
-            in_turns(row.turns, || first.draw(two), || second.draw(two)).map(Ok)
+            let threads = if row.alone { one } else { two };
+            in_turns(row.turns, || first.draw(threads), || second.draw(threads)).map(Ok)
         }
         Against::OneThread => {
             let mut second = Side::new(&row.first)?;

@@ -30,6 +30,9 @@ pub struct Comparison {
     pub aim: f64,
     /// Frames of each side.
     pub turns: usize,
+    /// Whether sides have one thread in place of two.
+    #[serde(default)]
+    pub alone: bool,
     /// Side that the row is about.
     pub first: SideChoice,
     /// What it is held against.
