@@ -96,11 +96,11 @@ impl Layer {
         // Full axes in pixels.
         let (length, width) = (2.0 * libm::hypot(long[0], long[1]), 2.0 * libm::hypot(short[0], short[1]));
         let count = (length / width.max(1.0)).ceil().clamp(1.0, f64::from(MOST_PROBES));
-        let level = libm::log2(width.max(length / count).max(1.0));
+        let fineness = self.pyramid.fineness(libm::log2(width.max(length / count).max(1.0)));
         let probe = |number: u32| {
             let along = (2.0 * f64::from(number) + 1.0) / count - 1.0;
             let at = [look.pixel[0] + along * long[0], look.pixel[1] + along * long[1]];
-            self.pyramid.light(&self.photograph, at, level)
+            self.pyramid.light(&self.photograph, at, fineness)
         };
         (0..count as u32).map(probe).sum::<f64>() / count
     }

@@ -10,6 +10,15 @@ pub(crate) struct Pyramid {
     levels: Vec<Level>,
 }
 
+/// A place between two pictures of a pyramid.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Fineness {
+    /// The finer picture, from 0 for the whole one.
+    fine: usize,
+    /// Share of the coarser one, 0 to 1.
+    share: f64,
+}
+
 #[derive(Debug, Clone)]
 struct Level {
     /// Number of columns and of lines.
@@ -34,19 +43,33 @@ impl Pyramid {
         Self { levels }
     }
 
-    /// Light at a pixel I, J of the photograph, in pictures whose pixels are 2^`level` as wide; beside the photograph that of its edge.
-    pub fn light(&self, photograph: &Photograph, pixel: [f64; 2], level: f64) -> f64 {
+    /// The pictures between which pixels are 2^`level` as wide as those of the photograph; the first or the last beyond them.
+    pub fn fineness(&self, level: f64) -> Fineness {
         let level = level.clamp(0.0, self.levels.len() as f64);
-        let (fine, share) = (level as usize, level.fract());
-        let of = |level: usize| match level.checked_sub(1) {
+        Fineness { fine: level as usize, share: level.fract() }
+    }
+
+    /// Light at a pixel I, J of the photograph; beside it that of its edge.
+    #[inline]
+    pub fn light(&self, photograph: &Photograph, pixel: [f64; 2], Fineness { fine, share }: Fineness) -> f64 {
+        let first = self.light_in(photograph, pixel, fine);
+        match share == 0.0 {
+            true => first,
+            false => first + share * (self.light_in(photograph, pixel, fine + 1) - first),
+        }
+    }
+
+    /// Light in one of the pictures, from 0 for the whole one.
+    #[inline]
+    fn light_in(&self, photograph: &Photograph, pixel: [f64; 2], picture: usize) -> f64 {
+        match picture.checked_sub(1) {
             None => whole(photograph, pixel),
             Some(at) => {
-                let scale = (1_u64 << level) as f64;
-                self.levels[at].light([pixel[0] / scale, pixel[1] / scale])
+                // A power of two: its inverse is as exact.
+                let scale = 1.0 / (1_u64 << picture) as f64;
+                self.levels[at].light([pixel[0] * scale, pixel[1] * scale])
             }
-        };
-        let first = of(fine);
-        if share == 0.0 { first } else { first + share * (of(fine + 1) - first) }
+        }
     }
 }
 
@@ -56,7 +79,6 @@ fn whole(photograph: &Photograph, pixel: [f64; 2]) -> f64 {
     between([picture.columns(), picture.lines()], pixel, |column, line| photograph.light_of(column, line))
 }
 
-// Of these and what they ask, no array goes through `map`: its closures stay calls, one for each of many looks at a pixel.
 /// A value at a pixel I, J of a picture of `size` (columns, lines), linear between the centres; beyond the outermost centres theirs.
 #[inline]
 fn between(size: [usize; 2], pixel: [f64; 2], value: impl Fn(usize, usize) -> f64) -> f64 {
