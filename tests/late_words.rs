@@ -247,7 +247,7 @@ fn what_is_told_of_craters_and_boundaries_is_the_difference_of_whole_pictures() 
 fn a_load_on_time_draws_the_machine_whose_loads_take_no_time() {
     let mut changed = 0;
     for (scenario, frame, is_crater) in
-        [("craters", 10, true), ("full-drive", 3, true), ("full-drive", 40, false)]
+        [("craters", 4, true), ("full-drive", 3, false), ("full-drive", 40, false)]
     {
         let plain = Asked::new(scenario, "ideal", 48);
         let columns = plain.stage.settings.raster.columns as usize;
