@@ -28,7 +28,7 @@ impl Mesh {
         &self.ground
     }
 
-    /// Number of panels.
+    /// How many panels there are.
     pub fn count(&self) -> usize {
         let [rows, columns] = self.ground().size();
         2 * (rows - 1) * (columns - 1)

@@ -128,7 +128,6 @@ impl Parameters {
             ("spacing_m", self.spacing.into()),
             fineness,
             ("diagonal", word(&DIAGONALS, &self.diagonal).into()),
-            ("coarser_px", self.coarser_px.into()),
             ("drape", word(&SHADINGS, &self.shading).into()),
             ("choice", word(&CHOICES, &self.choice).into()),
             ("infer", self.infers.into()),
@@ -136,6 +135,10 @@ impl Parameters {
             ("relight", self.relights.into()),
         ];
         own.into_iter().for_each(|(key, value): (&str, Value)| record[key] = value);
+        // A run of all panels has the record that it always had.
+        if self.coarser_px > 0.0 {
+            record["coarser_px"] = self.coarser_px.into();
+        }
         self.program.record(&mut record);
         record
     }

@@ -32,7 +32,7 @@ impl Half {
         [Self { ends: [self.corner, a], corner: middle }, Self { ends: [b, self.corner], corner: middle }]
     }
 
-    /// Its corners.
+    /// Its corners, counter-clockwise seen from above.
     pub fn corners(&self) -> [Post; 3] {
         [self.ends[0], self.ends[1], self.corner]
     }
