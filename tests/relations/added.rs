@@ -15,7 +15,7 @@ use signal::Probe;
 
 use crate::moved::{draw, dyadic};
 
-const SEEDS: std::ops::Range<u64> = 4000..4008;
+const SEEDS: std::ops::Range<u64> = 4000..4012;
 
 fn wave<'a>(drawn: &'a Drawn, sweep: u32, name: &str) -> &'a [f64] {
     let mut waves = drawn.waveforms.iter();

@@ -8,7 +8,7 @@ use quantities::radians;
 use scenario::{Curvature, Scalar};
 use signal::Probe;
 
-const SEEDS: std::ops::Range<u64> = 3000..3010;
+const SEEDS: std::ops::Range<u64> = 3000..3016;
 const SCALARS: [Scalar; 2] = [Scalar::F32, Scalar::F64];
 
 pub fn draw(scene: &ComparedScene) -> Drawn {
