@@ -43,11 +43,10 @@ impl Session {
 
     /// The scene of a frame, and how many panels its ground has.
     fn scene(&self, frame: u64, pose: &Pose) -> Result<(Scene, usize), FrameError> {
-        let camera = Camera::new(pose, &self.prepared.stage.view);
-        let choice = self.prepared.coarser.as_ref().map(|bounds| {
-            let curvature = self.prepared.stage.view.laws.curvature;
-            Choice::new(&self.prepared.mesh, bounds, &camera, curvature, self.prepared.run.coarser_px)
-        });
+        self.check(frame, pose)?;
+        let Prepared { stage, run, mesh, coarser, .. } = &self.prepared;
+        let camera = Camera::new(pose, &stage.view);
+        let choice = coarser.as_ref().map(|bounds| Choice::new(mesh, bounds, &camera, run.coarser_px));
         self.scene_of((frame, pose), camera, choice.as_ref())
     }
 
@@ -58,7 +57,6 @@ impl Session {
         camera: Camera,
         choice: Option<&Choice>,
     ) -> Result<(Scene, usize), FrameError> {
-        self.check(frame, pose)?;
         let ground = ground(&self.prepared, &self.own, choice, &camera, pose.time);
         let panels = ground.triangles.len();
         let run = &self.prepared.run.sampling;
@@ -187,6 +185,7 @@ impl GeneratorSession for Session {
 
     /// All panels: coarser ones are held to them.
     fn faces(&self, frame: u64, pose: &Pose) -> Result<Option<FaceScene>, FrameError> {
+        self.check(frame, pose)?;
         let camera = Camera::new(pose, &self.prepared.stage.view);
         let (scene, _) = self.scene_of((frame, pose), camera, None)?;
         Ok(Some(judged_faces(scene, &self.prepared.run.sampling)))

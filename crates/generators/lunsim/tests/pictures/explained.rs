@@ -1,4 +1,4 @@
-//! What is told of a pixel, held to the planes of its frame.
+//! `explain` of a pixel against the planes of the same frame.
 
 use generator::{Fact, PlaneKind, Planes};
 use scenario::{Curvature, Laws, PixelRule};

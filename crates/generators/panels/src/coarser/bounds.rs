@@ -32,6 +32,7 @@ pub struct Bounds {
     size: [usize; 2],
     /// Cells along a side of the square, a power of two.
     side: u32,
+    curvature: Curvature,
 }
 
 impl Bounds {
@@ -40,12 +41,12 @@ impl Bounds {
         let size = mesh.ground().size();
         let side = (size[0].max(size[1]) - 1).next_power_of_two() as u32;
         let bounds = vec![Bound { error: 0.0, radius: 0.0 }; size[0] * size[1]];
-        let mut all = Self { bounds, size, side };
+        let mut all = Self { bounds, size, side, curvature };
         let mut step = 1;
         while step < side {
             // Posts in the middle of a side of a square of two steps, then those in the middle of the square.
-            all.fill(mesh, curvature, step, |post| (post[0] + post[1]) % 2 == 1);
-            all.fill(mesh, curvature, step, |post| post[0] % 2 == 1 && post[1] % 2 == 1);
+            all.fill(mesh, step, |post| (post[0] + post[1]) % 2 == 1);
+            all.fill(mesh, step, |post| post[0] % 2 == 1 && post[1] % 2 == 1);
             step *= 2;
         }
         all
@@ -61,7 +62,12 @@ impl Bounds {
         self.size.map(|posts| posts as u32 - 1)
     }
 
-    /// The bound of a post; that of the border beyond it.
+    /// Curvature of the Moon that they hold for.
+    pub fn curvature(&self) -> Curvature {
+        self.curvature
+    }
+
+    /// The bound of a post. Posts beyond the ground have that of the border.
     pub fn of(&self, post: Post) -> Bound {
         self.number(post).map_or(Bound::BORDER, |number| self.bounds[number])
     }
@@ -72,11 +78,11 @@ impl Bounds {
     }
 
     /// Fills the bounds of those posts, `step` apart, that `is_meant` takes by their numbers of steps.
-    fn fill(&mut self, mesh: &Mesh, curvature: Curvature, step: u32, is_meant: impl Fn(Post) -> bool + Sync) {
+    fn fill(&mut self, mesh: &Mesh, step: u32, is_meant: impl Fn(Post) -> bool + Sync) {
         let [rows, columns] = self.last().map(|last| last / step);
         let in_row = |row: u32| -> Vec<(u32, Bound)> {
             let meant = (0..=columns).filter(|column| is_meant([row, *column]));
-            meant.map(|column| (column, self.found(mesh, curvature, [row, column], step))).collect()
+            meant.map(|column| (column, self.found(mesh, [row, column], step))).collect()
         };
         let found: Vec<_> = (0..=rows).into_par_iter().map(in_row).collect();
         for (row, found) in (0..).zip(found) {
@@ -87,7 +93,7 @@ impl Bounds {
     }
 
     /// The bound of the post that is so many steps from the first, by the bounds below it.
-    fn found(&self, mesh: &Mesh, curvature: Curvature, steps: Post, step: u32) -> Bound {
+    fn found(&self, mesh: &Mesh, steps: Post, step: u32) -> Bound {
         let halved = halved(steps, step, self.side);
         if halved.iter().flatten().any(|half| half.is_over_border(self.last())) {
             return Bound::BORDER;
@@ -98,7 +104,7 @@ impl Bounds {
         // Both triangles have the same longest side.
         let ends = halved.iter().flatten().find(|half| !half.is_beside(self.last()));
         let Some([a, b]) = ends.map(|half| half.ends.map(place)) else { return Bound::BORDER };
-        let sag = 2.0 * curvature.drop(a.truncate().distance(b.truncate()) / 2.0);
+        let sag = 2.0 * self.curvature.drop(a.truncate().distance(b.truncate()) / 2.0);
         let own = (here.z - (a.z + b.z) / 2.0).abs() + sag;
         let below = match step == 1 && steps[0] % 2 != steps[1] % 2 {
             true => self.of_cells(mesh, post, here),

@@ -2,7 +2,6 @@
 
 use glam::DVec3;
 use rayon::prelude::*;
-use scenario::Curvature;
 use scene_sampler::Camera;
 
 use super::bounds::{Bound, Bounds};
@@ -23,8 +22,8 @@ pub struct Choice {
 
 impl Choice {
     /// Panels that lie at most `pixels` beside those of `mesh` on the screen of `camera`, as far as they may be seen.
-    pub fn new(mesh: &Mesh, bounds: &Bounds, camera: &Camera, curvature: Curvature, pixels: f64) -> Self {
-        let eye = Eye { mesh, bounds, camera, curvature, metres_of_one: pixels / camera.most_pixels() };
+    pub fn new(mesh: &Mesh, bounds: &Bounds, camera: &Camera, pixels: f64) -> Self {
+        let eye = Eye { mesh, bounds, camera, metres_of_one: pixels / camera.most_pixels() };
         let triangles: Vec<Vec<[u32; 3]>> =
             eye.begun().into_par_iter().map(|begun| eye.below(begun)).collect();
         Self::of_posts(&triangles, mesh)
@@ -59,7 +58,6 @@ struct Eye<'a> {
     mesh: &'a Mesh,
     bounds: &'a Bounds,
     camera: &'a Camera,
-    curvature: Curvature,
     /// Error (m) that may be seen a metre away.
     metres_of_one: f64,
 }
@@ -125,9 +123,9 @@ impl Eye<'_> {
         let distance = from_eye.length();
         let radius = f64::from(bound.radius);
         // What lies farther away drops more.
-        let drop = self.curvature.drop(distance);
-        let reach = radius + self.curvature.drop(distance + radius) - drop;
-        let dropped = from_eye - DVec3::Z * self.curvature.drop(from_eye.truncate().length());
+        let curvature = self.bounds.curvature();
+        let reach = radius + curvature.drop(distance + radius) - curvature.drop(distance);
+        let dropped = from_eye - DVec3::Z * curvature.drop(from_eye.truncate().length());
         match () {
             () if self.camera.misses(dropped, reach) => Fate::Unseen,
             () if self.differs(bound, distance) => Fate::Halved(middle),

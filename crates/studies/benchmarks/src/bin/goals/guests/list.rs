@@ -50,7 +50,7 @@ pub enum Sense {
 }
 
 impl Sense {
-    /// The figure of two times (s), that of the first side and that of the other, and whether it is what must be.
+    /// The figure of the times of both sides (s), and whether it meets `must`.
     pub fn figure(self, [first, second]: [f64; 2], must: f64) -> (f64, bool) {
         match self {
             Self::AsFast => (second / first, second / first >= must),

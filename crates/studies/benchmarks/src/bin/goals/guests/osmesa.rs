@@ -29,8 +29,8 @@ impl OsMesa {
         Ok(Ok(Self(drawing)))
     }
 
-    /// Gives it a texture of `size` (columns, lines): light line by line from the top. From now on the first two numbers of a vertex's normal are its
-    /// pixel I, J.
+    /// Gives it a texture of `size` (columns, lines): light line by line from the top. From then on each vertex has its place on the
+    /// texture (pixel I, J) in place of a normal.
     ///
     /// # Errors
     /// If it cannot be handed over.
