@@ -13,13 +13,12 @@ pub struct Checkout {
     /// Target folder: the clone has its own. In one folder cargo would hold a library of the clone for that of this
     /// checkout, look for changes in the clone's files only, and never compile this checkout's again.
     pub target: PathBuf,
-    /// Whether it is compiled without debug assertions and overflow checks.
-    pub as_released: bool,
+    /// Profile by which it is compiled.
+    pub profile: String,
 }
 
-/// What turns off the checks that a release build has not.
-const RELEASED: [(&str, &str); 2] =
-    [("CARGO_PROFILE_DEV_DEBUG_ASSERTIONS", "false"), ("CARGO_PROFILE_DEV_OVERFLOW_CHECKS", "false")];
+/// Profile with debug assertions and overflow checks.
+const CHECKED: &str = "dev";
 
 /// A break in the files; restored when dropped, by a panic too.
 pub struct Broken {
@@ -32,7 +31,7 @@ impl Checkout {
     pub fn here() -> Self {
         let target =
             std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
-        Self { root: root(), target, as_released: false }
+        Self { root: root(), target, profile: CHECKED.into() }
     }
 
     /// A clone at the last commit of this checkout, in the target folder; it is kept from run to run.
@@ -49,12 +48,7 @@ impl Checkout {
         }
         git(&clone, &["reset", "--quiet", "--hard", "FETCH_HEAD"])?;
         let target = clone.join("target");
-        Ok(Self { root: clone, target, as_released: false })
-    }
-
-    /// Settings of cargo by which it is compiled.
-    pub fn settings(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
-        RELEASED.into_iter().filter(|_| self.as_released)
+        Ok(Self { root: clone, target, profile: CHECKED.into() })
     }
 
     /// That every break applies, and that no file of one has changes that are not committed.

@@ -46,9 +46,10 @@ struct Options {
     /// Break this checkout and restore it, instead of a clone of its last commit in the target folder
     #[arg(long, conflicts_with = "json")]
     in_place: bool,
-    /// Compile without debug assertions and overflow checks, as what is released
-    #[arg(long)]
-    as_released: bool,
+    /// Profile of cargo to compile by, instead of the one with debug assertions and overflow checks; `release` has
+    /// neither
+    #[arg(long, value_name = "NAME")]
+    profile: Option<String>,
     /// Keep what is found in this file, break by break; breaks that it has of the same commit are not run again
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -69,7 +70,10 @@ fn main() -> ExitCode {
 fn run_list(options: &Options) -> Result<bool, String> {
     ctrlc::set_handler(|| INTERRUPTED.store(true, Ordering::Relaxed)).map_err(|error| error.to_string())?;
     let checkout = if options.in_place { Checkout::here() } else { Checkout::cloned()? };
-    let checkout = Checkout { as_released: options.as_released, ..checkout };
+    let checkout = match &options.profile {
+        Some(profile) => Checkout { profile: profile.clone(), ..checkout },
+        None => checkout,
+    };
     let list = breaks(&checkout.root)?;
     let chosen = chosen(options, &list)?;
     let mut record = match &options.json {

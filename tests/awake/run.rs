@@ -72,11 +72,10 @@ pub fn verdict(checkout: &Checkout, one: &Break) -> Result<Verdict, String> {
 fn run(checkout: &Checkout, arguments: &str) -> Result<Run, String> {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let output = Command::new(cargo)
-        .args(["test", "--locked"])
+        .args(["test", "--locked", "--profile", &checkout.profile])
         .args(arguments.split_whitespace())
         .current_dir(&checkout.root)
         .env("CARGO_TARGET_DIR", &checkout.target)
-        .envs(checkout.settings())
         // What fails on a break is no regression to keep.
         .env("PROPTEST_DISABLE_FAILURE_PERSISTENCE", "1")
         .output()

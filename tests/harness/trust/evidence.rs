@@ -119,7 +119,7 @@ pub const EVIDENCE: &[Evidence] = &[
     Evidence {
         name: "awake-as-released",
         title: "Breaks of every kind of event, without debug assertions and overflow checks",
-        command: "cargo run --quiet -p lunoid-tests --bin awake -- --as-released --of crates/device/dpu --of crates/device/data-bank \
+        command: "cargo run --quiet -p lunoid-tests --bin awake -- --profile release --of crates/device/dpu --of crates/device/data-bank \
                   --of crates/generators/control-plane/src/event_list --json docs/trust/awake-as-released.json",
         form: Form::Awake,
     },

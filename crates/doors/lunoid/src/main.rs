@@ -25,6 +25,10 @@ use std::time::Instant;
 
 use cli::Cli;
 use failure::Failure;
+// Here for their features alone, as the manifest says.
+#[cfg(unix)]
+use rustix as _;
+use {either as _, miniz_oxide as _, num_traits as _, serde_core as _};
 
 /// What a command comes to when nothing went wrong.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
