@@ -159,6 +159,7 @@ fn the_bound_holds_from_above() {
 /// On black ground, the sun behind the eye, each pebble counts as much as it can; columns are a sixth as wide as lines
 /// are high.
 #[test]
+#[ignore = "long: .ci/long runs it"]
 fn the_bound_holds_on_narrow_pixels() {
     let mut set = pebbles(14).under(sun(180.0, 15.0));
     set.pose.eye[2] += 40.0;

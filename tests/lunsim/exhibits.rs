@@ -57,7 +57,7 @@ fn the_exhibits_look_as_the_appendix_says() {
     assert!(below.is_some_and(|crater| crater.foot() > 300.0), "{below:?}");
 }
 
-/// No sky, as restricted; beside `exact`, reflectivity is off by the grid alone, intensity by half a code besides.
+/// No sky, as restricted; the first and the last beside `exact`: reflectivity is off by the grid alone, intensity by half a code besides.
 #[test]
 fn every_frame_is_ground_from_edge_to_edge_and_near_exact() {
     for name in EXHIBITS {
@@ -72,6 +72,9 @@ fn every_frame_is_ground_from_edge_to_edge_and_near_exact() {
             let sky =
                 planes.get(PlaneKind::Range).unwrap().iter().filter(|range| range.is_infinite()).count();
             assert_eq!(sky, 0, "{name} {frame}");
+            if frame % 3 != 0 {
+                continue;
+            }
             let found = distance(&*program, &stage, frame, &pose, 64);
             println!("{name} {frame}: {found:?}");
             assert!(found.reflectivity < 0.01 && found.intensity < 0.02, "{name} {frame}: {found:?}");

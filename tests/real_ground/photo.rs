@@ -32,6 +32,7 @@ fn sun_over(data: &Path, model: &str) -> FoundSun {
 /// Azimuth from the grid's north, elevation, and two standard errors of both (degrees), and the correlation of dark posts: as docs/real-ground.md
 /// has them.
 #[test]
+#[ignore = "long: .ci/long runs it"]
 fn shadows_of_the_image_tell_its_sun() {
     let Some(data) = shared::data() else { return };
     for (model, documented) in

@@ -47,10 +47,8 @@ pub fn add(scene: &mut SceneBuilder<'_>, stage: &Stage, pose: &Pose) -> Result<(
         .collect();
     let shown = |((body, _), (number, sun)): (&Placed<'_>, &(u32, DVec3))| shown(scene, body, *number, *sun);
     let all: Vec<_> = bodies.par_iter().zip(&lists).map(shown).collect();
-    all.into_iter().try_for_each(|shown| {
-        scene.shown.append(shown?);
-        Ok(())
-    })
+    scene.shown.append(all.into_iter().collect::<Result<_, _>>()?);
+    Ok(())
 }
 
 /// The list of a body, which is number `rank` from the eye on.

@@ -87,7 +87,7 @@ fn add_list(
             .collect();
         shown.add(screen, &corners, of_mesh.colour, [number, face as u32]);
     });
-    runs.into_iter().for_each(|run| scene.shown.append(run));
+    scene.shown.append(runs);
 }
 
 /// Whether a face is seen from behind; `None` if it is not seen.

@@ -52,7 +52,7 @@ pub fn add(scene: &mut SceneBuilder<'_>, stage: &Stage, rings: Rings, time: f64)
         }
         shown.add(screen, &of_face, [1.0; 3], [number, face as u32]);
     });
-    runs.into_iter().for_each(|run| scene.shown.append(run));
+    scene.shown.append(runs);
     Ok(())
 }
 

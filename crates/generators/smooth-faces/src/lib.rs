@@ -78,6 +78,7 @@ mod frame_lists;
 mod ground;
 mod hardware;
 mod inputs;
+mod judged;
 mod list;
 mod name;
 mod parameters;

@@ -1,5 +1,7 @@
 //! From scan lines to planes.
 
+use std::ops::Range;
+
 use generator::{FrameCounts, Label, PlaneKind, Planes};
 use quantities::luminance;
 use rayon::prelude::*;
@@ -23,25 +25,49 @@ pub const PLANES: [PlaneKind; 7] = [
 /// Scan lines whose samples are there at a time. Chosen: some megabytes, and work for all threads.
 const BLOCK: usize = 64;
 
-/// Numbers of the pieces that may cross each scan line, line by line in one list.
-struct Crossings {
-    /// Where the numbers of each line begin; one more than there are lines.
-    starts: Vec<usize>,
-    pieces: Vec<u32>,
-}
+/// Numbers of the pieces that may cross each scan line, [`BLOCK`] lines after [`BLOCK`] lines.
+struct Crossings(Vec<BlockCrossings>);
 
 impl Crossings {
     fn new(scene: &Scene, axis: usize, lines: usize) -> Self {
         let range = |piece: &Piece| samples(piece.extent(axis), lines);
         let ranges: Vec<_> = scene.pieces.par_iter().map(range).collect();
-        let mut starts = vec![0; lines + 1];
-        ranges.iter().flat_map(Clone::clone).for_each(|line| starts[line + 1] += 1);
-        (0..lines).for_each(|line| starts[line + 1] += starts[line]);
+        let block =
+            |block: usize| BlockCrossings::new(&ranges, block * BLOCK..lines.min((block + 1) * BLOCK));
+        Self((0..lines.div_ceil(BLOCK)).into_par_iter().map(block).collect())
+    }
+
+    fn of(&self, line: usize) -> &[u32] {
+        self.0[line / BLOCK].of(line % BLOCK)
+    }
+}
+
+/// Numbers of the pieces that may cross each scan line of a block, line by line in one list.
+struct BlockCrossings {
+    /// Where the numbers of each line begin; one more than there are lines.
+    starts: Vec<usize>,
+    pieces: Vec<u32>,
+}
+
+impl BlockCrossings {
+    /// The pieces with some `ranges` of lines that cross `lines`.
+    fn new(ranges: &[Range<usize>], lines: Range<usize>) -> Self {
+        let inside = || {
+            (0..).zip(ranges).filter(|(_, range)| range.start < lines.end && lines.start < range.end).map(
+                |(number, range)| {
+                    let from = range.start.max(lines.start) - lines.start;
+                    (number, from..range.end.min(lines.end) - lines.start)
+                },
+            )
+        };
+        let mut starts = vec![0; lines.len() + 1];
+        inside().flat_map(|(_, range)| range).for_each(|line| starts[line + 1] += 1);
+        (0..lines.len()).for_each(|line| starts[line + 1] += starts[line]);
         let mut next = starts.clone();
-        let mut pieces = vec![0; starts[lines]];
-        for (number, range) in ranges.into_iter().enumerate() {
+        let mut pieces = vec![0; starts[lines.len()]];
+        for (number, range) in inside() {
             for line in range {
-                pieces[next[line]] = number as u32;
+                pieces[next[line]] = number;
                 next[line] += 1;
             }
         }

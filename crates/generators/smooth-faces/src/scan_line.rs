@@ -8,7 +8,7 @@ use crate::scene::Scene;
 
 /// By how much (a share) the nearness of two planes that coincide may differ. Chosen: well above their rounding. Of two such faces the earlier list wins, and a level
 /// may be laid upon either.
-const COINCIDE: f64 = 1e-6;
+pub const COINCIDE: f64 = 1e-6;
 
 /// A sample of a scan line.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -1,14 +1,15 @@
 //! The generator made ready for a stage.
 
 use generator::{
-    Fact, FrameCounts, FrameError, Omission, Planes, PrepareError, Session as GeneratorSession, Stage,
-    Weight, check_free_eye, photographs_beside,
+    FaceScene, Fact, FrameCounts, FrameError, Omission, Planes, PrepareError, Session as GeneratorSession,
+    Stage, Weight, check_free_eye, photographs_beside,
 };
 use glam::DVec3;
 use scenario::Pose;
 use signal::{Probe, Wire};
 
 use crate::hardware::{Hardware, Kind};
+use crate::judged;
 use crate::list::List;
 use crate::name::NAME;
 use crate::parameters::Parameters;
@@ -125,6 +126,10 @@ impl GeneratorSession for Session {
         }
         facts.push(Fact::new("brightness", format!("linear {}", interpolation_word(run.interpolation))));
         Ok(facts)
+    }
+
+    fn faces(&self, frame: u64, pose: &Pose) -> Result<Option<FaceScene>, FrameError> {
+        Ok(judged::faces(Scene::new(&self.prepared, frame, pose)?, &self.prepared.run))
     }
 }
 

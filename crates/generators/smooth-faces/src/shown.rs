@@ -71,11 +71,14 @@ impl Shown {
         }
     }
 
-    /// Adds faces behind these.
-    pub fn append(&mut self, mut other: Self) {
-        self.faces += other.faces;
-        self.work.add(other.work);
-        self.pieces.append(&mut other.pieces);
+    /// Adds runs of faces behind these.
+    pub fn append(&mut self, runs: Vec<Self>) {
+        self.pieces.reserve(runs.iter().map(|run| run.pieces.len()).sum());
+        for mut run in runs {
+            self.faces += run.faces;
+            self.work.add(run.work);
+            self.pieces.append(&mut run.pieces);
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! Instructions of a kernel, counted by callgrind of valgrind.
 
+use std::ffi::OsStr;
 use std::hint::black_box;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -24,7 +25,7 @@ pub enum CountError {
     /// It could not be started or ended badly.
     #[error("valgrind: {kernel}: {reason}")]
     Failed {
-        /// Name of the kernel.
+        /// Name of the kernel or of other work.
         kernel: String,
         /// What went wrong, in words.
         reason: String,
@@ -40,23 +41,23 @@ pub struct Count {
     pub told: String,
 }
 
-/// Instructions that `program`, told `--run` and the name of a kernel, takes within [`counted`]. The same build gives
-/// the same number again; only what goes by addresses or by random keys may vary. Shadow boundaries come from the folder `shadows`,
-/// if one is given.
+/// Instructions that `program` takes within [`counted`], given `arguments` by which it does the work `name`. The same build gives the same
+/// number again; only what goes by addresses or by random keys may vary.
 ///
 /// # Errors
 /// If there is no valgrind, or the program does not end well under it.
-pub fn instructions_of(program: &Path, kernel: &str, shadows: Option<&Path>) -> Result<Count, CountError> {
-    let failed = |reason: String| CountError::Failed { kernel: kernel.to_owned(), reason };
+pub fn instructions_of(
+    program: &Path,
+    name: &str,
+    arguments: &[impl AsRef<OsStr>],
+) -> Result<Count, CountError> {
+    let failed = |reason: String| CountError::Failed { kernel: name.to_owned(), reason };
     let out =
-        Remains(env::temp_dir().join(format!("callgrind-{}-{}", process::id(), kernel.replace('/', "-"))));
+        Remains(env::temp_dir().join(format!("callgrind-{}-{}", process::id(), name.replace('/', "-"))));
     let mut valgrind = Command::new("valgrind");
     valgrind.args(["--tool=callgrind", "--quiet", "--toggle-collect=*benchmarks*counted*"]);
     valgrind.arg(format!("--callgrind-out-file={}", out.0.display()));
-    valgrind.arg(program).args(["--run", kernel]);
-    if let Some(folder) = shadows {
-        valgrind.arg("--shadows").arg(folder);
-    }
+    valgrind.arg(program).args(arguments);
     let ended = valgrind.output().map_err(|error| match error.kind() {
         io::ErrorKind::NotFound => CountError::NoValgrind,
         _ => failed(error.to_string()),

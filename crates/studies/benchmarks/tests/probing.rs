@@ -8,7 +8,7 @@ use benchmarks::{CountError, instructions_of};
 const BOUND: f64 = 0.005;
 
 fn count(kernel: &str) -> Option<f64> {
-    match instructions_of(Path::new(env!("CARGO_BIN_EXE_instructions")), kernel, None) {
+    match instructions_of(Path::new(env!("CARGO_BIN_EXE_instructions")), kernel, &["--run", kernel]) {
         Ok(count) => Some(count.instructions as f64),
         Err(error @ CountError::NoValgrind) => {
             eprintln!("SKIPPED: {error}");
@@ -41,7 +41,9 @@ fn probing_nothing_takes_the_instructions_of_a_machine_without_probes() {
 
 #[test]
 fn a_kernel_that_is_not_there_is_said_so() {
-    let error = instructions_of(Path::new(env!("CARGO_BIN_EXE_instructions")), "nothing", None).unwrap_err();
+    let error =
+        instructions_of(Path::new(env!("CARGO_BIN_EXE_instructions")), "nothing", &["--run", "nothing"])
+            .unwrap_err();
     assert!(
         matches!(error, CountError::NoValgrind) || error.to_string().contains("no kernel of this name"),
         "{error}"

@@ -102,7 +102,7 @@ pub fn killed_and_resumed(runs: u32, seed: u64) {
         for _ in 0..2 {
             let mut child = start(&room, &arguments);
             wait_for_pictures(&mut child, &folder, up_to(FRAMES as u64) as usize);
-            sleep(Duration::from_millis(up_to(80)));
+            sleep(Duration::from_micros(up_to(20_000)));
             signal(&child, name);
             let status = child.wait().unwrap();
             assert!(status.code().is_none_or(|code| code == 0 || code == 130), "{moment}: {status}");

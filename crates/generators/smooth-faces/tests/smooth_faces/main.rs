@@ -3,6 +3,7 @@
 mod delay;
 mod faults;
 mod gear;
+mod judged;
 mod levels;
 mod lines;
 mod orders;

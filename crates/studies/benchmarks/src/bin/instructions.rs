@@ -2,6 +2,7 @@
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
+use std::ffi::OsStr;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
@@ -180,7 +181,11 @@ fn count(kernels: &[&'static Kernel]) -> Result<Baseline, CountError> {
         if let Some(folder) = &folder {
             find_shadows(&program, kernel.name, folder).map_err(failed)?;
         }
-        Ok((kernel.name, instructions_of(&program, kernel.name, folder.as_deref())?))
+        let mut arguments = vec![OsStr::new("--run"), OsStr::new(kernel.name)];
+        if let Some(folder) = &folder {
+            arguments.extend([OsStr::new("--shadows"), folder.as_os_str()]);
+        }
+        Ok((kernel.name, instructions_of(&program, kernel.name, &arguments)?))
     });
     let counts = counts.collect::<Result<Vec<_>, CountError>>()?;
     let vectors = counts.first().map_or(String::new(), |(_, count)| count.told.clone());

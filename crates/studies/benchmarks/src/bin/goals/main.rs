@@ -15,8 +15,8 @@ use benchmarks::around::{Mission, surveyed};
 use benchmarks::chain::{Outputs, Stepped, difference, simulate};
 use benchmarks::mesh::trace;
 use benchmarks::startup::{begin, prepare};
-use benchmarks::{Choice, FrameTimes, KERNELS, STANDARD, TimedScene, Work, frame_times};
-use clap::{Parser, Subcommand};
+use benchmarks::{Choice, FrameTimes, KERNELS, STANDARD, TimedScene, Work, frame_times, instructions_of};
+use clap::{Args, Parser, Subcommand};
 use control_plane::ControlPlane;
 use exact::Exact;
 use generator::{Generator, PlaneKind, Session};
@@ -70,15 +70,14 @@ enum Part {
     },
     /// Peak memory of the other generators.
     GuestMemory,
+    /// Instructions of a frame of the other generators, by callgrind.
+    GuestCounts,
     /// Peak memory (MB) of this process after three frames of a side.
     #[command(hide = true)]
-    GuestPeak {
-        scenario: String,
-        #[arg(long)]
-        machine: Option<String>,
-        #[arg(long = "set", value_parser = key_value)]
-        set: Vec<(String, String)>,
-    },
+    GuestPeak(SideArguments),
+    /// Two frames of a side, the second counted: what is run under callgrind.
+    #[command(hide = true)]
+    GuestCounted(SideArguments),
     /// Peak memory (KiB) of this process after three frames of a shipped scenario under ideal parts.
     #[command(hide = true)]
     Peak {
@@ -94,6 +93,23 @@ enum Part {
         #[arg(long)]
         preview: bool,
     },
+}
+
+/// A side, as a process of its own is told it.
+#[derive(Debug, Clone, Args)]
+struct SideArguments {
+    scenario: String,
+    #[arg(long)]
+    machine: Option<String>,
+    #[arg(long = "set", value_parser = key_value)]
+    set: Vec<(String, String)>,
+}
+
+impl SideArguments {
+    fn choice(&self) -> SideChoice {
+        let Self { scenario, machine, set } = self.clone();
+        SideChoice { scenario, machine, set: set.into_iter().collect(), whole: false }
+    }
 }
 
 fn main() -> ExitCode {
@@ -113,6 +129,7 @@ fn main() -> ExitCode {
             Part::Photographs,
             Part::Guests { words: String::new() },
             Part::GuestMemory,
+            Part::GuestCounts,
         ],
         Some(part) => vec![part],
     };
@@ -155,13 +172,15 @@ fn run(part: &Part) -> Result<(), String> {
             println!("{}", guests::memory_table(guest_peak)?);
             Ok(())
         }
-        Part::GuestPeak { scenario, machine, set } => {
-            let set = set.iter().cloned().collect();
-            let choice =
-                SideChoice { scenario: scenario.clone(), machine: machine.clone(), set, whole: false };
-            println!("{}", guests::peak(&choice)?);
+        Part::GuestCounts => {
+            println!("{}", guests::counted_table(guest_count)?);
             Ok(())
         }
+        Part::GuestPeak(side) => {
+            println!("{}", guests::peak(&side.choice())?);
+            Ok(())
+        }
+        Part::GuestCounted(side) => guests::draw_counted(&side.choice()),
         Part::Peak { scenario, standard } => peak(scenario, *standard),
         Part::Begin { scenario, preview } => {
             let economy = if *preview { Economy::Instants(1) } else { Economy::Bounded };
@@ -314,14 +333,25 @@ fn key_value(written: &str) -> Result<(String, String), String> {
     Ok((pair.0.to_owned(), pair.1.to_owned()))
 }
 
-/// Peak memory (MB) of a side in a process of its own.
-fn guest_peak(choice: &SideChoice) -> Result<f64, String> {
+/// Arguments by which a process of its own does `part` with a side.
+fn of_side(part: &str, choice: &SideChoice) -> Vec<String> {
     let machine = choice.machine.iter().flat_map(|machine| ["--machine".to_owned(), machine.clone()]);
     let set = choice.set.iter().flat_map(|(key, value)| ["--set".to_owned(), format!("{key}={value}")]);
-    let arguments: Vec<String> =
-        ["guest-peak".to_owned(), choice.scenario.clone()].into_iter().chain(machine).chain(set).collect();
+    [part.to_owned(), choice.scenario.clone()].into_iter().chain(machine).chain(set).collect()
+}
+
+/// Peak memory (MB) of a side in a process of its own.
+fn guest_peak(choice: &SideChoice) -> Result<f64, String> {
+    let arguments = of_side("guest-peak", choice);
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     apart(&arguments)?.trim().parse().map_err(|_| "no peak".to_owned())
+}
+
+/// Instructions of a frame of a side in a process of its own.
+fn guest_count(choice: &SideChoice) -> Result<u64, String> {
+    let program = env::current_exe().map_err(|error| error.to_string())?;
+    let count = instructions_of(&program, "frame", &of_side("guest-counted", choice));
+    count.map(|count| count.instructions).map_err(|error| error.to_string())
 }
 
 fn startup() -> Result<(), String> {

@@ -66,6 +66,7 @@ fn medians(row: &Comparison, [one, two]: &[ThreadPool; 2]) -> Result<Result<Medi
             let mut second = Side::new(&row.first)?;
             in_turns(row.turns, || first.draw(two), || second.draw(one)).map(Ok)
         }
+        Against::RealTime(rate) => in_turns(row.turns, || first.draw(two), || Ok(1.0 / rate)).map(Ok),
         Against::Embree { fineness, anew } => {
             let program = match Program::compile()? {
                 Ok(program) => program,

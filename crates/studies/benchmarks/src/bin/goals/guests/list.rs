@@ -10,6 +10,8 @@ use serde::Deserialize;
 pub struct Guests {
     /// Two sides, or one side on two threads and on one, or a side and a program of other people.
     pub comparison: Vec<Comparison>,
+    /// Two sides whose instructions are counted.
+    pub counted: Vec<CountedRow>,
     /// Peak memory of sides.
     pub memory: Vec<MemoryRow>,
 }
@@ -75,6 +77,8 @@ pub enum Against {
     Side(SideChoice),
     /// The same side on one thread.
     OneThread,
+    /// The time that a frame is shown for, at so many frames a second.
+    RealTime(f64),
     /// Embree over the same faces; so many rays in place of a pixel across and upright.
     Embree {
         /// Rays in place of a pixel, across and upright.
@@ -87,6 +91,24 @@ pub enum Against {
         /// Whether its vertex buffer is filled anew for each frame.
         anew: bool,
     },
+}
+
+/// A row of the table of counts.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CountedRow {
+    /// Issue that set the figures.
+    pub issue: u32,
+    /// What is compared, in words.
+    pub quantity: String,
+    /// Times the instructions of the other side that must not be passed.
+    pub must: f64,
+    /// Times that are aimed at.
+    pub aim: f64,
+    /// Side that the row is about.
+    pub first: SideChoice,
+    /// Side that it is held against.
+    pub against: SideChoice,
 }
 
 /// A row of the table of memory.
@@ -148,7 +170,7 @@ mod tests {
     #[test]
     fn the_list_is_read_and_figures_count_both_ways() {
         let guests = Guests::read().unwrap();
-        assert!(guests.comparison.len() >= 6 && guests.memory.len() >= 2);
+        assert!(guests.comparison.len() >= 6 && guests.memory.len() >= 2 && guests.counted.len() >= 3);
         let row = |sense| guests.comparison.iter().find(|row| row.sense == sense).unwrap();
         let faster = row(Sense::AsFast);
         assert_eq!(faster.figure(1.0, 2.0 * faster.must), (2.0 * faster.must, true));

@@ -5,12 +5,14 @@
 //! comparison take turns on two threads, from a pose to finished planes. Medians count.
 
 mod comparison;
+mod counted;
 mod list;
 mod memory;
 mod osmesa;
 mod side;
 
 pub use comparison::{fastest, table};
+pub use counted::{counted_table, draw_counted};
 pub use list::{Comparison, Guests, Sense, SideChoice};
 pub use memory::{memory_table, peak};
 pub use osmesa::OsMesa;
