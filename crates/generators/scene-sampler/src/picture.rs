@@ -104,45 +104,50 @@ pub fn draw(
         is_read.then(|| Reading::of(sampler.stack(), scene, lists, &area, number))
     };
     let idle = Mutex::new(Vec::new());
-    let drawn = |numbers: Range<usize>| -> Result<Vec<Drawn>, FeatureError> {
+    let draw_run = |first: usize, tiles: &mut [Drawn]| -> Result<(), FeatureError> {
         let waiting = idle.lock().unwrap_or_else(PoisonError::into_inner).pop();
         let mut sampler = waiting.map_or_else(|| Sampler::new(run), Ok)?;
-        let mut one = |number: usize| {
-            let tile = sampler.draw(scene, lists, screen, number)?;
-            Ok((tile, reading(&sampler, number)))
-        };
-        let tiles = numbers.map(&mut one).collect();
+        for (number, drawn) in (first..).zip(tiles) {
+            sampler.draw(scene, lists, (screen, number), &mut drawn.tile)?;
+            drawn.reading = reading(&sampler, number);
+        }
         idle.lock().unwrap_or_else(PoisonError::into_inner).push(sampler);
-        tiles
+        Ok(())
     };
     let mut gathered = Gathered::new(screen, run, lists);
     let [columns, rows] = screen.counts().map(|count| count as usize);
-    // While rows are drawn, those before them are put into the picture.
-    let mut before = None;
+    // While rows are drawn, those before them are put into the picture. Both keep their memory: what one thread allocates and another
+    // one frees makes threads wait for each other.
+    let [mut next, mut before] =
+        [0; 2].map(|_| (0..ROWS * columns).map(|_| Drawn::default()).collect::<Vec<_>>());
+    let mut waiting = 0..0;
     for row in (0..rows).step_by(ROWS) {
         let numbers = row * columns..(row + ROWS).min(rows) * columns;
-        let (tiles, ()) = rayon::join(
-            || in_runs(&numbers).map(drawn).collect::<Result<Vec<Vec<Drawn>>, FeatureError>>(),
-            || before.take().into_iter().for_each(|(numbers, tiles)| gathered.add(numbers, tiles)),
+        let drawn = &mut next[..numbers.len()];
+        let (drawn, ()) = rayon::join(
+            || {
+                let runs = drawn.par_chunks_mut(RUN).enumerate();
+                runs.map(|(run, drawn)| draw_run(numbers.start + run * RUN, drawn)).collect::<Result<(), _>>()
+            },
+            || gathered.add(waiting, &mut before),
         );
-        before = Some((numbers, tiles.map_err(refused)?));
+        drawn.map_err(refused)?;
+        std::mem::swap(&mut next, &mut before);
+        waiting = numbers;
     }
-    before.into_iter().for_each(|(numbers, tiles)| gathered.add(numbers, tiles));
+    gathered.add(waiting, &mut before);
     let Gathered { mut picture, shares, .. } = gathered;
     let points = &scene.lights.points;
     picture.beam = Beam::new(points, shares, run, budget, (1e9 / view.update.hertz()) as u64);
     Ok(picture)
 }
 
-/// Sub-areas in runs that one thread draws.
-fn in_runs(numbers: &Range<usize>) -> impl IndexedParallelIterator<Item = Range<usize>> {
-    let Range { start, end } = *numbers;
-    let run = move |run: usize| start + run * RUN..(start + (run + 1) * RUN).min(end);
-    (0..numbers.len().div_ceil(RUN)).into_par_iter().map(run)
-}
-
 /// A sub-area, and its reading where that is asked for.
-type Drawn = (Tile, Option<Reading>);
+#[derive(Default)]
+struct Drawn {
+    tile: Tile,
+    reading: Option<Reading>,
+}
 
 /// Sub-areas that were drawn, put together.
 struct Gathered<'a> {
@@ -167,14 +172,17 @@ impl<'a> Gathered<'a> {
         Self { screen, picture, band, shares: Vec::new() }
     }
 
-    /// Adds the sub-areas of some rows, in their order.
-    fn add(&mut self, numbers: Range<usize>, tiles: Vec<Vec<Drawn>>) {
-        for (number, (tile, reading)) in numbers.zip(tiles.into_iter().flatten()) {
-            self.band.add(&tile, &self.screen.sub_area(number));
+    /// Adds the sub-areas of some rows, in their order; takes their shares and readings away.
+    fn add(&mut self, numbers: Range<usize>, drawn: &mut [Drawn]) {
+        if numbers.is_empty() {
+            return;
+        }
+        for (number, Drawn { tile, reading }) in numbers.zip(drawn) {
+            self.band.add(tile, &self.screen.sub_area(number));
             self.picture.losses = self.picture.losses.and(tile.losses);
-            self.picture.readings.extend(reading);
+            self.picture.readings.extend(reading.take());
             let of_area = |(point, share)| (number as u32, point, share);
-            self.shares.extend(tile.shares.into_iter().map(of_area));
+            self.shares.extend(tile.shares.drain(..).map(of_area));
         }
         self.band.hand_over(&mut self.picture.colours, &mut self.picture.surfaces);
     }

@@ -62,25 +62,23 @@ impl Sampler {
         &self.stack
     }
 
-    /// Draws a sub-area.
+    /// Draws a sub-area into `tile`, whatever that has been.
     ///
     /// # Errors If a light is no number.
     pub fn draw(
         &mut self,
         scene: &Scene,
         lists: &Lists,
-        screen: &Screen,
-        number: usize,
-    ) -> Result<Tile, FeatureError> {
+        (screen, number): (&Screen, usize),
+        tile: &mut Tile,
+    ) -> Result<(), FeatureError> {
         let area = screen.sub_area(number);
         self.fill(scene, lists, &area, number)?;
-        let shares = self.read_out(scene, &area, number);
-        Ok(Tile {
-            colours: self.colours(&area),
-            surfaces: self.surfaces(scene, &area),
-            shares,
-            losses: self.stack.losses(),
-        })
+        self.read_out(scene, &area, number, &mut tile.shares);
+        self.colours(&area, &mut tile.colours);
+        self.surfaces(scene, &area, &mut tile.surfaces);
+        tile.losses = self.stack.losses();
+        Ok(())
     }
 
     /// Puts all features of a sub-area into its stacks, calligraphic points apart.
@@ -161,9 +159,9 @@ impl Sampler {
     }
 
     /// Reads out the calligraphic points of a sub-area near to far, after all other features (claims 7, 13).
-    fn read_out(&mut self, scene: &Scene, area: &SubArea, number: usize) -> Vec<(u32, Share)> {
+    fn read_out(&mut self, scene: &Scene, area: &SubArea, number: usize, shares: &mut Vec<(u32, Share)>) {
         self.veil.lift();
-        let mut shares = Vec::new();
+        shares.clear();
         for &at in scene.lights.of(number) {
             let point = &scene.lights.points[at as usize];
             if !point.is_calligraphic {
@@ -178,14 +176,14 @@ impl Sampler {
             let share = self.veil.read_out(covered, through, point.feature.translucency());
             shares.push((at, share));
         }
-        shares
     }
 
     /// Colours of a sub-area's pixels and of those that the filter reaches.
-    fn colours(&self, area: &SubArea) -> Vec<([f64; 3], f64)> {
+    fn colours(&self, area: &SubArea, colours: &mut Vec<([f64; 3], f64)>) {
         let reach = self.reach as i32;
         let [width, height] = [area.columns(), area.rows()].map(|range| range.len() + 2 * self.reach);
-        let mut colours = vec![([0.0; 3], 0.0); width * height];
+        colours.clear();
+        colours.resize(width * height, ([0.0; 3], 0.0));
         for (pixel, _) in pixels(area) {
             let [x, y] = [pixel % SIDE, pixel / SIDE];
             for row in -reach..=reach {
@@ -200,11 +198,10 @@ impl Sampler {
                 }
             }
         }
-        colours
     }
 
     /// What is seen in each pixel of a sub-area: its nearest opaque surface, or what weighs more before it.
-    fn surfaces(&self, scene: &Scene, area: &SubArea) -> Vec<(f64, Label)> {
+    fn surfaces(&self, scene: &Scene, area: &SubArea, surfaces: &mut Vec<(f64, Label)>) {
         let label = |feature: &Feature| scene.faces.labels[feature.id() as usize];
         let of_pixel = |pixel: usize| {
             let first = self.stack.is_layered(pixel).then(|| pixel * self.stack.samples());
@@ -218,7 +215,8 @@ impl Sampler {
                 (None, None) => (0.0, Label::Sky),
             }
         };
-        pixels(area).map(|(pixel, _)| of_pixel(pixel)).collect()
+        surfaces.clear();
+        surfaces.extend(pixels(area).map(|(pixel, _)| of_pixel(pixel)));
     }
 }
 
