@@ -119,31 +119,52 @@ fn fill(scene: &Scene, axis: usize, (first, block): (usize, &[ScanLine]), planes
     let columns = planes.columns();
     for kind in PLANES {
         let Some(values) = planes.get_mut(kind) else { continue };
-        values.par_chunks_mut(columns).enumerate().for_each(|(row, values)| {
-            let mut set = |column: usize, sample: &Sample| {
-                values[column] = of_sample(kind, sample, scene, [column, row]);
-            };
-            if axis == 0 {
-                (first..).zip(block).for_each(|(column, line)| set(column, &line.samples[row]));
-            } else if let Some(line) = row.checked_sub(first).and_then(|number| block.get(number)) {
-                line.samples.iter().enumerate().for_each(|(column, sample)| set(column, sample));
-            }
-        });
+        let plane = Plane { values, columns, axis, first, block };
+        let ray = |pixel: [usize; 2]| scene.camera.ray(pixel.map(|at| at as f64 + 0.5));
+        let far = |sample: &Sample, across: f64| {
+            if sample.q == 0.0 { kind.sky() } else { (across / sample.q) as f32 }
+        };
+        match kind {
+            PlaneKind::Red => plane.set(|sample, _| sample.colour[0] as f32),
+            PlaneKind::Green => plane.set(|sample, _| sample.colour[1] as f32),
+            PlaneKind::Blue => plane.set(|sample, _| sample.colour[2] as f32),
+            PlaneKind::Label => plane.set(|sample, _| label(scene, sample)),
+            PlaneKind::Range => plane.set(|sample, pixel| far(sample, ray(pixel).truncate().length())),
+            PlaneKind::Distance => plane.set(|sample, pixel| far(sample, ray(pixel).length())),
+            _ => plane.set(|sample, _| luminance(sample.colour) as f32),
+        }
     }
 }
 
-fn of_sample(kind: PlaneKind, sample: &Sample, scene: &Scene, pixel: [usize; 2]) -> f32 {
-    let ray = || scene.camera.ray(pixel.map(|at| at as f64 + 0.5));
+fn label(scene: &Scene, sample: &Sample) -> f32 {
     let label = sample.winner.map_or(Label::Sky, |[_, list]| scene.lists[list as usize].label);
-    match kind {
-        PlaneKind::Red => sample.colour[0] as f32,
-        PlaneKind::Green => sample.colour[1] as f32,
-        PlaneKind::Blue => sample.colour[2] as f32,
-        PlaneKind::Label => f32::from(label.code()),
-        PlaneKind::Range | PlaneKind::Distance if sample.q == 0.0 => kind.sky(),
-        PlaneKind::Range => (ray().truncate().length() / sample.q) as f32,
-        PlaneKind::Distance => (ray().length() / sample.q) as f32,
-        _ => luminance(sample.colour) as f32,
+    f32::from(label.code())
+}
+
+/// A plane of the screen, and the scan lines across `axis` that fill a part of it, from the number `first` on.
+struct Plane<'a> {
+    values: &'a mut [f32],
+    columns: usize,
+    axis: usize,
+    first: usize,
+    block: &'a [ScanLine],
+}
+
+impl Plane<'_> {
+    /// Gives each pixel of the scan lines the value of its sample; `value` gets the pixel as well (column, row).
+    fn set(self, value: impl Fn(&Sample, [usize; 2]) -> f32 + Sync) {
+        let Self { values, columns, axis, first, block } = self;
+        values.par_chunks_mut(columns).enumerate().for_each(|(row, values)| {
+            if axis == 0 {
+                for ((column, line), pixel) in (first..).zip(block).zip(&mut values[first..]) {
+                    *pixel = value(&line.samples[row], [column, row]);
+                }
+            } else if let Some(line) = row.checked_sub(first).and_then(|number| block.get(number)) {
+                for ((column, sample), pixel) in line.samples.iter().enumerate().zip(values) {
+                    *pixel = value(sample, [column, row]);
+                }
+            }
+        });
     }
 }
 
