@@ -67,7 +67,7 @@ impl Bounds {
         self.curvature
     }
 
-    /// The bound of a post. Posts beyond the ground have that of the border.
+    /// The bound of a post. A post beyond the ground has [`Bound::BORDER`].
     pub fn of(&self, post: Post) -> Bound {
         self.number(post).map_or(Bound::BORDER, |number| self.bounds[number])
     }

@@ -21,4 +21,5 @@ mod second_evaluator;
 mod shots;
 mod sky;
 mod stacks;
+mod tall;
 mod twinkle;

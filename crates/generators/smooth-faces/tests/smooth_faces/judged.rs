@@ -1,9 +1,10 @@
 //! The faces that a judge draws by area are those of the scan lines.
 
-use faces::{Detail, Interpolation, Order, Pattern, SeaState};
-use generator::{FaceScene, PlaneKind};
+use faces::{Detail, Interpolation, Order, Pattern, Scan, SeaState};
+use generator::{FaceScene, PlaneKind, Planes};
 use glam::DVec3;
 use scenario::FaceList;
+use signal::Probe;
 use smooth_faces::Parameters;
 
 use crate::shots::{PIXELS, draw, from_above, pose, run, sea, sea_list, session, square, stage};
@@ -30,9 +31,8 @@ fn inside(corners: &[[f64; 2]], [x, y]: [f64; 2]) -> f64 {
     sides.iter().copied().fold(f64::INFINITY, f64::min).max(turned)
 }
 
-/// Red light of the nearest face at the middle of a pixel; `None` next to a border.
-fn nearest(scene: &FaceScene, pixel: usize) -> Option<f64> {
-    let at = [pixel % PIXELS, pixel / PIXELS].map(|place| place as f64 + 0.5);
+/// Red light of the nearest face at a place on the screen; `None` next to a border.
+fn nearest(scene: &FaceScene, at: [f64; 2]) -> Option<f64> {
     let mut nearest: Option<(f64, usize)> = None;
     for (number, face) in scene.faces.iter().enumerate() {
         let depth = inside(&face.corners, at);
@@ -47,26 +47,51 @@ fn nearest(scene: &FaceScene, pixel: usize) -> Option<f64> {
     Some(nearest.map_or(0.0, |(_, number)| (scene.looks)(number, at).light[0]))
 }
 
+/// On a screen of more scan lines than are held at a time, in either direction of the scan.
 #[test]
 fn every_pixel_shows_the_nearest_face_of_the_judge() {
-    for interpolation in [Interpolation::Screen, Interpolation::Perspective] {
-        let session = session(stage(lists()), Parameters { interpolation, ..by_depth() });
+    for (interpolation, scan, [columns, lines]) in [
+        (Interpolation::Screen, Scan::Vertical, [150, 60]),
+        (Interpolation::Perspective, Scan::Vertical, [150, 60]),
+        (Interpolation::Screen, Scan::Horizontal, [60, 150]),
+    ] {
+        let mut stage = stage(lists());
+        (stage.view.columns, stage.view.lines) = (columns as u32, lines as u32);
+        let session = session(stage, Parameters { interpolation, scan, ..by_depth() });
         for pose in [from_above(), pose([20.0, 60.0, 15.0], 25.0, -12.0)] {
             let scene = session.faces(0, &pose).unwrap().unwrap();
-            let (planes, _) = draw(&*session, 0, &pose);
-            let red = planes.get(PlaneKind::Red).unwrap();
+            let mut planes = Planes::new(columns, lines, &[PlaneKind::Red]);
+            session.frame(0, &pose, &mut planes, &mut Probe::off()).unwrap();
             let mut compared = 0;
-            for (pixel, &drawn) in red.iter().enumerate() {
-                let Some(expected) = nearest(&scene, pixel) else { continue };
+            for (pixel, &drawn) in planes.get(PlaneKind::Red).unwrap().iter().enumerate() {
+                let at = [pixel % columns, pixel / columns].map(|place| place as f64 + 0.5);
+                let Some(expected) = nearest(&scene, at) else { continue };
                 assert!((f64::from(drawn) - expected).abs() < 1e-6, "pixel {pixel}: {drawn}, not {expected}");
                 compared += usize::from(expected > 0.0);
             }
-            assert!(compared > PIXELS * PIXELS / 4, "{compared} pixels of faces");
+            assert!(compared > columns * lines / 4, "{compared} pixels of faces");
         }
     }
 }
 
-/// Over a whole picture the mean of the samples is that of the areas.
+/// A corner has the brightness that the faces about it have there.
+#[test]
+fn corners_have_the_light_beside_them() {
+    let session = session(stage(lists()), by_depth());
+    let scene = session.faces(0, &from_above()).unwrap().unwrap();
+    for (number, face) in scene.faces.iter().enumerate() {
+        let middle = [0, 1].map(|axis| {
+            face.corners.iter().map(|corner| corner[axis]).sum::<f64>() / face.corners.len() as f64
+        });
+        for corner in &face.corners {
+            let beside = [0, 1].map(|axis| corner[axis] + 1e-4 * (middle[axis] - corner[axis]));
+            let [at, near] = [*corner, beside].map(|place| (scene.looks)(number, place).light[0]);
+            assert!((at - near).abs() < 1e-3, "face {number}: {at} at a corner, {near} beside it");
+        }
+    }
+}
+
+/// Samples and areas have the same mean light over a whole picture.
 #[test]
 fn light_by_area_has_the_mean_of_the_samples() {
     let session = session(stage(lists()), by_depth());

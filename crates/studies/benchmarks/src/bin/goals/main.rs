@@ -95,7 +95,7 @@ enum Part {
     },
 }
 
-/// A side, as a process of its own is told it.
+/// Arguments of a process that draws one side.
 #[derive(Debug, Clone, Args)]
 struct SideArguments {
     scenario: String,

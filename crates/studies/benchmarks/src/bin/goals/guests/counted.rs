@@ -44,22 +44,19 @@ pub fn counted_table(apart: impl Fn(&SideChoice) -> Result<u64, String>) -> Resu
 
 #[cfg(test)]
 mod tests {
+    use std::cell::Cell;
+
     use super::counted_table;
 
     #[test]
     fn more_instructions_than_allowed_are_told() {
-        let mut turn = 0;
-        let cells: Vec<u64> = vec![1000, 10];
-        let turns = std::cell::RefCell::new(&mut turn);
-        let text = counted_table(|_| {
-            let mut turn = turns.borrow_mut();
-            **turn += 1;
-            Ok(cells[(**turn - 1) % 2])
+        let turn = Cell::new(0);
+        let dear = counted_table(|_| {
+            turn.set(turn.get() + 1);
+            Ok([10, 1000][turn.get() % 2])
         });
-        let text = text.unwrap();
-        assert!(text.lines().skip(2).all(|line| line.contains("| 100.000 | **not met** | 1000 | 10 |")));
-        assert!(
-            counted_table(|_| Ok(7)).unwrap().lines().skip(2).all(|line| line.contains("| 1.000 | met |"))
-        );
+        let rows = |text: &str, end: &str| text.lines().skip(2).all(|line| line.contains(end));
+        assert!(rows(&dear.unwrap(), "| 100.000 | **not met** | 1000 | 10 |"));
+        assert!(rows(&counted_table(|_| Ok(7)).unwrap(), "| 1.000 | met | 7 | 7 |"));
     }
 }
