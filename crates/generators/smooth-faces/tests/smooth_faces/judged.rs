@@ -31,8 +31,8 @@ fn inside(corners: &[[f64; 2]], [x, y]: [f64; 2]) -> f64 {
     sides.iter().copied().fold(f64::INFINITY, f64::min).max(turned)
 }
 
-/// Red light of the nearest face at a place on the screen; `None` next to a border.
-fn nearest(scene: &FaceScene, at: [f64; 2]) -> Option<f64> {
+/// Red light of the nearest face at a place on the screen, and how near it is (1/m); `None` next to a border.
+fn nearest(scene: &FaceScene, at: [f64; 2]) -> Option<[f64; 2]> {
     let mut nearest: Option<(f64, usize)> = None;
     for (number, face) in scene.faces.iter().enumerate() {
         let depth = inside(&face.corners, at);
@@ -44,7 +44,7 @@ fn nearest(scene: &FaceScene, at: [f64; 2]) -> Option<f64> {
             nearest = Some((q, number));
         }
     }
-    Some(nearest.map_or(0.0, |(_, number)| (scene.looks)(number, at).light[0]))
+    Some(nearest.map_or([0.0; 2], |(q, number)| [(scene.looks)(number, at).light[0], q]))
 }
 
 /// On a screen of more scan lines than are held at a time, in either direction of the scan.
@@ -60,14 +60,21 @@ fn every_pixel_shows_the_nearest_face_of_the_judge() {
         let session = session(stage, Parameters { interpolation, scan, ..by_depth() });
         for pose in [from_above(), pose([20.0, 60.0, 15.0], 25.0, -12.0)] {
             let scene = session.faces(0, &pose).unwrap().unwrap();
-            let mut planes = Planes::new(columns, lines, &[PlaneKind::Red]);
+            let mut planes = Planes::new(columns, lines, &[PlaneKind::Red, PlaneKind::Distance]);
             session.frame(0, &pose, &mut planes, &mut Probe::off()).unwrap();
             let mut compared = 0;
-            for (pixel, &drawn) in planes.get(PlaneKind::Red).unwrap().iter().enumerate() {
-                let at = [pixel % columns, pixel / columns].map(|place| place as f64 + 0.5);
-                let Some(expected) = nearest(&scene, at) else { continue };
-                assert!((f64::from(drawn) - expected).abs() < 1e-6, "pixel {pixel}: {drawn}, not {expected}");
-                compared += usize::from(expected > 0.0);
+            let [red, distance] = [PlaneKind::Red, PlaneKind::Distance].map(|kind| planes.get(kind).unwrap());
+            for pixel in 0..columns * lines {
+                let place = [pixel % columns, pixel / columns].map(|place| place as f64 + 0.5);
+                let Some([light, q]) = nearest(&scene, place) else { continue };
+                let drawn = f64::from(red[pixel]);
+                assert!((drawn - light).abs() < 1e-6, "pixel {pixel}: {drawn}, not {light}");
+                // The field has a tangent of 0.5 on either side.
+                let aside = [place[0] / columns as f64 - 0.5, place[1] / lines as f64 - 0.5];
+                let ray = (1.0 + aside[0] * aside[0] + aside[1] * aside[1]).sqrt();
+                let near = ray / f64::from(distance[pixel]);
+                assert!((near - q).abs() <= 1e-6 * near, "pixel {pixel}: {near} 1/m, not {q}");
+                compared += usize::from(light > 0.0);
             }
             assert!(compared > columns * lines / 4, "{compared} pixels of faces");
         }
