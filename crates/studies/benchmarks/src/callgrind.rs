@@ -22,6 +22,14 @@ pub enum CountError {
     /// No valgrind on this system.
     #[error("valgrind: no such program; install it (Debian: valgrind), it counts the instructions")]
     NoValgrind,
+    /// The program has no function of the name [`counted`].
+    #[error(
+        "{kernel}: the program has no symbols, by which valgrind finds what is counted; build it with `--profile counted`"
+    )]
+    NoSymbols {
+        /// Name of the kernel or of other work.
+        kernel: String,
+    },
     /// It could not be started or ended badly.
     #[error("valgrind: {kernel}: {reason}")]
     Failed {
@@ -30,6 +38,13 @@ pub enum CountError {
         /// What went wrong, in words.
         reason: String,
     },
+}
+
+impl CountError {
+    /// Whether nothing is wrong with the program, and it cannot be counted here or as it was built.
+    pub fn is_of_place(&self) -> bool {
+        matches!(self, Self::NoValgrind | Self::NoSymbols { .. })
+    }
 }
 
 /// What was counted of a kernel.
@@ -45,7 +60,7 @@ pub struct Count {
 /// number again; only what goes by addresses or by random keys may vary.
 ///
 /// # Errors
-/// If there is no valgrind, or the program does not end well under it.
+/// If there is no valgrind, the program has no symbols, or it does not end well under valgrind.
 pub fn instructions_of(
     program: &Path,
     name: &str,
@@ -67,8 +82,8 @@ pub fn instructions_of(
     }
     let written = fs::read_to_string(&out.0).map_err(|error| failed(error.to_string()))?;
     let total = written.lines().find_map(|line| line.strip_prefix("totals:")?.trim().parse().ok());
-    // None at all: the function was not found.
-    let instructions = total.filter(|&total| total > 0).ok_or_else(|| failed("it counted nothing".into()))?;
+    let no_symbols = || CountError::NoSymbols { kernel: name.to_owned() };
+    let instructions = total.filter(|&total| total > 0).ok_or_else(no_symbols)?;
     Ok(Count { instructions, told: String::from_utf8_lossy(&ended.stdout).trim().to_owned() })
 }
 
