@@ -67,7 +67,7 @@ impl Bounds {
         self.curvature
     }
 
-    /// The bound of a post. A post beyond the ground has [`Bound::BORDER`].
+    /// The bound of a post. It is infinite where the post lies beyond the ground.
     pub fn of(&self, post: Post) -> Bound {
         self.number(post).map_or(Bound::BORDER, |number| self.bounds[number])
     }
