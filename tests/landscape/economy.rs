@@ -3,7 +3,7 @@
 use generator::{Omission, Weight};
 use glam::DVec3;
 use hardware_model::{Economy, Forced, HardwareModel, LevelSwitch, Yoke};
-use landscape::{Bank, Landscape, Silhouette, Source};
+use landscape::{Bank, CraterGrain, Landscape, Silhouette, Source};
 use lunoid_tests::{Dice, Drawn};
 use machine::Prepare;
 use polyhedron_generator::{LeftOut, Sight};
@@ -41,6 +41,7 @@ fn full(seed: u64) -> Set {
     let set = set.with_craters(craters(seed, 24, middle, 60.0, 14.0)).with_texture(Source::Random);
     let hills = Silhouette::new(vec![[-0.5, 0.02], [0.0, 0.09], [0.5, 0.01]], 0.4).unwrap();
     let set = set.dressed(|ground| ground.with_silhouettes(vec![hills])).with_shadows();
+    let set = set.dressed(|ground| ground.with_crater_grain(CraterGrain::new([2.0, 0.5, 3.0])));
     strewn(set, seed, 200, [0.03, 0.4])
 }
 

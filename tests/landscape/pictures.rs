@@ -4,7 +4,7 @@ use compare::{EdgeLimits, edge_mask};
 use features::{Crater, Shape};
 use generator::PlaneKind;
 use hardware_model::{HardwareModel, LevelSwitch, Yoke};
-use landscape::{Bank, Landscape, Level, Photometry, Silhouette, Source};
+use landscape::{Bank, CraterGrain, Landscape, Level, Photometry, Silhouette, Source};
 use lunoid_tests::{Dice, level_of};
 use quantities::radians;
 use scenario::{
@@ -140,6 +140,15 @@ fn texture_in_light_and_shadow() {
         check("no texture in shadow", &off, 0.6);
         assert!(apart(&on, &off) > SEEN, "{}", apart(&on, &off));
     }
+}
+
+/// Rubble in craters of one type, dust in those of another.
+#[test]
+fn texture_of_craters() {
+    let plain = cratered(7).with_texture(Source::Random);
+    let set = plain.clone().dressed(|ground| ground.with_crater_grain(CraterGrain::new([3.0, 0.0, 2.0])));
+    check("texture of craters", &set, 0.6);
+    assert!(apart(&set, &plain) > SEEN, "{}", apart(&set, &plain));
 }
 
 #[test]

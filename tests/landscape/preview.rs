@@ -2,7 +2,7 @@
 //! changes the picture.
 
 use hardware_model::{Economy, Gate, MixingParts, WireParts};
-use landscape::Source;
+use landscape::{CraterGrain, Source};
 use lunoid_tests::Drawn;
 use rayon::ThreadPoolBuilder;
 use scenario::{FeatureLight, Scalar};
@@ -14,7 +14,8 @@ fn full(seed: u64) -> Set {
     let set = Set::over(rolling(seed, 3.0)).under(sun(70.0, 9.0));
     let middle = [set.pose.eye[0] + 60.0, set.pose.eye[1]];
     let set = set.with_craters(craters(seed, 24, middle, 60.0, 14.0)).with_texture(Source::Random);
-    let set = set.with_shadows();
+    let set =
+        set.dressed(|ground| ground.with_crater_grain(CraterGrain::new([2.0, 0.5, 3.0]))).with_shadows();
     let bodies = (0..6).map(|object| {
         let place = set.ahead(12.0 + 9.0 * f64::from(object), f64::from(object) * 7.0 - 20.0);
         standing_box(object, place, 1.0, 1.6)

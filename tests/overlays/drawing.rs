@@ -63,6 +63,7 @@ const DRAWING: &[(&str, &[&str])] = &[
     ("fg.present", &["fg.or", "fg.comparator.*"]),
     ("fg.reflectivity", &["fg.slope.u", "fg.slope.v", "fg.or", "tg.slope.u", "tg.slope.v"]),
     ("sc.gate", &["sc.or", "sc.comparator.*"]),
+    ("txg.texture", &["fg.grain"]),
     ("mu.height", &["tg.height", "fg.height"]),
     ("mu.vs1", &["fg.present"]),
     ("mu.vs2", &["sc.gate"]),

@@ -1,9 +1,11 @@
 //! Runs of one scene under the overlays, and what differs.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use generator::Planes;
 use hardware_model::{HardwareModel, ModelSource};
+use landscape::{CraterGrain, Landscape};
 use lunoid_tests::Shipped;
 use machine::Prepare;
 use signal::{Probe, Waveform};
@@ -16,6 +18,9 @@ const SWEEPS: u32 = 96;
 const LOOKED_AT: std::ops::Range<u32> = 32..64;
 const FRAME: u64 = 60;
 
+/// Rubble in craters of one type, dust in those of another, so that the wire of the grain is there.
+const CRATER_GAIN: [f64; 3] = [2.0, 0.5, 3.0];
+
 /// A frame in which every block works, on regions of the report's order.
 pub struct Scene {
     shipped: Shipped,
@@ -24,7 +29,10 @@ pub struct Scene {
 
 impl Scene {
     pub fn new() -> Self {
-        let shipped = Shipped::read("full-drive", Some(SWEEPS));
+        let mut shipped = Shipped::read("full-drive", Some(SWEEPS));
+        shipped.scenario.texture.as_mut().expect("grain").crater_gain = CRATER_GAIN;
+        let landscape = Landscape::clone(&shipped.landscape);
+        shipped.landscape = Arc::new(landscape.with_crater_grain(CraterGrain::new(CRATER_GAIN)));
         Self { shipped, folder: tempfile::tempdir().expect("a folder of its own") }
     }
 

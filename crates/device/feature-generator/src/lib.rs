@@ -30,12 +30,14 @@
 //! looks for no kinks.
 //! **Our choices.** Unfolded sweep voltages relative to the eye's foot (section 10). Sums run in the order of the
 //! crater list, so that they are those of [`features::Features::at`]. A footprint is a circle, not its bounding square.
+//! **Texture.** [`FeatureGenerator::grain`]: what craters add to the gain of texture (fg.grain), where the texture generator asks.
 //! **Parts.** [`PartsFeatures`]: bandwidth and static errors of the chain, offsets of the footprints' comparators; their
 //! delay is the mixing unit's.
 
 mod bank;
 mod chord;
 mod generator;
+mod grain;
 mod loads;
 mod of_parts;
 mod passing;

@@ -17,6 +17,12 @@ pub const SIGNALS: &[Signal] = &[
     ),
     Signal::ground("fg.present", Unit::Gate, "presence line, behind its comparator", "section 14"),
     Signal::ground(
+        "fg.grain",
+        Unit::Number,
+        "what craters add to the gain of texture, which is 1 without any",
+        "section 13",
+    ),
+    Signal::ground(
         "fg.reflectivity",
         Unit::Reflectivity,
         "reflectivity where a feature is: of the summed slopes, or of the features' alone",

@@ -10,7 +10,7 @@ pub const BLOCK_TABLES: [(&str, &[&str]); 12] = [
         "data-bank",
         &["drum", "channel", "feature_bank", "shadow_bank", "polyhedron_bank", "io_processor", "buffer"],
     ),
-    ("dpu", &["dpu", "cpu", "loader"]),
+    ("dpu", &["dpu", "cpu", "level_turn", "loader"]),
     ("sweep-generator", &["raster", "range", "sweep"]),
     ("terrain-generator", TERRAIN),
     ("feature-generator", &["feature_generator"]),

@@ -44,7 +44,7 @@ pub use digital::{
 pub use faults::{FAULTS, prediction, proof};
 pub use loaded::{EffectiveValue, LoadedModel};
 pub use model::{HardwareModel, ModelRaster, SweepMemoryKind};
-pub use parts::{Economy, FeatureParts, Forced, Gate, MixingParts, Organisation, ShadowParts};
+pub use parts::{Economy, FeatureParts, Forced, Gate, LevelTurn, MixingParts, Organisation, ShadowParts};
 pub use record::MachineRecord;
 pub use scenario::{LevelSwitch, ShadowFineness, Yoke};
 pub use settings::{Raster, Settings, SettingsError, ShadowCache};

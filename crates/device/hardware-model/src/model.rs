@@ -3,7 +3,9 @@
 use quantities::Rate;
 use scenario::{Laws, RangeProgramme};
 
-use crate::{AnalogParts, Cpu, DataBanks, FeatureParts, KindBanks, Loader, MixingParts, ShadowParts, Yoke};
+use crate::{
+    AnalogParts, Cpu, DataBanks, FeatureParts, KindBanks, LevelTurn, Loader, MixingParts, ShadowParts, Yoke,
+};
 
 /// What the machine is made of.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,6 +20,8 @@ pub struct HardwareModel {
     pub master_clock: Rate,
     /// Central processor of the digital side.
     pub cpu: Cpu,
+    /// What the processor does about far ground while the vehicle turns.
+    pub level_turn: LevelTurn,
     /// Delivery of coefficient words to the registers.
     pub loader: Loader,
     /// Drums and storage buffers of terrain.

@@ -1,5 +1,7 @@
 //! Blocks of the machine beside the terrain path: how many parts they have and how they are organised.
 
+use scenario::LevelSwitch;
+
 /// How features come to the sub-generators (section 10).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Organisation {
@@ -22,6 +24,29 @@ impl Default for FeatureParts {
     /// As many sub-generators as the ground asks for.
     fn default() -> Self {
         Self { organisation: Organisation::Scheduled, sub_generators: None }
+    }
+}
+
+/// What the processor does about far ground while the vehicle turns (report II.B): the coarse level begins nearer, because a background
+/// that rushes past looks blurred. Which rate and which range: our choice.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LevelTurn {
+    /// Rate of turn from which on it does so (rad/s); infinite where it never does.
+    pub rate: f64,
+    /// Share of the switch's range, and of its blend, that is left then, 0..=1.
+    pub share: f64,
+}
+
+impl LevelTurn {
+    /// The switch stays where it is, however fast the vehicle turns.
+    pub const NEVER: Self = Self { rate: f64::INFINITY, share: 1.0 };
+
+    /// The switch while the heading turns at `rate` (rad/s, either way).
+    pub fn switch(&self, switch: LevelSwitch, rate: f64) -> LevelSwitch {
+        if rate.abs() < self.rate {
+            return switch;
+        }
+        LevelSwitch { range: self.share * switch.range, blend: self.share * switch.blend }
     }
 }
 

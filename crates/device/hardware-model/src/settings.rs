@@ -9,8 +9,8 @@ use scenario::{
 
 use crate::model::retrace;
 use crate::{
-    AnalogParts, Cpu, DataBanks, Economy, FeatureParts, HardwareModel, KindBanks, LevelSwitch, Loader,
-    MixingParts, ShadowParts, SweepMemoryKind, Yoke,
+    AnalogParts, Cpu, DataBanks, Economy, FeatureParts, HardwareModel, KindBanks, LevelSwitch, LevelTurn,
+    Loader, MixingParts, ShadowParts, SweepMemoryKind, Yoke,
 };
 
 /// Everything that decides a picture of the hybrid machine but landscape, sun and pose.
@@ -30,6 +30,8 @@ pub struct Settings {
     pub display: Display,
     /// Central processor of the digital side.
     pub cpu: Cpu,
+    /// What the processor does about far ground while the vehicle turns.
+    pub level_turn: LevelTurn,
     /// Delivery of coefficient words.
     pub loader: Loader,
     /// Drums and storage buffers of terrain.
@@ -191,6 +193,7 @@ impl Settings {
             scalar,
             display,
             cpu: model.cpu,
+            level_turn: model.level_turn,
             loader: model.loader.clone(),
             data_banks: model.data_banks,
             kind_banks: model.kind_banks,

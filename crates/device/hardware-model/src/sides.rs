@@ -28,6 +28,7 @@ impl Settings {
         match side {
             Side::Digital => Self {
                 cpu: ideal.cpu,
+                level_turn: ideal.level_turn,
                 loader: ideal.loader,
                 data_banks: ideal.data_banks,
                 kind_banks: ideal.kind_banks,

@@ -24,6 +24,7 @@ pub(crate) fn model(root: &Reader, name: String) -> Option<HardwareModel> {
     let clock = root.table("dpu").map(|table| words::rate(&table, "clock_mhz", 1_000_000).required());
     let known_clock = clock.flatten();
     let cpu = root.table("cpu").map(|table| digital::cpu(&table, known_clock));
+    let level_turn = digital::level_turn(&root.table_or_empty("level_turn"));
     let io_processor = root.table("io_processor").map(|table| loader::io_processor(&table, known_clock));
     let loader =
         root.table("loader").map(|table| loader::loader(&table, known_clock, io_processor.flatten()));
@@ -60,6 +61,7 @@ pub(crate) fn model(root: &Reader, name: String) -> Option<HardwareModel> {
         range: range??,
         master_clock: clock??,
         cpu: cpu??,
+        level_turn: level_turn?,
         loader: loader??,
         data_banks: buffer??,
         kind_banks: kind_banks?,

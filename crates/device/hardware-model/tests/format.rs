@@ -72,6 +72,8 @@ fn changes() -> Vec<(&'static str, Option<Setting>, String)> {
         ("range.switch_m", two_rate(), "70".into()),
         ("range.fine_share", two_rate(), "0.3".into()),
         ("dpu.clock_mhz", None, "20".into()),
+        ("level_turn.rate_deg_s", None, "5".into()),
+        ("level_turn.range_pct", Some(("level_turn.rate_deg_s", "5".to_owned())), "40".into()),
         ("loader.access_ns", None, "950".into()),
         ("loader.late_policy", None, "latched".into()),
         ("loader.served_by", None, "io-processor".into()),

@@ -16,12 +16,15 @@
 //! amplitude a layer.
 //! **Elaboration.** Nothing is computed beyond the reach of the farthest layer; a layer ends at its own reach. In preview only
 //! samples that are seen. Without texture the block is not there.
+//! **Craters.** [`scale`]: the grain is as coarse in craters as their type's parameter says (fg.grain of the feature generator).
 //! **Parts.** [`PartsTexture`]: bits of the D/A converter, filter.
 //! **Our choices.** Layers of several grains; smooth-step between lattice values; zero mean over a region; a mirrored
 //! pattern as the reading of "symmetric along its edges"; the whole clipped by the mixing unit (section 22, rows 29, 30).
 
+mod gain;
 mod of_parts;
 
+pub use gain::scale;
 pub use of_parts::PartsTexture;
 
 use std::ops::Range;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::stage::MachineStage;
-use hardware_model::{Forced, LevelSwitch, Loader};
+use hardware_model::{Forced, Loader};
 use remote_shadow::{Resolution, ShadowBank};
 use scenario::ShadowFineness;
 use shadow_controller::ShadowController;
@@ -47,8 +47,6 @@ pub struct Shadows {
 /// The second terrain generator of the modified one.
 #[derive(Debug)]
 pub struct Coarse {
-    /// Where the sweep goes over to the coarse level, and how.
-    pub switch: LevelSwitch,
     /// Single words are held back on the fine level only.
     pub loader: Loader,
 }
@@ -57,7 +55,6 @@ impl Blocks {
     /// The blocks of `list`, which is the machine for `stage`.
     pub fn new(stage: &MachineStage, list: &Elaboration) -> Self {
         let settings = &stage.settings;
-        let coarse = settings.levels.filter(|_| list.has(Block::SecondLevel));
         let tells_lines = list.has_parts(Block::Shadows) || list.has_parts(Block::Mixing);
         let shadows = settings.shadows.filter(|_| list.has(Block::Shadows));
         Self {
@@ -69,15 +66,15 @@ impl Blocks {
             breaks: settings.economy.forces(Forced::Breaks),
             instants: list.instants(),
             bodies: list.has(Block::Bodies),
-            coarse: coarse.map(|switch| Coarse::new(switch, &settings.loader)),
+            coarse: list.has(Block::SecondLevel).then(|| Coarse::new(&settings.loader)),
         }
     }
 }
 
 impl Coarse {
     /// The second generator behind a loader such as the fine level's.
-    pub fn new(switch: LevelSwitch, loader: &Loader) -> Self {
-        Self { switch, loader: Loader { delays: Vec::new(), ..loader.clone() } }
+    pub fn new(loader: &Loader) -> Self {
+        Self { loader: Loader { delays: Vec::new(), ..loader.clone() } }
     }
 }
 

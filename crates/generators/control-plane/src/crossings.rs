@@ -39,7 +39,7 @@ impl<'a> Crossings<'a> {
     pub fn write_fine(&self, [drawn, sweep]: [u32; 2], program: &mut SweepProgram, watch: &mut impl Watch) {
         let Settings { range, loader, .. } = &self.stage.settings;
         let level = self.stage.landscape.level();
-        let far = self.coarse.map_or(range.end, |coarse| coarse.switch.range);
+        let far = self.coarse.map_or(range.end, |_| self.plan.switch.range);
         let end = self.plan.way_to_edge(drawn, level).min(far).min(range.end);
         let service = self.service(sweep, level, loader, self.missing[0]);
         self.plan.write_program([drawn, sweep], &service, self.table, end, program, watch);

@@ -7,17 +7,15 @@ use glam::DVec3;
 use hardware_model::{BankPlace, KindBank};
 use landscape::Level;
 use polyhedron_generator::LeftOut;
-use quantities::wrap_heading;
 use remote_shadow::{Footings, Outlines};
 use scenario::{BodyShading, Pose};
 use shadow_controller::SEGMENT_WORDS;
 use solids::Body;
 use std::collections::BTreeSet;
-use std::f64::consts::PI;
 
 use crate::blocks::Blocks;
 use crate::data_kind::DataKind;
-use crate::frame_plan::FramePlan;
+use crate::frame_plan::{FramePlan, turned};
 use crate::raster::WrittenRaster;
 use crate::sight::{InSight, is_ahead, sight};
 use crate::squares::{Chains, SquareGrid, Stored, record_by_record};
@@ -169,9 +167,7 @@ impl Asking<'_> {
         let course = self.stage.scenery.course();
         let pose = |frame: u64| course.get((frame as usize).min(course.len().saturating_sub(1)));
         let now = pose(frame)?;
-        let before = pose(frame.saturating_sub(1)).unwrap_or(now);
-        let turn = wrap_heading(now.attitude.heading - before.attitude.heading);
-        let turn = if turn > PI { turn - 2.0 * PI } else { turn };
+        let turn = pose(frame.saturating_sub(1)).map_or(0.0, |before| turned(before, now));
         let rotation = self.stage.settings.data_banks.drum.map_or(0, |drum| drum.rotation);
         // Orders are given as frames begin: one a little short of a frame away is a frame away.
         let margin = turn.abs() * (1.5 * rotation as f64 / ticks as f64).ceil();
@@ -197,11 +193,11 @@ impl Asking<'_> {
         }
     }
 
-    /// Ground range up to which a level is drawn (m).
-    fn reach(&self, number: usize) -> f64 {
+    /// Ground range up to which a level is drawn in the frame of `plan` (m).
+    fn reach(&self, number: usize, plan: &FramePlan) -> f64 {
         let end = self.stage.settings.range.end;
         match (number, &self.blocks.coarse) {
-            (0, Some(coarse)) => coarse.switch.range.min(end),
+            (0, Some(_)) => plan.switch.range.min(end),
             _ => end,
         }
     }
@@ -209,7 +205,7 @@ impl Asking<'_> {
     fn corners(&self, level: &Level, number: usize, view: &View<'_>) -> Vec<Piece> {
         let foot = level.in_regions(view.plan.eye[0], view.plan.eye[1]);
         let edges = view.plan.edges_beside(view.margin);
-        let sector = Sector { foot, edges, range: self.reach(number) / level.region_size() };
+        let sector = Sector { foot, edges, range: self.reach(number, &view.plan) / level.region_size() };
         let mut corners = corners_of(sector.regions(level), level.corners());
         nearest_first(&mut corners, level.corners()[1], foot);
         corners.into_iter().map(Piece::one).collect()

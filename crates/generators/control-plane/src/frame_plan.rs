@@ -8,8 +8,8 @@ use crate::stage::MachineStage;
 use dpu::{CrossingService, Sector, Watch};
 use generator::FrameError;
 use landscape::{Level, Sun};
-use quantities::{degrees, sin_cos};
-use scenario::{FieldOfView, Pose};
+use quantities::{degrees, sin_cos, wrap_heading};
+use scenario::{FieldOfView, LevelSwitch, Pose};
 use sweep_generator::{RangeTable, TimedFolds, set_up};
 use sweep_program::{Fan, SweepProgram};
 
@@ -34,8 +34,19 @@ pub struct FramePlan {
     pub eye: [f64; 3],
     /// Direction of the sun in this frame.
     pub sun: Sun,
+    /// Where the sweeps go over from the fine level to the coarse one, and how; never where there is one level.
+    pub switch: LevelSwitch,
     /// Words that were late and are taken as if they had been on time; none in the machine as it is.
     on_time: Option<LateWords>,
+}
+
+/// One level is drawn however far it goes.
+const NO_SWITCH: LevelSwitch = LevelSwitch { range: f64::INFINITY, blend: 0.0 };
+
+/// By how much the heading has turned to starboard from one pose to another, by the short way (rad).
+pub(crate) fn turned(before: &Pose, now: &Pose) -> f64 {
+    let turn = wrap_heading(now.attitude.heading - before.attitude.heading);
+    if turn > PI { turn - 2.0 * PI } else { turn }
 }
 
 impl FramePlan {
@@ -68,6 +79,11 @@ impl FramePlan {
             yoke: if settings.yoke.is_some() { pose.yoke } else { 0.0 },
             eye: pose.eye,
             sun: scenery.sun(pose.time),
+            switch: settings.levels.map_or(NO_SWITCH, |switch| {
+                let before = scenery.course().get((frame as usize).saturating_sub(1));
+                let turn = before.map_or(0.0, |before| turned(before, pose));
+                settings.level_turn.switch(switch, turn * settings.timebase.update.hertz())
+            }),
             on_time: None,
         })
     }
@@ -176,4 +192,64 @@ fn way_to_edge(level: &Level, foot: [f64; 2], direction: [f64; 2]) -> f64 {
 
 fn pitch_error(frame: u64, pitch: f64) -> FrameError {
     Refusal::Pitch { pitch_deg: degrees(pitch), limit_deg: degrees(Fan::steepest()) }.of(frame)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use hardware_model::{HardwareModel, LevelTurn, Settings};
+    use landscape::{Attitude, Bank, Landscape, Level, Sun};
+    use quantities::radians;
+    use scenario::{Display, FieldOfView, LawWishes, LevelSwitch, Pose, RasterWishes, Scalar, Scenery};
+
+    use super::FramePlan;
+    use crate::stage::MachineStage;
+
+    const FIELD: FieldOfView = FieldOfView { tan_half_width: 0.4, tan_half_height: 0.3 };
+    const SWITCH: LevelSwitch = LevelSwitch { range: 1000.0, blend: 200.0 };
+
+    fn pose(heading: f64) -> Pose {
+        let attitude = Attitude { roll: 0.0, pitch: 0.0, heading: radians(heading) };
+        Pose { time: 0.0, eye: [10.0, 10.0, 2.0], attitude, yoke: 0.0 }
+    }
+
+    /// A stage whose heading is so many degrees in each frame.
+    fn stage(headings: &[f64], level_turn: LevelTurn) -> MachineStage {
+        let settings = Settings::resolve(
+            &HardwareModel::ideal(),
+            FIELD,
+            RasterWishes::default(),
+            None,
+            LawWishes::default(),
+            Scalar::F32,
+            Display { white: 1.0, gamma: 1.0 },
+        );
+        let settings =
+            Settings { levels: Some(SWITCH), level_turn, ..settings.expect("the ideal model is consistent") };
+        let level = Level::new(10.0, [0.0; 2], [3, 3], vec![[0.0; 9]; 9]).expect("a level");
+        let course: Vec<Pose> = headings.iter().map(|heading| pose(*heading)).collect();
+        MachineStage {
+            landscape: Arc::new(Landscape::new(Bank::new("test", vec![level], None).expect("a bank"), 0.5)),
+            scenery: Arc::new(Scenery::still(Sun { azimuth: 0.3, elevation: 0.6 }).with_course(course)),
+            settings,
+        }
+    }
+
+    /// At 30 frames a second half a degree a frame is 15 degrees a second.
+    #[test]
+    fn the_coarse_level_begins_nearer_while_the_heading_turns_fast() {
+        let headings = [0.0, 0.3, 0.8, 0.3, 0.1, 359.5];
+        let turning = stage(&headings, LevelTurn { rate: radians(10.0), share: 0.25 });
+        assert_eq!(turning.settings.timebase.update.hertz(), 30.0);
+        let near = LevelSwitch { range: 250.0, blend: 50.0 };
+        for (frame, expected) in (0..).zip([SWITCH, SWITCH, near, near, SWITCH, near]) {
+            let plan =
+                FramePlan::new(frame, &pose(headings[frame as usize]), &turning, &FIELD).expect("a plan");
+            assert_eq!(plan.switch, expected, "frame {frame}");
+        }
+        let never = stage(&headings, LevelTurn::NEVER);
+        let plan = FramePlan::new(2, &pose(headings[2]), &never, &FIELD).expect("a plan");
+        assert_eq!(plan.switch, SWITCH);
+    }
 }

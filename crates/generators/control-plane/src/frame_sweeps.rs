@@ -123,8 +123,7 @@ impl ControlPlane {
         pose: &Pose,
     ) -> Result<FrameSweeps<'a>, FrameError> {
         let plan = self.plan(frame, pose)?;
-        let switch = self.blocks().coarse.as_ref().map(|coarse| coarse.switch);
-        let coarse = switch.map(|switch| Coarse::new(switch, &stage.settings.loader));
+        let coarse = self.blocks().coarse.as_ref().map(|_| Coarse::new(&stage.settings.loader));
         let table = self.table();
         let mut sweeps =
             FrameSweeps { stage, coarse, table, plan, digital: DigitalFrame::default(), gates: Vec::new() };

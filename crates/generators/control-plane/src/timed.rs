@@ -1,7 +1,7 @@
 //! The control plane as a job that takes time, and what decides its timing in one hash.
 
 use generator::{FrameError, InputsHash, Timed};
-use hardware_model::{BankPlace, Economy, ShadowParts};
+use hardware_model::{BankPlace, Economy, LevelTurn, ShadowParts};
 use quantities::Rate;
 use scenario::{Pose, Scenario};
 use timing::{FrameTiming, Task};
@@ -48,6 +48,9 @@ fn inputs_hash(scenario: &Scenario, stage: &MachineStage) -> String {
     // Bodies that are too small to be seen are not transformed. Nothing else of the economy changes an event.
     let small = if settings.economy.leaves_out_small_bodies() { Economy::Bounded } else { Economy::Lossless };
     hash.add("sight", &(small, raster.lines));
+    if settings.levels.is_some() && settings.level_turn != LevelTurn::NEVER {
+        hash.add("level turn", &settings.level_turn);
+    }
     hash.add("cpu", &settings.cpu);
     hash.add("loader", &settings.loader);
     hash.add("data banks", &settings.data_banks);

@@ -47,8 +47,7 @@ impl<'a> Light<'a> {
         let shaded = self.shaded(lit_slopes, direction, sight);
         let albedo = self.albedo(spot.place);
         let signed = albedo.map(|albedo| albedo * shaded);
-        let texture =
-            self.landscape.texture().map_or(0.0, |t| t.at(spot.place[0], spot.place[1], spot.range));
+        let texture = self.landscape.texture_at(spot.place[0], spot.place[1], spot.range);
         let [open, shadowed] = self.with_texture(signed, tint(albedo).map(|share| share * texture));
         let dark = dark(open.iter().any(|channel| *channel > 0.0));
         Seen {

@@ -16,7 +16,7 @@ use crate::parts::broken::Broken;
 use crate::parts::crater_chains::{Bend, Line, Loaded, Surface, surface};
 use crate::parts::kit::Kit;
 use crate::parts::sub_generator::SubGeneratorFigures;
-use crate::parts::texture::{Grain, grained};
+use crate::parts::texture::{Grain, enlarged, grained};
 use crate::parts::{LightStage, ReflectivityStage, light_stage};
 use crate::sweep::{Walker, met};
 
@@ -85,9 +85,10 @@ impl Walker<'_> {
         let wires = Wires { stride, count: ground.len() };
         let features = self.features(&samples, &craters.drawn);
         self.put_sub_generators(wires, &samples, &craters.drawn);
-        let grain = self.grain(&samples);
+        let added = self.added_by_craters(&samples, &craters.drawn);
+        let grain = self.grain(&samples, added.as_deref());
         self.put_features(wires, &features);
-        self.put_grain(wires, &grain);
+        self.put_grain(wires, &grain, (added.as_deref(), &features.clear));
         let raised = samples.ground.iter().zip(&features.height).map(|(ground, rise)| ground.height + rise);
         let heights = spread(&raised.collect::<Vec<_>>(), stride, ground.len(), false);
         let heights = self.wires.pass("mu.height", heights);
@@ -241,7 +242,8 @@ impl Walker<'_> {
         self.lit(slopes, features.slopes[sample], above, samples.ranges[sample])
     }
 
-    fn grain(&self, samples: &Samples<'_>) -> Grain {
+    /// Texture, with what craters add to its gain.
+    fn grain(&self, samples: &Samples<'_>, added: Option<&[f64]>) -> Grain {
         let Some(pattern) = self.scene.landscape.texture() else { return Grain::default() };
         let (eye, is_ideal) = (self.scene.eye, self.scene.settings.analog.texture_is_ideal());
         let at = |range: &f64| {
@@ -250,17 +252,19 @@ impl Walker<'_> {
         };
         let values: Vec<f64> = samples.ranges[..samples.ground.len()].iter().map_while(at).collect();
         if is_ideal {
-            return Grain { margins: vec![f64::INFINITY; values.len()], values };
+            let margins = vec![f64::INFINITY; values.len()];
+            return Grain { values: enlarged(values, added), margins };
         }
-        self.grained(pattern, &values, samples.ranges)
+        self.grained(pattern, &values, added, samples.ranges)
     }
 
     /// Texture behind its parts, which have the machine's samples.
-    fn grained(&self, pattern: &Texture, values: &[f64], ranges: &[f64]) -> Grain {
+    fn grained(&self, pattern: &Texture, values: &[f64], added: Option<&[f64]>, ranges: &[f64]) -> Grain {
         let kit = Kit::of(self.scene, self.given);
         let between = self.given.between / self.stride();
         let every = |values: &[f64]| -> Vec<f64> { values.iter().step_by(between).copied().collect() };
-        let grain = grained(&kit, pattern, &every(values), &every(ranges));
+        let added = added.map(every);
+        let grain = grained(&kit, pattern, &every(values), added.as_deref(), &every(ranges));
         let wide = |wire: &[f64]| spread(wire, between, values.len(), false);
         Grain { values: wide(&grain.values), margins: wide(&grain.margins) }
     }
@@ -285,12 +289,21 @@ impl Walker<'_> {
         self.record.margins.insert("fg.reflectivity".into(), near);
     }
 
-    fn put_grain(&mut self, wires: Wires, grain: &Grain) {
-        let samples = wires.count.div_ceil(wires.stride);
-        let mut values = grain.values.clone();
-        values.resize(samples, 0.0);
-        self.put_wire(wires, "txg.texture", &values);
-        self.record.margins.insert("txg.texture".into(), grain.margins.clone());
+    /// Texture and what craters add to its gain; `clear` is how near each sample is to where a crater begins.
+    fn put_grain(&mut self, wires: Wires, grain: &Grain, (added, clear): (Option<&[f64]>, &[f64])) {
+        let whole = |values: &[f64]| {
+            let mut values = values.to_vec();
+            values.resize(wires.count.div_ceil(wires.stride), 0.0);
+            values
+        };
+        self.put_wire(wires, "fg.grain", &whole(added.unwrap_or_default()));
+        self.put_wire(wires, "txg.texture", &whole(&grain.values));
+        let mut margins = grain.margins.clone();
+        if added.is_some() {
+            self.record.margins.insert("fg.grain".into(), clear.to_vec());
+            margins.iter_mut().zip(clear).for_each(|(margin, clear)| *margin = margin.min(*clear));
+        }
+        self.record.margins.insert("txg.texture".into(), margins);
     }
 
     pub(crate) fn put_wire(&mut self, wires: Wires, name: &str, values: &[f64]) {

@@ -19,7 +19,10 @@ pub fn demand(scene: &SceneData<'_>, number: usize, frame: u64) -> Vec<[i64; 2]>
     let foot: [f64; 2] =
         std::array::from_fn(|axis| (now.eye[axis] - level.origin()[axis]) / level.region_size());
     let settings = scene.settings;
-    let far = settings.levels.filter(|_| number == 0).map_or(f64::INFINITY, |switch| switch.range);
+    let far = scene
+        .switch(frame, now.attitude.heading)
+        .filter(|_| number == 0)
+        .map_or(f64::INFINITY, |switch| switch.range);
     let reach = far.min(settings.range.end) / level.region_size();
     let [north, east] = level.corners().map(|corners| corners as i64);
     let mut corners = Vec::new();

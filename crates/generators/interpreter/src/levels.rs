@@ -48,7 +48,8 @@ impl Terrain {
     /// Ground range at which the farther generator ends (m).
     pub fn end(&self, scene: &SceneData<'_>) -> f64 {
         let end = scene.settings.range.end;
-        let far = scene.settings.levels.filter(|_| self.coarse.is_some()).map_or(end, |switch| switch.range);
+        let switch = scene.switch(scene.frame, scene.heading).filter(|_| self.coarse.is_some());
+        let far = switch.map_or(end, |switch| switch.range);
         let fine = self.fine.edge.unwrap_or(far).min(end);
         self.coarse.as_ref().map_or(fine, |coarse| coarse.edge.unwrap_or(end).max(fine))
     }
@@ -67,7 +68,7 @@ pub fn terrain(scene: &SceneData<'_>, sweep: u32, direction: [f64; 2], given: &G
     let Given { ranges, frame: Frame { missing, .. }, between, .. } = *given;
     let interrupts = interrupts(scene, sweep, given);
     let loader = &scene.settings.loader;
-    let switch = scene.settings.levels.filter(|_| scene.coarse().is_some());
+    let switch = scene.switch(scene.frame, scene.heading).filter(|_| scene.coarse().is_some());
     let until = switch.map_or(f64::INFINITY, |switch| switch.range);
     let level = scene.fine();
     let near = figures(scene, level, 0, given);

@@ -32,6 +32,7 @@ pub mod event;
 pub mod fan;
 pub mod frame;
 pub mod given;
+mod grain;
 pub mod levels;
 pub mod light;
 pub mod loads;

@@ -1,8 +1,8 @@
 //! What a sweep is made from.
 
-use hardware_model::Settings;
+use hardware_model::{LevelTurn, Settings};
 use landscape::{Landscape, Level, Sun};
-use scenario::Pose;
+use scenario::{LevelSwitch, Pose};
 
 /// A frame: ground, light, pose and the numbers of the run.
 #[derive(Debug, Clone, Copy)]
@@ -29,6 +29,20 @@ impl SceneData<'_> {
     /// Returns the finest level of the terrain.
     pub(crate) fn fine(&self) -> &Level {
         self.landscape.level()
+    }
+
+    /// Where frame `frame` goes over to the coarse level, and how, if its heading is `heading` (rad): nearer by the model's share while
+    /// that turns fast.
+    pub(crate) fn switch(&self, frame: u64, heading: f64) -> Option<LevelSwitch> {
+        let LevelSwitch { range, blend } = self.settings.levels?;
+        let before = self.course.get(frame.saturating_sub(1) as usize);
+        let turn = before.map_or(0.0, |before| {
+            libm::remainder(heading - before.attitude.heading, 2.0 * std::f64::consts::PI)
+        });
+        let LevelTurn { rate, share } = self.settings.level_turn;
+        let is_fast = turn.abs() * self.settings.timebase.update.hertz() >= rate;
+        let share = if is_fast { share } else { 1.0 };
+        Some(LevelSwitch { range: share * range, blend: share * blend })
     }
 
     /// The coarse level, where the scenario switches to one.

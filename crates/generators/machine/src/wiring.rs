@@ -14,7 +14,7 @@ pub struct Link {
 }
 
 /// All ways between blocks, in the order of the data.
-pub const LINKS: [Link; 21] = [
+pub const LINKS: [Link; 22] = [
     link("data-bank", "dpu", "records", &["buffer.fine.lacks"]),
     link("dpu", "sweep-generator", "azimuth, start registers", &["cpu.drawn"]),
     link(
@@ -45,6 +45,7 @@ pub const LINKS: [Link; 21] = [
         "height, reflectivity, presence",
         &["fg.height", "fg.reflectivity", "fg.present"],
     ),
+    link("feature-generator", "texture-generator", "grain", &["fg.grain"]),
     link("shadow-controller", "mixing-unit", "shadow gate", &["sc.gate"]),
     link("texture-generator", "mixing-unit", "texture", &["txg.texture"]),
     link("mixing-unit", "display-projection-processor", "one profile", &["mu.height", "mu.reflectivity"]),

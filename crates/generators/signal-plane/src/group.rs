@@ -1,6 +1,7 @@
 //! The analog side of a group of sweeps: the generators, MU, DPP, SM in the order of section 24.
 
 mod features;
+mod grain;
 mod lights;
 mod lines;
 mod mixing;
@@ -65,6 +66,7 @@ impl<S: Real> Group<'_, S> {
         }
         if self.blocks.texture {
             let all = 0..self.table.ranges().len();
+            self.find_grain(&sweeps, work);
             self.draw_texture(&sweeps, slice::from_ref(&all), work);
         }
         self.set_gates(&sweeps, work);

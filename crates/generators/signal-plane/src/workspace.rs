@@ -54,6 +54,8 @@ pub struct Workspace<S> {
     pub dark: Stretches,
     /// Presence of features, by comparators of parts.
     pub presence: [LaneGate<S>; LANES],
+    /// What craters add to the gain of texture, as far as texture goes; empty where they add nothing.
+    pub grain: Vec<Lanes<S>>,
     /// Texture of the foreground.
     pub texture: Vec<Lanes<S>>,
     /// Fades of the switches of parts.
@@ -111,6 +113,7 @@ impl<S: Real> Default for Workspace<S> {
             shadow: Default::default(),
             dark: Default::default(),
             presence: Default::default(),
+            grain: Vec::new(),
             texture: Vec::new(),
             fades: SwitchScratch::default(),
             chain: Scratch::default(),

@@ -1,21 +1,12 @@
 //! Utilisation over the mission, and slack by kind of deadline.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use ::plots::{Axis, Bars, Panel, Trace, TraceLook, bar_picture, trace_picture};
 use timing::{Deadline, DeadlineTotals, Slack, TimingRecord, Totals};
 
 use crate::DeadlineError;
-
-/// Panels, and how the names of their units begin.
-const PANELS: [(&str, &[&str]); 6] = [
-    ("processors (%)", &["cpu", "io-processor"]),
-    ("loader (%)", &["loader."]),
-    ("fine drums (%)", &["drum.fine."]),
-    ("coarse drums (%)", &["drum.coarse."]),
-    ("channels (%)", &["channel."]),
-    ("recorder (%)", &["recorder"]),
-];
 
 /// A name, and its steps.
 type Line = (String, Vec<f64>, Vec<f64>);
@@ -25,23 +16,21 @@ type Line = (String, Vec<f64>, Vec<f64>);
 /// # Errors
 /// If the plot cannot be drawn or written.
 pub fn write_utilisation(record: &TimingRecord, path: &Path) -> Result<(), DeadlineError> {
-    let units: Vec<String> = Totals::of(record).units.into_keys().collect();
-    let groups: Vec<(&str, Vec<Line>)> = PANELS
-        .iter()
-        .map(|(label, fronts)| {
-            let ours = units.iter().filter(|unit| fronts.iter().any(|front| unit.starts_with(front)));
-            (*label, ours.map(|unit| line(record, unit)).collect())
-        })
-        .collect();
-    let panels: Vec<Panel<'_>> = groups
-        .iter()
-        .filter(|(_, lines)| !lines.is_empty())
-        .map(|(label, lines)| panel(label, lines))
-        .collect();
+    let mut families: BTreeMap<String, Vec<Line>> = BTreeMap::new();
+    for unit in Totals::of(record).units.into_keys() {
+        families.entry(label(&unit)).or_default().push(line(record, &unit));
+    }
+    let panels: Vec<Panel<'_>> = families.iter().map(|(label, lines)| panel(label, lines)).collect();
     let look = TraceLook { height: 160, facts: vec![facts(record)], ..TraceLook::titled("Use of units") };
     let picture =
         trace_picture(&Axis::new("frame").whole(), &panels, &[], &look).map_err(DeadlineError::Plot)?;
     picture.write(path).map_err(DeadlineError::Write)
+}
+
+/// Label of the panel of a unit: units that differ in the last part of their names alone share one, and so do those of one part.
+fn label(unit: &str) -> String {
+    let family = unit.rsplit_once('.').map_or("units", |(family, _)| family);
+    format!("{family} (%)")
 }
 
 /// Steps: what a frame has lasts until the next of the record.
@@ -105,7 +94,13 @@ fn facts(record: &TimingRecord) -> String {
 mod tests {
     use timing::Slack;
 
-    use super::ticks_text;
+    use super::{label, ticks_text};
+
+    #[test]
+    fn units_of_a_kind_share_a_panel() {
+        assert_eq!(["drum.fine.0", "drum.fine.1"].map(label), ["drum.fine (%)"; 2]);
+        assert_eq!(["cpu", "edge"].map(label), ["units (%)"; 2]);
+    }
 
     #[test]
     fn edges_are_short() {

@@ -234,7 +234,7 @@ fn lies_behind_parts(name: &str, parts: &AnalogParts) -> bool {
         Some("fg") => features,
         Some("mu") => mixed,
         Some("dpp" | "sm") => mixed || !parts.beam_is_ideal(),
-        Some("txg") => return !parts.texture_is_ideal(),
+        Some("txg") => return features || !parts.texture_is_ideal(),
         _ => false,
     };
     name != "sweep.range" && (own || !parts.terrain_is_ideal())

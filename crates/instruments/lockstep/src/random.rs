@@ -3,7 +3,7 @@
 use features::{Crater, Shape};
 use hardware_model::{
     BankPlace, BlendWeight, Channels, CrossingServer, DataBanks, Drum, DrumQueue, FeatureParts, Gate,
-    IoProcessor, KindBank, KindBanks, LatePolicy, LevelSwitch, Organisation, ShadowParts,
+    IoProcessor, KindBank, KindBanks, LatePolicy, LevelSwitch, LevelTurn, Organisation, ShadowParts,
 };
 use landscape::{Layer, Photometry, Sun};
 use quantities::{radians, unit_interval};
@@ -146,6 +146,15 @@ pub fn landscape(seed: u64) -> ComparedScene {
         if dice.count(0, 3) == 0 {
             scene.parts.0.level_blend.weight = BlendWeight::Cubic;
         }
+    }
+    let mut dice = Dice::new(seed ^ 0x7475_726e);
+    if scene.coarse.is_some() && scene.turn != 0.0 && dice.count(0, 2) > 0 {
+        let rate = scene.turn.abs() * UPDATE_HZ as f64 * dice.between(0.3, 1.2);
+        scene.level_turn = LevelTurn { rate, share: dice.between(0.2, 0.9) };
+    }
+    let mut dice = Dice::new(seed ^ 0x6772_6169);
+    if dice.count(0, 2) > 0 {
+        scene.crater_gain = [(); 3].map(|()| dice.between(0.0, 4.0));
     }
     scene
 }

@@ -7,9 +7,11 @@ use features::{Crater, Features};
 use generator::{FrameCounts, FrameError, PlaneKind, Planes};
 use hardware_model::{
     AnalogParts, Cpu, DataBanks, FeatureParts, Gate, HardwareModel, KindBanks, LatePolicy, LevelSwitch,
-    Loader, MixingParts, Raster, Settings, ShadowParts, SweepMemoryKind,
+    LevelTurn, Loader, MixingParts, Raster, Settings, ShadowParts, SweepMemoryKind,
 };
-use landscape::{Attitude, Bank, CornerWords, Landscape, Layer, Level, Photometry, Source, Sun, Texture};
+use landscape::{
+    Attitude, Bank, CornerWords, CraterGrain, Landscape, Layer, Level, Photometry, Source, Sun, Texture,
+};
 use machine::Prepare;
 use quantities::{Rate, Timebase, radians};
 use scenario::{
@@ -37,6 +39,8 @@ pub struct ComparedScene {
     pub craters: Vec<Crater>,
     /// Grain sizes of the texture; none without layers.
     pub texture: Vec<Layer>,
+    /// Gain of the texture in the middle of craters of types 1, 2 and 3.
+    pub crater_gain: [f64; 3],
     /// Law of reflection of the ground.
     pub photometry: Photometry,
     /// Share of the light that is returned, 0..=1.
@@ -65,6 +69,8 @@ pub struct ComparedScene {
     pub laws: Laws,
     /// Scalar type of the analog signals.
     pub scalar: Scalar,
+    /// What the processor does about far ground while the view turns.
+    pub level_turn: LevelTurn,
     /// Delivery of coefficient words.
     pub loader: Loader,
     /// Kind of sweep memory.
@@ -120,6 +126,7 @@ impl ComparedScene {
             coarse: None,
             craters: Vec::new(),
             texture: Vec::new(),
+            crater_gain: [1.0; 3],
             photometry: Photometry::Lambert,
             albedo: 1.0,
             sun: Sun { azimuth: radians(70.0), elevation: radians(25.0) },
@@ -144,6 +151,7 @@ impl ComparedScene {
             loader: Loader { late_policy: LatePolicy::StrobeThrough, ..HardwareModel::ideal().loader },
             sweep_memory: SweepMemoryKind::ScanConverter,
             cpu: Cpu::default(),
+            level_turn: LevelTurn::NEVER,
             data_banks: HardwareModel::ideal().data_banks,
             kind_banks: HardwareModel::ideal().kind_banks,
             feature_generator: FeatureParts::default(),
@@ -183,6 +191,7 @@ impl ComparedScene {
         let landscape = Landscape::new(bank, self.albedo)
             .with_features(Features::new(self.craters.clone()))
             .with_texture(self.grain())
+            .with_crater_grain(CraterGrain::new(self.crater_gain))
             .with_photometry(self.photometry);
         let scenery = Arc::new(Scenery::still(self.sun).with_course(self.course()));
         MachineStage { landscape: Arc::new(landscape), scenery, settings: self.settings() }
@@ -229,6 +238,7 @@ impl ComparedScene {
             loader: self.loader.clone(),
             sweep_memory: self.sweep_memory,
             cpu: self.cpu,
+            level_turn: self.level_turn,
             data_banks: self.data_banks,
             kind_banks: self.kind_banks,
             feature_generator: self.feature_generator,

@@ -1,6 +1,8 @@
 //! A scene that differs, made as small as it can be while it still differs.
 
-use hardware_model::{AmplifierParts, AnalogParts, FunctionGeneratorParts, LatePolicy, SweepParts};
+use hardware_model::{
+    AmplifierParts, AnalogParts, FunctionGeneratorParts, LatePolicy, LevelTurn, SweepParts,
+};
 use landscape::Photometry;
 use scenario::{Curvature, Occlusion, Projection, RangeLaw};
 
@@ -14,6 +16,8 @@ const STEPS: &[(&str, Step)] = &[
     ("one sweep", |scene| changed(scene, |scene| scene.sweeps = 1)),
     ("one level", |scene| changed(scene, |scene| scene.coarse = None)),
     ("no texture", |scene| changed(scene, |scene| scene.texture.clear())),
+    ("no nearer switch", |scene| changed(scene, |scene| scene.level_turn = LevelTurn::NEVER)),
+    ("no gain of texture", |scene| changed(scene, |scene| scene.crater_gain = [1.0; 3])),
     ("no crater", |scene| changed(scene, |scene| scene.craters.clear())),
     ("the first half of the craters", |scene| {
         let half = scene.craters.len().div_ceil(2);

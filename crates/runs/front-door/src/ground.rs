@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use features::{Crater, Craters, Features, MOST_CRATERS};
-use landscape::{Bank, Landscape};
+use landscape::{Bank, CraterGrain, Landscape};
 use scenario::{CraterList, CraterPopulation, Scenario};
 
 use crate::StageError;
@@ -24,13 +24,14 @@ pub fn landscape(bank: Bank, scenario: &Scenario) -> Result<Landscape, StageErro
     let features = Features::of(craters(scenario, level.extent())?);
     let texture = scenario.texture.as_ref().map(|wish| wish.over(level.region_size(), level.origin()));
     let texture = texture.transpose()?;
+    let crater_grain = scenario.texture.as_ref().and_then(|wish| CraterGrain::new(wish.crater_gain));
     let extent = level.extent();
     let map = scenario.albedo_map.as_ref().map(|wish| albedo_map(wish, extent)).transpose()?;
     let place = bank.map();
     let posts = scenario.database.as_ref().map(|file| posts(file, extent, place)).transpose()?;
     let landscape = Landscape::new(bank, scenario.albedo).with_albedo_map(map).with_posts(posts);
     let landscape = landscape.with_photographs(photographs(&scenario.photographs)?);
-    let landscape = landscape.with_features(features).with_texture(texture);
+    let landscape = landscape.with_features(features).with_texture(texture).with_crater_grain(crater_grain);
     Ok(landscape.with_photometry(scenario.photometry).with_silhouettes(scenario.silhouettes.clone()))
 }
 

@@ -4,7 +4,7 @@ use std::fmt::{self, Write};
 
 use features::{Crater, Features};
 use generator::Stage;
-use landscape::{Attitude, Photometry};
+use landscape::{Attitude, CraterGrain, Photometry};
 use scenario::{Scenery, Standing};
 use serde::{Deserialize, Serialize};
 use solids::{Body, Kind};
@@ -46,6 +46,7 @@ impl SceneryRecord {
         let bodies = |kind: Kind| scenery.standing().iter().filter(|one| one.body.kind == kind).count();
         let few = (landscape.texture(), landscape.silhouettes(), landscape.photometry());
         let dated = (scenery.suns(), scenery.patches(f64::INFINITY));
+        let hash = hash_of(&(few, dated, hash_of_craters(landscape.features()), hash_of_bodies(scenery)));
         Self {
             craters: landscape.features().craters().len(),
             rock_bodies: bodies(Kind::Rock),
@@ -57,10 +58,7 @@ impl SceneryRecord {
             silhouettes: landscape.silhouettes().len(),
             texture: landscape.texture().is_some(),
             photometry: format!("{:?}", landscape.photometry()),
-            blake3: with_guests(
-                hash_of(&(few, dated, hash_of_craters(landscape.features()), hash_of_bodies(scenery))),
-                scenery,
-            ),
+            blake3: with_crater_grain(with_guests(hash, scenery), landscape.crater_grain()),
         }
     }
 }
@@ -86,6 +84,14 @@ fn with_guests(hash: String, scenery: &Scenery) -> String {
     match scenery.all_effects() {
         [] => hash,
         effects => hash_of(&(hash, effects)),
+    }
+}
+
+/// The hash of a scenery and of what its craters do to texture; `hash` itself where they do nothing.
+fn with_crater_grain(hash: String, grain: Option<&CraterGrain>) -> String {
+    match grain {
+        None => hash,
+        Some(grain) => hash_of(&(hash, grain)),
     }
 }
 

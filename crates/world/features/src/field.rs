@@ -129,6 +129,22 @@ impl Features {
         self.sum(near, [x, y], |outer| kept_share(outer / spacing))
     }
 
+    /// Sum over the craters that hold (x, y) (m), each the `weight` of its type (1 to 3) times `1 - rho^2 / R^2`: how near the place
+    /// is to the centre, 1 there and 0 on the edge of the footprint. In ascending order of index.
+    pub fn nearness(&self, x: f64, y: f64, weight: impl Fn(u32) -> f64) -> f64 {
+        let near = |index: u32| {
+            let (centre, outer) = self.craters.circle(index);
+            let [dx, dy] = [x - centre[0], y - centre[1]];
+            (1.0 - (dx * dx + dy * dy) / (outer * outer)).max(0.0)
+        };
+        let mut around = Around::default();
+        self.index
+            .near_box([x, y], [x, y])
+            .filter(|&index| near(index) > 0.0)
+            .for_each(|index| around.push(index));
+        around.ascending().iter().map(|&index| weight(self.crater(index).type_number()) * near(index)).sum()
+    }
+
     /// Sum of what craters add at a point, each times the share that its outer radius (m) has. `near` has all whose circles hold the
     /// point, and others.
     #[inline]

@@ -14,7 +14,8 @@
 //! - [`Landscape`]: bank, albedo and lunoid together; the one query for height, slope and albedo.
 //! - [`AlbedoMap`]: albedo from place to place, over the one number of the landscape.
 //! - [`Sun`], [`Photometry`]: direction of light, laws of reflection; [`SweepLight`], [`GroupLight`]: along sweeps.
-//! - [`Texture`]: small detail of the foreground; [`Silhouette`]: mountains beyond the stored area.
+//! - [`Texture`]: small detail of the foreground, and what craters do to it ([`CraterGrain`]); [`Silhouette`]: mountains beyond the
+//!   stored area.
 //! - [`Attitude`], [`axes`]: rotations between vehicle and terrain axes.
 //! - [`relief`]: seeded landscapes with a realistic height spectrum.
 
@@ -24,6 +25,7 @@ mod bank;
 pub mod bank_file;
 pub mod basis;
 pub mod bernstein;
+mod crater_grain;
 mod light;
 mod lunoid;
 mod map_frame;
@@ -39,6 +41,7 @@ mod texture;
 pub use albedo::{AlbedoMap, AlbedoMapError, Texels};
 pub use axes::Attitude;
 pub use bank::{Bank, BankError, CornerWords, Georeference, Level, WORDS};
+pub use crater_grain::{CraterGrain, MOST_GAIN};
 pub use light::{GroupLight, Sun, SweepLight, shade};
 pub use lunoid::{LUNOID_RADIUS, is_same_body, parabolic_drop, spherical_drop};
 pub use map_frame::{FileCoordinates, MapFrame, SPACING_RULE};

@@ -6,7 +6,7 @@ use features::{Features, Rise};
 use photograph::Photograph;
 use quantities::intensity;
 
-use crate::{AlbedoMap, Bank, Level, Photometry, Posts, Silhouette, Texture};
+use crate::{AlbedoMap, Bank, CraterGrain, Level, Photometry, Posts, Silhouette, Texture};
 
 /// The ground at one point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,6 +35,7 @@ pub struct Landscape {
     albedo_map: Option<AlbedoMap>,
     features: Features,
     texture: Option<Texture>,
+    crater_grain: Option<CraterGrain>,
     photometry: Photometry,
     silhouettes: Vec<Silhouette>,
     posts: Option<Posts>,
@@ -51,6 +52,7 @@ impl Landscape {
             albedo_map: None,
             features,
             texture: None,
+            crater_grain: None,
             photometry,
             silhouettes: Vec::new(),
             posts: None,
@@ -71,6 +73,11 @@ impl Landscape {
     /// The same with texture in the foreground.
     pub fn with_texture(self, texture: Option<Texture>) -> Self {
         Self { texture, ..self }
+    }
+
+    /// The same with craters that change its texture; without texture they change nothing.
+    pub fn with_crater_grain(self, crater_grain: Option<CraterGrain>) -> Self {
+        Self { crater_grain, ..self }
     }
 
     /// The same under another law of reflection.
@@ -137,6 +144,17 @@ impl Landscape {
     /// Small detail of the foreground, if there is any.
     pub fn texture(&self) -> Option<&Texture> {
         self.texture.as_ref()
+    }
+
+    /// What craters do to the texture, if they do anything: only where there are both.
+    pub fn crater_grain(&self) -> Option<&CraterGrain> {
+        self.crater_grain.as_ref().filter(|_| self.texture.is_some() && !self.features.is_empty())
+    }
+
+    /// What texture adds to reflectivity at (x, y) (m) seen from ground range `range` (m): 0 where there is none.
+    pub fn texture_at(&self, x: f64, y: f64, range: f64) -> f64 {
+        let added = self.texture.as_ref().map_or(0.0, |texture| texture.at(x, y, range));
+        self.crater_grain().map_or(added, |grain| added * grain.gain(&self.features, x, y))
     }
 
     /// Returns the law by which the ground reflects light.

@@ -13,6 +13,8 @@ pub struct TextureWish {
     pub seed: u64,
     /// Layers of the texture, one per grain size.
     pub layers: Vec<Layer>,
+    /// Gain of the grain in the middle of craters of types 1, 2 and 3, 0 to [`MOST_GAIN`](landscape::MOST_GAIN).
+    pub crater_gain: [f64; 3],
 }
 
 impl TextureWish {

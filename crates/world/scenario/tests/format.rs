@@ -405,6 +405,7 @@ const CHANGES: &[(&str, usize, &str, &str)] = &[
     ("photometry.exponent", 2, "exponent = 8", "exponent = 9"),
     ("texture.source", 2, "\"random\"", "\"pattern\""),
     ("texture.seed", 2, "seed = 9", "seed = 8"),
+    ("texture.crater_gain", 2, "crater_gain = [1.5, 2, 0.5]", "crater_gain = [1.5, 2, 0.6]"),
     ("texture.layer.cell_m", 2, "cell_m = 0.4", "cell_m = 0.5"),
     ("texture.layer.amplitude", 2, "amplitude = 0.04", "amplitude = 0.05"),
     ("texture.layer.range_m", 2, "range_m = 60", "range_m = 61"),

@@ -5,6 +5,7 @@ use hardware_model::{AnalogParts, FeatureParts};
 use parts::{GateEdge, LagStep, Spread};
 use signal::{LANES, Lanes, Real};
 
+use crate::grain::{Footprint, begin, up_to};
 use crate::of_parts::footprint::{self, Rim};
 use crate::of_parts::sub_generator::Chain;
 use crate::steps::{Step, collect};
@@ -91,6 +92,29 @@ impl PartsFeatures {
             }
             for load in 0..scratch.at_work.len() {
                 sweep.draw(load as u32, scratch, profile);
+            }
+        }
+    }
+
+    /// What craters add to the gain of texture, as [`FeatureGenerator::grain`](crate::FeatureGenerator::grain): by the footprints that
+    /// the sub-generators make of them.
+    pub fn grain<S: Real>(
+        &self,
+        features: &Features,
+        ranges: &[f64],
+        programs: &[FeatureProgram; LANES],
+        directions: &[[f64; 2]; LANES],
+        added: impl Fn(u32) -> f64,
+        grain: &mut Vec<Lanes<S>>,
+    ) {
+        begin(ranges, grain);
+        for (lane, program) in programs.iter().enumerate() {
+            let ranges = up_to(ranges, program.end_range);
+            for load in &program.loads {
+                let crater = features.crater(load.crater);
+                let chain = self.chain(crater.type_number(), load);
+                let (made, load) = chain.distorted(&crater, load, directions[lane]);
+                Footprint::of(&made, &load).add(added(crater.type_number()), ranges, lane, grain);
             }
         }
     }

@@ -1,9 +1,9 @@
 //! The keys of processor, drums, channels and storage buffer. Times become whole master ticks here.
 
 use diagnostics::Reader;
-use quantities::Rate;
+use quantities::{Rate, radians};
 
-use crate::{Channels, Cpu, DataBanks, Drum, DrumQueue};
+use crate::{Channels, Cpu, DataBanks, Drum, DrumQueue, LevelTurn};
 
 /// Most instructions of a crossing, cycles of an instruction, cycles of a word: their products stay far from the end of
 /// 64 bits.
@@ -118,4 +118,13 @@ pub(super) fn data_banks(
 ) -> Option<DataBanks> {
     let words = buffer.u32("words").at_least(9).or_word("unlimited").required();
     Some(DataBanks { drum, channels: channels?, buffer_words: words? })
+}
+
+/// Without the table the switch of the levels stays where it is.
+pub(super) fn level_turn(table: &Reader) -> Option<LevelTurn> {
+    let rate = table.f64("rate_deg_s").above(0.0).at_most(1000.0).unit("degrees/s").map(radians);
+    let rate = rate.or_word("never").default(None);
+    let share = table.f64("range_pct").between(1.0, 100.0).unit("%").default(50.0);
+    let (rate, share) = (rate?, 0.01 * share?);
+    Some(rate.map_or(LevelTurn::NEVER, |rate| LevelTurn { rate, share }))
 }

@@ -1,7 +1,7 @@
 //! The texture generator made of real parts.
 //!
 //! ```text
-//! pattern ─▶ word of b bits ─▶ D/A × fading ramp ─▶ filter ─▶ txg.texture
+//! pattern ─▶ word of b bits ─▶ D/A × fading ramp ─▶ × gain of craters ─▶ filter ─▶ txg.texture
 //! ```
 //!
 //! **Law.** The sum of the layers as a share of their amplitudes at that range is the word of a D/A converter, whose reference
@@ -17,6 +17,8 @@ use hardware_model::AnalogParts;
 use landscape::Texture;
 use parts::{LagStep, MultiplyingConverter, Spread, Tolerance, relative_sigma, time_constant};
 use signal::{Lanes, Real};
+
+use crate::scale;
 
 /// Converter and filter, drawn once from the seed of the model; what is `None` is not there.
 #[derive(Debug, Clone)]
@@ -44,13 +46,14 @@ impl<S: Real> PartsTexture<S> {
         }
     }
 
-    /// Passes the texture of a group of sweeps through.
-    pub fn run(&self, texture: &mut [Lanes<S>]) {
+    /// Passes the texture of a group of sweeps through; `grain` is what craters add to its gain, none where they add nothing.
+    pub fn run(&self, grain: &[Lanes<S>], texture: &mut [Lanes<S>]) {
         if let Some(converter) = &self.converter {
             for (value, &ramp) in texture.iter_mut().zip(&self.ramp) {
                 *value = value.map(|value| quantised(converter, value, ramp));
             }
         }
+        scale(grain, texture);
         if let Some(filter) = &self.filter {
             let Some(&first) = texture.first() else { return };
             let (mut before, mut out) = (first, first);
@@ -100,7 +103,7 @@ mod tests {
             let part = parts(Some(bits), None);
             let wave = |k: usize| 0.97 * part.ramp[k] * libm::sin(0.37 * k as f64);
             let mut texture: Vec<_> = (0..part.ramp.len()).map(|k| Lanes::splat(wave(k))).collect();
-            part.run(&mut texture);
+            part.run(&[], &mut texture);
             let step = |k: usize| part.ramp[k] / f64::from(1 << (bits - 1));
             let off = |k: usize| (texture[k][3] - wave(k)) / step(k);
             let most = (0..part.ramp.len()).map(|k| off(k).abs()).fold(0.0, f64::max);
@@ -119,7 +122,7 @@ mod tests {
         let part = parts(None, Some(bandwidth));
         let turn = 2.0 * PI / 80.0;
         let mut texture: Vec<_> = (0..1500).map(|k| Lanes::splat(libm::sin(turn * f64::from(k)))).collect();
-        part.run(&mut texture);
+        part.run(&[], &mut texture);
         let phase = libm::atan(turn * time_constant(bandwidth) / H);
         for (k, value) in texture.iter().enumerate().skip(300) {
             let expected = libm::cos(phase) * libm::sin(turn * k as f64 - phase);
@@ -132,8 +135,8 @@ mod tests {
     fn ideal_parts_change_nothing() {
         let mut texture: Vec<Lanes<f64>> = (0..99).map(|k| Lanes::splat(0.001 * f64::from(k))).collect();
         let before = texture.clone();
-        parts(None, None).run(&mut texture);
+        parts(None, None).run(&[], &mut texture);
         assert_eq!(texture, before);
-        parts(Some(6), Some(5e6)).run(&mut []);
+        parts(Some(6), Some(5e6)).run(&[], &mut []);
     }
 }

@@ -113,6 +113,12 @@ impl Passage {
         [self.middle - half, self.middle + half]
     }
 
+    /// How near the sweep is to the centre at a range (m): 1 in the middle, 0 on the edge of the footprint and outside.
+    pub fn nearness(&self, range: f64) -> f64 {
+        let rho = libm::hypot(range - self.middle, self.side);
+        (1.0 - (rho / self.crater.outer()) * (rho / self.crater.outer())).max(0.0)
+    }
+
     /// Height, slope along and slope across at a range (m) by the law of a zone.
     pub fn law(&self, zone: Zone, range: f64) -> [f64; 3] {
         let (along, across) = (range - self.middle, -self.side);

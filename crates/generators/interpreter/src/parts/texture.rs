@@ -22,8 +22,14 @@ pub struct Grain {
     pub margins: Vec<f64>,
 }
 
-/// `pattern` behind the parts, at `ranges` (m).
-pub fn grained(kit: &Kit<'_>, texture: &Texture, pattern: &[f64], ranges: &[f64]) -> Grain {
+/// `pattern` behind the parts, at `ranges` (m), with what craters add to its gain.
+pub fn grained(
+    kit: &Kit<'_>,
+    texture: &Texture,
+    pattern: &[f64],
+    added: Option<&[f64]>,
+    ranges: &[f64],
+) -> Grain {
     let mut grain = Grain { values: pattern.to_vec(), margins: vec![f64::INFINITY; pattern.len()] };
     if let Some(bits) = kit.analog.texture.bits {
         let half = f64::from(1_u32 << (bits - 1));
@@ -31,11 +37,18 @@ pub fn grained(kit: &Kit<'_>, texture: &Texture, pattern: &[f64], ranges: &[f64]
             (*value, *margin) = word(*value, reference(texture, *range), half);
         }
     }
+    grain.values = enlarged(grain.values, added);
     let tau = kit.lag("txg.filter", 0, kit.analog.texture.bandwidth);
     if tau > 0.0 {
         filter(tau, &mut grain);
     }
     grain
+}
+
+/// `values` times the gain of 1 and what craters add, which is never negative.
+pub fn enlarged(values: Vec<f64>, added: Option<&[f64]>) -> Vec<f64> {
+    let Some(added) = added else { return values };
+    values.iter().zip(added).map(|(value, added)| value * (1.0 + added).max(0.0)).collect()
 }
 
 /// Amplitude of all layers at a range (m).

@@ -5,22 +5,23 @@ use std::ops::Range;
 use feature_generator::PartsFeatures;
 use mixing_unit::{Composite, FeatureInput, Inputs, MixingUnit, ToggleList, terrain_alone};
 use signal::{LANES, Real};
-use texture_generator::TextureGenerator;
+use texture_generator::{TextureGenerator, scale};
 
 use super::Group;
 use crate::lane_gate::LaneGate;
 use crate::workspace::Workspace;
 
 impl<S: Real> Group<'_, S> {
-    /// Texture of the foreground, of the samples in `runs`.
+    /// Texture of the foreground, of the samples in `runs`; what craters add to its gain is found.
     pub fn draw_texture(&self, sweeps: &[u32; LANES], runs: &[Range<usize>], work: &mut Workspace<S>) {
         let Some(texture) = self.stage.landscape.texture() else { return };
         let directions = sweeps.map(|sweep| self.plan.direction(sweep));
         let eye = [self.plan.eye[0], self.plan.eye[1]];
         let generator = TextureGenerator { texture, ranges: self.table.ranges() };
         generator.run(eye, &directions, runs, &mut work.texture);
-        if let Some(parts) = &self.parts.texture {
-            parts.run(&mut work.texture);
+        match &self.parts.texture {
+            Some(parts) => parts.run(&work.grain, &mut work.texture),
+            None => scale(&work.grain, &mut work.texture),
         }
     }
 

@@ -106,7 +106,7 @@ impl<S: Real> Group<'_, S> {
         let generator = ModifiedTerrainGenerator {
             fine: self.terrain(landscape.level()),
             coarse: self.terrain(&landscape.bank().levels()[1]),
-            blend: coarse.switch.blend,
+            blend: self.plan.switch.blend,
             weight: self.stage.settings.analog.level_blend.weight,
             slope_term: self.stage.settings.analog.level_blend.slope_term,
         };

@@ -122,6 +122,7 @@ impl<S: Real> Group<'_, S> {
             return;
         }
         if self.blocks.texture {
+            self.find_passing_grain(work);
             self.draw_texture(sweeps, runs, work);
         }
         let texture = if self.blocks.texture { work.texture.as_slice() } else { &[] };

@@ -170,15 +170,12 @@ impl<S: Real> Recorded<'_, S> {
             "fg.slope.u" if has_features => slope(&of(&features.along), &of(&features.across), direction, 0),
             "fg.slope.v" if has_features => slope(&of(&features.along), &of(&features.across), direction, 1),
             "fg.or" if has_features => of(&features.present),
+            "fg.grain" if has_features => up_to(of(&work.grain), samples),
             "fg.reflectivity" if has_features => {
                 of(&work.lit.reflectivity).into_iter().map(|signed| signed.max(0.0)).collect()
             }
             "sc.or" => self.mixed(|inputs| inputs.vs2_gate(lane)),
-            "txg.texture" if group.blocks.texture => {
-                let mut values = of(&work.texture);
-                values.resize(samples, 0.0);
-                values
-            }
+            "txg.texture" if group.blocks.texture => up_to(of(&work.texture), samples),
             _ => vec![0.0; samples],
         }
     }
@@ -201,6 +198,12 @@ impl<S: Real> Recorded<'_, S> {
         }
         row.into_iter().map(f64::from).collect()
     }
+}
+
+/// Values at all `samples`: 0 beyond the last.
+fn up_to(mut values: Vec<f64>, samples: usize) -> Vec<f64> {
+    values.resize(samples, 0.0);
+    values
 }
 
 /// Values at the samples.

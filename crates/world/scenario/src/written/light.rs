@@ -1,7 +1,7 @@
 //! What is lit and how: `[shadows]`, `[photometry]`, `[texture]`, `[[silhouette]]`.
 
 use diagnostics::Reader;
-use landscape::{Layer, Photometry, Silhouette, Source};
+use landscape::{Layer, MOST_GAIN, Photometry, Silhouette, Source};
 use quantities::radians;
 
 use super::all;
@@ -51,6 +51,7 @@ pub(super) fn texture(table: &Reader) -> Option<TextureWish> {
     let source =
         table.one_of("source", &[("pattern", Source::Pattern), ("random", Source::Random)]).required();
     let seed = table.u64("seed").default(0);
+    let crater_gain = table.f64_array::<3>("crater_gain").between(0.0, MOST_GAIN).default([1.0; 3]);
     let layers = table.tables("layer");
     let count = layers.len();
     let layers = all(layers.iter().map(layer));
@@ -59,7 +60,7 @@ pub(super) fn texture(table: &Reader) -> Option<TextureWish> {
         table.report(table.problem("layer", title).expected(format!("1 to {MAX_LAYERS} tables `layer`")));
         return None;
     }
-    Some(TextureWish { source: source?, seed: seed?, layers: layers? })
+    Some(TextureWish { source: source?, seed: seed?, layers: layers?, crater_gain: crater_gain? })
 }
 
 /// As many as a texture takes.

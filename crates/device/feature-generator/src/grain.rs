@@ -1,0 +1,181 @@
+//! What craters add to the gain of texture ([`landscape`'s law](features::Features::nearness)): rubble or dust of each crater type.
+//!
+//! ```text
+//! sum of squares of the footprint ─▶ 1 - rho^2 / R^2 ─▶ limiter ─▶ × parameter of the crater type ─▶ sum of all ─▶ fg.grain
+//! ```
+//!
+//! It is taken where the comparator of the footprint is, in front of the parabola and its lag. A crater of which the words come late
+//! adds nothing until they are there.
+
+use features::{Crater, Features};
+use signal::{LANES, Lanes, Real};
+
+use crate::chord::half_chord;
+use crate::{FeatureGenerator, FeatureLoad, FeatureProgram, Passings};
+
+/// The footprint of a crater on a sweep.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Footprint {
+    /// Radius of its circle (m).
+    pub radius: f64,
+    /// Ground range at which the sweep passes the centre (m).
+    pub middle: f64,
+    /// Distance of the centre beside the sweep (m).
+    pub side: f64,
+    /// Ground range from which the crater is drawn (m).
+    pub from: f64,
+}
+
+impl Footprint {
+    pub fn of(crater: &Crater, load: &FeatureLoad) -> Self {
+        Self { radius: crater.outer(), middle: load.middle, side: load.side, from: load.from }
+    }
+
+    /// Adds `added` times how near each sample of a lane is to the centre.
+    pub fn add<S: Real>(&self, added: f64, ranges: &[f64], lane: usize, grain: &mut [Lanes<S>]) {
+        let half = half_chord(self.radius, self.side);
+        let beyond = |range: f64| ranges.partition_point(|&sample| sample <= range);
+        let first = beyond((self.middle - half).max(self.from));
+        let last = beyond(self.middle + half).max(first);
+        let square = self.radius * self.radius;
+        for (range, grain) in ranges[first..last].iter().zip(&mut grain[first..last]) {
+            let offset = range - self.middle;
+            let near = 1.0 - (offset * offset + self.side * self.side) / square;
+            grain[lane] += S::from_f64(added * near);
+        }
+    }
+}
+
+impl FeatureGenerator<'_> {
+    /// What the craters of a group's programs add to the gain of texture at each sample; `added` by a crater of a type
+    /// (1 to 3) in its middle.
+    pub fn grain<S: Real>(
+        &self,
+        features: &Features,
+        programs: &[FeatureProgram; LANES],
+        added: impl Fn(u32) -> f64,
+        grain: &mut Vec<Lanes<S>>,
+    ) {
+        begin(self.ranges, grain);
+        for (lane, program) in programs.iter().enumerate() {
+            let ranges = up_to(self.ranges, program.end_range);
+            for load in &program.loads {
+                let crater = features.crater(load.crater);
+                Footprint::of(&crater, load).add(added(crater.type_number()), ranges, lane, grain);
+            }
+        }
+    }
+
+    /// The same of craters that sweeps pass.
+    pub fn passing_grain<S: Real>(
+        &self,
+        features: &Features,
+        passings: &Passings,
+        added: impl Fn(u32) -> f64,
+        grain: &mut Vec<Lanes<S>>,
+    ) {
+        begin(self.ranges, grain);
+        for passing in &passings.craters {
+            let crater = features.crater(passing.crater);
+            for lane in (0..LANES).filter(|&lane| passing.side[lane].is_finite()) {
+                let ranges = up_to(self.ranges, passings.ends[lane]);
+                let (middle, side, from) = (passing.middle[lane], passing.side[lane], passing.from[lane]);
+                let footprint = Footprint { radius: crater.outer(), middle, side, from };
+                footprint.add(added(crater.type_number()), ranges, lane, grain);
+            }
+        }
+    }
+}
+
+/// Nothing yet, at each of the `ranges`.
+pub(crate) fn begin<S: Real>(ranges: &[f64], grain: &mut Vec<Lanes<S>>) {
+    grain.clear();
+    grain.resize(ranges.len(), Lanes::default());
+}
+
+/// Ranges of the samples of a profile that ends at `end` (m).
+pub(crate) fn up_to(ranges: &[f64], end: f64) -> &[f64] {
+    &ranges[..ranges.partition_point(|&range| range <= end)]
+}
+
+#[cfg(test)]
+mod tests {
+    use features::{Crater, Features, Shape};
+    use hardware_model::{FeatureParts, Organisation};
+    use proptest::prelude::{prop_assert, prop_assert_eq, proptest};
+    use signal::{LANES, Lanes};
+
+    use crate::{FeatureGenerator, FeatureProgram, Passings, Schedule};
+
+    fn features(places: &[(f64, f64, f64)]) -> Features {
+        let shape = |number: usize, r: f64| match number % 3 {
+            0 => Shape::Bowl { r1: r },
+            1 => Shape::RimmedBowl { r1: r, r2: 1.4 * r },
+            _ => Shape::FlatFloor { r1: r, r2: 1.5 * r, r3: 1.9 * r },
+        };
+        let crater = |(number, &(x, y, r)): (usize, &(f64, f64, f64))| {
+            let rim = if number % 3 == 0 { 0.0 } else { 0.1 };
+            Crater::new([x, y], shape(number, r), 1.0, rim).unwrap()
+        };
+        Features::new(places.iter().enumerate().map(crater).collect())
+    }
+
+    fn programs(features: &Features, directions: &[[f64; 2]; LANES]) -> [FeatureProgram; LANES] {
+        let schedule = Schedule {
+            features,
+            parts: FeatureParts { sub_generators: None, organisation: Organisation::Scheduled },
+            region_origin: [0.0; 2],
+            region_size: 100.0,
+            among: None,
+            absent: &[],
+        };
+        std::array::from_fn(|lane| {
+            let mut program = FeatureProgram::default();
+            schedule.write([0.0; 2], directions[lane], [0.5, 90.0], &mut program);
+            program
+        })
+    }
+
+    proptest! {
+        /// The law of the ground, read along sweeps; both roads to it are one.
+        #[test]
+        fn sweeps_read_the_gain_of_the_ground(
+            places in proptest::collection::vec((1.0..80.0f64, -20.0..20.0f64, 0.5..15.0f64), 1..9),
+        ) {
+            let features = features(&places);
+            let directions: [[f64; 2]; LANES] = std::array::from_fn(|lane| {
+                let (sin, cos) = quantities::sin_cos(0.04 * (lane as f64 - 3.5));
+                [cos, sin]
+            });
+            let ranges: Vec<f64> = (1..300).map(|k| 0.35 * f64::from(k)).collect();
+            let added = |kind: u32| [2.0, -1.0, 0.5][kind as usize - 1];
+            let programs = programs(&features, &directions);
+            let generator = FeatureGenerator { ranges: &ranges };
+            let [mut of_programs, mut of_passings] = [vec![Lanes::splat(9.0_f64); 3], Vec::new()];
+            generator.grain(&features, &programs, added, &mut of_programs);
+            let mut passings = Passings::default();
+            passings.follow(&programs);
+            generator.passing_grain(&features, &passings, added, &mut of_passings);
+            prop_assert_eq!(&of_programs, &of_passings);
+            for (range, grain) in ranges.iter().zip(&of_programs) {
+                for (lane, [cos, sin]) in directions.iter().enumerate() {
+                    let expected = features.nearness(range * cos, range * sin, added);
+                    let expected = if *range <= 90.0 { expected } else { 0.0 };
+                    prop_assert!((grain[lane] - expected).abs() < 1e-12, "{} {expected}", grain[lane]);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn late_words_add_nothing_until_they_are_there() {
+        let features = features(&[(20.0, 0.0, 10.0)]);
+        let mut programs = programs(&features, &[[1.0, 0.0]; LANES]);
+        programs[3].loads[0].from = 18.0;
+        let ranges: Vec<f64> = (1..40).map(f64::from).collect();
+        let mut grain: Vec<Lanes<f64>> = Vec::new();
+        FeatureGenerator { ranges: &ranges }.grain(&features, &programs, |_| 1.0, &mut grain);
+        assert_eq!([grain[17][3], grain[17][2]], [0.0, 0.96], "at 18 m");
+        assert_eq!([grain[18][3], grain[18][2]], [0.99; 2], "at 19 m");
+    }
+}
