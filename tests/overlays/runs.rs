@@ -89,6 +89,8 @@ pub fn yoke_angles(overlay: Option<&Overlay>, frames: std::ops::Range<u64>) -> V
     let model = HardwareModel::load(&source, &overlays, &[]).unwrap_or_else(|e| panic!("{e}")).model;
     let mut shipped = Shipped::read("rough-ride", Some(16));
     shipped.settings = front_door::settings(&shipped.scenario, &model).expect("settings of an overlay");
+    // Shadows take most of such a frame, and no yoke minds them.
+    shipped.settings.shadows = None;
     let session = shipped.stage().prepare();
     let angle = |frame: u64| {
         let pose = shipped.pose(frame).pose;
