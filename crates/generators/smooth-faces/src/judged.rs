@@ -32,7 +32,7 @@ pub fn faces(scene: Scene, run: &Parameters) -> Option<FaceScene> {
 fn look(piece: &Piece, run: &Parameters, at: [f64; 2]) -> Look {
     let across = run.across();
     let brightness = match piece.ramp(across, at[across], run.interpolation) {
-        Some(ramp) => ramp.at(at[1 - across], run.interpolation)[1],
+        Some(ramp) => ramp.course(run.interpolation).at(at[1 - across])[1],
         None => nearest(&piece.spots, at),
     };
     let light = faces::lit(piece.colour, run.ambient, brightness).map(|channel| channel.clamp(0.0, 1.0));

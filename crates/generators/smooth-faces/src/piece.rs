@@ -130,15 +130,49 @@ fn between(from: &Spot, to: &Spot, along: usize, share: f64, interpolation: Inte
     End {
         at: mix(from.at[along], to.at[along], share),
         q: mix(from.q, to.q, share),
-        brightness: mix(from.brightness, to.brightness, part(share, [from.q, to.q], interpolation)),
+        brightness: mix(
+            from.brightness,
+            to.brightness,
+            part(share, || depths([from.q, to.q]), interpolation),
+        ),
     }
 }
 
-/// Part of the way of brightness at part `share` of the way on the screen, between two nearnesses (1/m).
-fn part(share: f64, [from, to]: [f64; 2], interpolation: Interpolation) -> f64 {
+/// Part of the way of brightness at part `share` of the way on the screen, between two depths (m).
+#[inline(always)]
+fn part(share: f64, depths: impl FnOnce() -> [f64; 2], interpolation: Interpolation) -> f64 {
     match interpolation {
         Interpolation::Screen => share,
-        Interpolation::Perspective => in_space(share, [1.0 / from, 1.0 / to]),
+        Interpolation::Perspective => in_space(share, depths()),
+    }
+}
+
+/// Depths (m) of two nearnesses (1/m).
+fn depths(nearness: [f64; 2]) -> [f64; 2] {
+    nearness.map(|q| 1.0 / q)
+}
+
+/// A ramp from sample to sample: what all of them have in common is worked out once.
+#[derive(Debug, Clone, Copy)]
+pub struct Course {
+    ramp: Ramp,
+    /// Length on the screen (pixels).
+    length: f64,
+    /// Depths of its ends (m).
+    depths: [f64; 2],
+    interpolation: Interpolation,
+    /// Change of brightness from pixel to pixel, where it is linear on the screen.
+    pub slope: f64,
+}
+
+impl Course {
+    /// How near the piece is (1/m), and its brightness, at a place (pixels).
+    #[inline(always)]
+    pub fn at(&self, place: f64) -> [f64; 2] {
+        let Ramp([from, to]) = self.ramp;
+        let share = if self.length > 0.0 { ((place - from.at) / self.length).clamp(0.0, 1.0) } else { 0.0 };
+        let part = part(share, || self.depths, self.interpolation);
+        [from.q + share * (to.q - from.q), from.brightness + part * (to.brightness - from.brightness)]
     }
 }
 
@@ -148,19 +182,11 @@ impl Ramp {
         samples(self.0.map(|end| end.at), count)
     }
 
-    /// How near the piece is (1/m), and its brightness, at a place (pixels).
-    pub fn at(&self, place: f64, interpolation: Interpolation) -> [f64; 2] {
+    /// The ramp with brightness interpolated so.
+    pub fn course(self, interpolation: Interpolation) -> Course {
         let [from, to] = self.0;
         let length = to.at - from.at;
-        let share = if length > 0.0 { ((place - from.at) / length).clamp(0.0, 1.0) } else { 0.0 };
-        let brightness =
-            from.brightness + part(share, [from.q, to.q], interpolation) * (to.brightness - from.brightness);
-        [from.q + share * (to.q - from.q), brightness]
-    }
-
-    /// Change of brightness from pixel to pixel, where it is linear on the screen.
-    pub fn slope(&self) -> f64 {
-        let [from, to] = self.0;
-        if to.at > from.at { (to.brightness - from.brightness) / (to.at - from.at) } else { 0.0 }
+        let slope = if length > 0.0 { (to.brightness - from.brightness) / length } else { 0.0 };
+        Course { ramp: self, length, depths: depths([from.q, to.q]), interpolation, slope }
     }
 }

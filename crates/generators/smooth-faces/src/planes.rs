@@ -3,13 +3,16 @@
 use std::ops::Range;
 
 use generator::{FrameCounts, Label, PlaneKind, Planes};
+use glam::DVec3;
 use quantities::luminance;
 use rayon::prelude::*;
+use signal::Probe;
 
 use crate::parameters::Parameters;
 use crate::piece::{Piece, samples};
 use crate::scan_line::{Sample, ScanLine, TimedLine};
 use crate::scene::Scene;
+use crate::signals;
 
 /// The planes that are filled.
 pub const PLANES: [PlaneKind; 7] = [
@@ -22,8 +25,8 @@ pub const PLANES: [PlaneKind; 7] = [
     PlaneKind::Distance,
 ];
 
-/// Scan lines whose samples are there at a time. Chosen: some megabytes, and work for all threads.
-const BLOCK: usize = 64;
+/// Scan lines whose values are there at a time. Chosen: some megabytes, work for all threads, and few lists of crossings.
+const BLOCK: usize = 256;
 
 /// Numbers of the pieces that may cross each scan line, [`BLOCK`] lines after [`BLOCK`] lines.
 struct Crossings(Vec<BlockCrossings>);
@@ -87,52 +90,97 @@ pub fn timed_lines(scene: &Scene, run: &Parameters, size: [usize; 2]) -> Vec<Tim
     (0..size[axis]).into_par_iter().map(line).collect()
 }
 
-/// Draws a scene on a screen of `size` (columns, lines): fills those of [`PLANES`] that a caller wants, and shows each scan line with its
-/// number to `seen`, in order.
+/// Draws a scene on a screen of `size` (columns, lines): fills those of [`PLANES`] that a caller wants, and records the scan lines that the
+/// probe of `frame` asks for.
 ///
-/// A sample is much larger than its pixels, so samples of [`BLOCK`] scan lines are there at a time.
+/// A sample is much larger than its pixels, so a line keeps its samples only where the probe asks for them.
 pub fn draw(
     scene: &Scene,
     run: &Parameters,
     size: [usize; 2],
     planes: &mut Planes,
-    mut seen: impl FnMut(usize, &ScanLine),
+    (frame, probe): (u64, &mut Probe),
 ) -> FrameCounts {
     let axis = run.across();
     let crossings = Crossings::new(scene, axis, size[axis]);
-    let line = |line: usize| ScanLine::new(scene, run, crossings.of(line), line, size[1 - axis]);
+    let kinds: Vec<PlaneKind> = PLANES.into_iter().filter(|kind| planes.get(*kind).is_some()).collect();
     let mut tally = Tally::default();
     for first in (0..size[axis]).step_by(BLOCK) {
         let numbers = first..(first + BLOCK).min(size[axis]);
-        let block: Vec<ScanLine> = numbers.into_par_iter().map(line).collect();
-        fill(scene, axis, (first, &block), planes);
-        for (number, line) in (first..).zip(&block) {
+        let wants = |line: usize| probe.wants_sweep(line as u32);
+        let line = |number: usize| {
+            let line = ScanLine::new(scene, run, crossings.of(number), number, size[1 - axis]);
+            let values = values(scene, &kinds, (axis, number), &line.samples);
+            FilledLine { values, line: if wants(number) { line } else { line.without_samples() } }
+        };
+        let block: Vec<FilledLine> = numbers.into_par_iter().map(line).collect();
+        for (place, kind) in kinds.iter().enumerate() {
+            let columns = planes.columns();
+            let plane = planes.get_mut(*kind).unwrap_or_default();
+            fill(plane, columns, axis, |number| {
+                Some(block.get(number.checked_sub(first)?)?.values[place].as_slice())
+            });
+        }
+        for (number, FilledLine { line, .. }) in (first..).zip(&block) {
             tally.add(line);
-            seen(number, line);
+            signals::record((frame, number), scene, run, line, probe);
         }
     }
     tally.counts(scene)
 }
 
-/// Fills the pixels of scan lines that follow one another, from the number `first` on.
-fn fill(scene: &Scene, axis: usize, (first, block): (usize, &[ScanLine]), planes: &mut Planes) {
-    let columns = planes.columns();
-    for kind in PLANES {
-        let Some(values) = planes.get_mut(kind) else { continue };
-        let plane = Plane { values, columns, axis, first, block };
-        let ray = |pixel: [usize; 2]| scene.camera.ray(pixel.map(|at| at as f64 + 0.5));
-        let far = |sample: &Sample, across: f64| {
-            if sample.q == 0.0 { kind.sky() } else { (across / sample.q) as f32 }
+/// A scan line, and what each plane has of it.
+struct FilledLine {
+    line: ScanLine,
+    /// Of each plane that is wanted, the values of all samples.
+    values: Vec<Vec<f32>>,
+}
+
+/// What planes of some kinds have of the samples of a scan line, `number` across `axis`. Few samples at a time pass all planes, so that
+/// they are still at hand.
+fn values(
+    scene: &Scene,
+    kinds: &[PlaneKind],
+    (axis, number): (usize, usize),
+    samples: &[Sample],
+) -> Vec<Vec<f32>> {
+    let mut values: Vec<Vec<f32>> = kinds.iter().map(|_| Vec::with_capacity(samples.len())).collect();
+    for (chunk, samples) in samples.chunks(AT_HAND).enumerate() {
+        let pixel = |at: usize| {
+            let at = chunk * AT_HAND + at;
+            if axis == 0 { [number, at] } else { [at, number] }
         };
-        match kind {
-            PlaneKind::Red => plane.set(|sample, _| sample.colour[0] as f32),
-            PlaneKind::Green => plane.set(|sample, _| sample.colour[1] as f32),
-            PlaneKind::Blue => plane.set(|sample, _| sample.colour[2] as f32),
-            PlaneKind::Label => plane.set(|sample, _| label(scene, sample)),
-            PlaneKind::Range => plane.set(|sample, pixel| far(sample, ray(pixel).truncate().length())),
-            PlaneKind::Distance => plane.set(|sample, pixel| far(sample, ray(pixel).length())),
-            _ => plane.set(|sample, _| luminance(sample.colour) as f32),
+        for (kind, values) in kinds.iter().zip(&mut values) {
+            give(scene, *kind, pixel, samples, values);
         }
+    }
+    values
+}
+
+/// Samples that pass all planes at a time: they fit the nearest memory. Chosen.
+const AT_HAND: usize = 64;
+
+/// Adds to a plane what it has of some samples; `pixel` says where each of them is.
+fn give(
+    scene: &Scene,
+    kind: PlaneKind,
+    pixel: impl Fn(usize) -> [usize; 2],
+    samples: &[Sample],
+    values: &mut Vec<f32>,
+) {
+    let ray = |at: usize| scene.camera.ray(pixel(at).map(|at| at as f64 + 0.5));
+    let far = |(at, sample): (usize, &Sample), length: fn(DVec3) -> f64| {
+        if sample.q == 0.0 { kind.sky() } else { (length(ray(at)) / sample.q) as f32 }
+    };
+    let (all, numbered) = (samples.iter(), samples.iter().enumerate());
+    match kind {
+        PlaneKind::Red => values.extend(all.map(|sample| sample.colour[0] as f32)),
+        PlaneKind::Green => values.extend(all.map(|sample| sample.colour[1] as f32)),
+        PlaneKind::Blue => values.extend(all.map(|sample| sample.colour[2] as f32)),
+        PlaneKind::Label => values.extend(all.map(|sample| label(scene, sample))),
+        PlaneKind::Range => values.extend(numbered.map(|sample| far(sample, |ray| ray.truncate().length()))),
+        PlaneKind::Distance => values.extend(numbered.map(|sample| far(sample, DVec3::length))),
+        _ => values.extend(all.map(|sample| luminance(sample.colour) as f32)),
     }
 }
 
@@ -141,32 +189,33 @@ fn label(scene: &Scene, sample: &Sample) -> f32 {
     f32::from(label.code())
 }
 
-/// A plane of the screen, and the scan lines across `axis` that fill a part of it, from the number `first` on.
-struct Plane<'a> {
-    values: &'a mut [f32],
+/// Gives each pixel of a plane of so many `columns` its value of the scan lines across `axis`, as far as there are any: `line` has them by
+/// their numbers.
+fn fill<'a>(
+    plane: &mut [f32],
     columns: usize,
     axis: usize,
-    first: usize,
-    block: &'a [ScanLine],
-}
-
-impl Plane<'_> {
-    /// Gives each pixel of the scan lines the value of its sample; `value` gets the pixel as well (column, row).
-    fn set(self, value: impl Fn(&Sample, [usize; 2]) -> f32 + Sync) {
-        let Self { values, columns, axis, first, block } = self;
-        values.par_chunks_mut(columns).enumerate().for_each(|(row, values)| {
-            if axis == 0 {
-                for ((column, line), pixel) in (first..).zip(block).zip(&mut values[first..]) {
-                    *pixel = value(&line.samples[row], [column, row]);
-                }
-            } else if let Some(line) = row.checked_sub(first).and_then(|number| block.get(number)) {
-                for ((column, sample), pixel) in line.samples.iter().enumerate().zip(values) {
-                    *pixel = value(sample, [column, row]);
-                }
+    line: impl Fn(usize) -> Option<&'a [f32]> + Sync,
+) {
+    if axis == 1 {
+        let rows = plane.par_chunks_mut(columns).enumerate();
+        return rows.for_each(|(row, pixels)| {
+            if let Some(values) = line(row) {
+                pixels.copy_from_slice(values);
             }
         });
     }
+    let lines: Vec<(usize, &[f32])> =
+        (0..columns).filter_map(|column| Some((column, line(column)?))).collect();
+    plane.par_chunks_mut(columns).enumerate().with_min_len(ROWS).for_each(|(row, pixels)| {
+        for (column, values) in &lines {
+            pixels[*column] = values[row];
+        }
+    });
 }
+
+/// Rows of a plane that a thread fills at least. Chosen: a task is worth its start.
+const ROWS: usize = 32;
 
 /// What the scan lines of a frame took and lost.
 #[derive(Default)]

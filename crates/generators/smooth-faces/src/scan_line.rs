@@ -3,7 +3,7 @@
 use faces::{Cover, Detail, Interpolation, Order};
 
 use crate::parameters::Parameters;
-use crate::piece::{Piece, Ramp};
+use crate::piece::{Course, Piece, Ramp};
 use crate::scene::Scene;
 
 /// By how much (a share) the nearness of two planes that coincide may differ. Chosen: well above their rounding. Of two such faces the earlier list wins, and a level
@@ -77,11 +77,20 @@ impl TimedLine {
     }
 }
 
-/// What wins a sample so far under both orders: number of the piece and how near it is (1/m).
-#[derive(Debug, Clone, Copy, Default)]
+/// What wins a sample so far under both orders.
+#[derive(Debug, Clone, Copy)]
 struct Standing {
-    by_list: Option<(u32, f64)>,
-    by_depth: Option<(u32, f64)>,
+    /// Number of the piece that wins by lists.
+    by_list: u32,
+    /// Number of the piece that wins by depth.
+    by_depth: u32,
+    /// How near that one is (1/m); infinitely far without any.
+    nearest: f64,
+}
+
+impl Standing {
+    /// Nothing covers the sample.
+    const NONE: Self = Self { by_list: u32::MAX, by_depth: u32::MAX, nearest: f64::NEG_INFINITY };
 }
 
 impl ScanLine {
@@ -94,33 +103,37 @@ impl ScanLine {
         drawn
     }
 
+    /// The same without samples.
+    pub fn without_samples(self) -> Self {
+        Self { samples: Vec::new(), ..self }
+    }
+
     /// Gives each sample to the piece that wins it; pieces of levels stand aside.
     fn resolve(&mut self, scene: &Scene, run: &Parameters, ramps: &[(u32, Ramp)]) {
-        let mut standings = vec![Standing::default(); self.samples.len()];
+        let mut standings = vec![Standing::NONE; self.samples.len()];
         let is_base = |(piece, _): &&(u32, Ramp)| {
             scene.lists[scene.pieces[*piece as usize].list as usize].level.is_none()
         };
         for (piece, ramp) in ramps.iter().filter(is_base) {
+            let paint = Paint::new(scene, run, *piece, ramp);
             for sample in ramp.samples(self.samples.len()) {
-                let [q, brightness] = ramp.at(sample as f64 + 0.5, run.interpolation);
+                let [q, brightness] = paint.course.at(sample as f64 + 0.5);
                 let standing = &mut standings[sample];
                 // Pieces come in the order of their priorities, so the first one stays.
-                let is_first = standing.by_list.is_none();
-                let is_nearest = standing.by_depth.is_none_or(|(_, nearest)| q > nearest * (1.0 + COINCIDE));
+                let is_first = standing.by_list == u32::MAX;
+                let is_nearest = is_first || q > standing.nearest * (1.0 + COINCIDE);
                 if is_first {
-                    standing.by_list = Some((*piece, q));
+                    standing.by_list = *piece;
                 }
                 if is_nearest {
-                    standing.by_depth = Some((*piece, q));
+                    (standing.by_depth, standing.nearest) = (*piece, q);
                 }
                 if (run.order == Order::Lists && is_first) || (run.order == Order::Depth && is_nearest) {
-                    self.samples[sample] = shown(scene, run, *piece, (ramp, [q, brightness]));
+                    self.samples[sample] = paint.sample([q, brightness]);
                 }
             }
         }
-        let differs = |standing: &&Standing| {
-            standing.by_list.map(|(piece, _)| piece) != standing.by_depth.map(|(piece, _)| piece)
-        };
+        let differs = |standing: &&Standing| standing.by_list != standing.by_depth;
         self.disagreements = standings.iter().filter(differs).count() as u64;
     }
 
@@ -129,9 +142,10 @@ impl ScanLine {
         for (number, ramp) in ramps.iter().rev() {
             let piece = &scene.pieces[*number as usize];
             let Some(detail) = scene.lists[piece.list as usize].level else { continue };
+            let paint = Paint::new(scene, run, *number, ramp);
             for at in ramp.samples(self.samples.len()) {
-                let [q, brightness] = ramp.at(at as f64 + 0.5, run.interpolation);
-                let above = shown(scene, run, *number, (ramp, [q, brightness]));
+                let [q, brightness] = paint.course.at(at as f64 + 0.5);
+                let above = paint.sample([q, brightness]);
                 let sample = &mut self.samples[at];
                 if is_before(run.order, piece.list, q, sample) {
                     self.clamped += u64::from(lay(sample, &above, detail));
@@ -159,11 +173,32 @@ fn without_slot(ramps: &mut Vec<(u32, Ramp)>, slots: Option<u32>) -> Vec<u32> {
     ramps.drain(slots..).map(|(piece, _)| piece).collect()
 }
 
-/// What a sample shows of a piece.
-fn shown(scene: &Scene, run: &Parameters, piece: u32, (ramp, [q, brightness]): (&Ramp, [f64; 2])) -> Sample {
-    let of = &scene.pieces[piece as usize];
-    let colour = faces::lit(of.colour, run.ambient, brightness).map(|channel| channel.clamp(0.0, 1.0));
-    Sample { colour, q, winner: Some([piece, of.list]), brightness, slope: ramp.slope(), level: 0.0 }
+/// What a piece gives to its samples on a scan line.
+struct Paint {
+    course: Course,
+    colour: [f64; 3],
+    /// Numbers of the piece and of its list.
+    of: [u32; 2],
+    ambient: f64,
+}
+
+impl Paint {
+    fn new(scene: &Scene, run: &Parameters, piece: u32, ramp: &Ramp) -> Self {
+        let of = &scene.pieces[piece as usize];
+        Self {
+            course: ramp.course(run.interpolation),
+            colour: of.colour,
+            of: [piece, of.list],
+            ambient: run.ambient,
+        }
+    }
+
+    /// The sample at which the piece is as near as `q` (1/m) and has this brightness.
+    #[inline(always)]
+    fn sample(&self, [q, brightness]: [f64; 2]) -> Sample {
+        let colour = faces::lit(self.colour, self.ambient, brightness).map(|channel| channel.clamp(0.0, 1.0));
+        Sample { colour, q, winner: Some(self.of), brightness, slope: self.course.slope, level: 0.0 }
+    }
 }
 
 /// Whether a level of a list, as near as `q`, may be laid upon a sample.
@@ -217,7 +252,7 @@ pub fn covers(scene: &Scene, run: &Parameters, [line, sample]: [usize; 2]) -> Co
     let is_missed = |piece: &u32| missing.binary_search(piece).is_ok();
     let at = |(piece, ramp): &(u32, Ramp)| {
         let is_in = ramp.samples(usize::MAX >> 12).contains(&sample);
-        is_in.then(|| (*piece, ramp.at(sample as f64 + 0.5, run.interpolation)))
+        is_in.then(|| (*piece, ramp.course(run.interpolation).at(sample as f64 + 0.5)))
     };
     let (missed, drawn) = all.iter().filter_map(at).partition(|(piece, _)| is_missed(piece));
     Covers { drawn, missed, counts: [all.len(), missing.len()] }
@@ -232,7 +267,7 @@ pub fn lost_covers<'a>(
     let at = sample as f64 + 0.5;
     let cover = |piece: &'a Piece| {
         let ramp = piece.ramp(run.across(), line as f64 + 0.5, run.interpolation)?;
-        ramp.samples(sample + 1).contains(&sample).then(|| (piece, ramp.at(at, run.interpolation)))
+        ramp.samples(sample + 1).contains(&sample).then(|| (piece, ramp.course(run.interpolation).at(at)))
     };
     scene.lost.iter().filter_map(cover).collect()
 }

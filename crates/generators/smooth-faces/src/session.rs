@@ -16,7 +16,7 @@ use crate::parameters::Parameters;
 use crate::piece::Piece;
 use crate::planes;
 use crate::prepared::Prepared;
-use crate::scan_line::{Covers, ScanLine, cover, covers, interpolation_word, lost_covers};
+use crate::scan_line::{Covers, cover, covers, interpolation_word, lost_covers};
 use crate::scene::Scene;
 use crate::signals;
 
@@ -45,9 +45,7 @@ impl GeneratorSession for Session {
     ) -> Result<FrameCounts, FrameError> {
         let Prepared { run, .. } = &self.prepared;
         let scene = Scene::new(&self.prepared, frame, pose)?;
-        let record =
-            |number: usize, line: &ScanLine| signals::record((frame, number), &scene, run, line, probe);
-        Ok(planes::draw(&scene, run, self.prepared.size(), planes, record))
+        Ok(planes::draw(&scene, run, self.prepared.size(), planes, (frame, probe)))
     }
 
     fn check(&self, frame: u64, pose: &Pose) -> Result<(), FrameError> {
