@@ -31,7 +31,7 @@ impl Default for FeatureParts {
 /// that rushes past looks blurred. Which rate and which range: our choice.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LevelTurn {
-    /// Rate of turn from which on it does so (rad/s); infinite where it never does.
+    /// Rate of turn from which on it does so (rad/s), to within a billionth of it; infinite where it never does.
     pub rate: f64,
     /// Share of the switch's range, and of its blend, that is left then, 0..=1.
     pub share: f64,
@@ -43,12 +43,15 @@ impl LevelTurn {
 
     /// The switch while the heading turns at `rate` (rad/s, either way).
     pub fn switch(&self, switch: LevelSwitch, rate: f64) -> LevelSwitch {
-        if rate.abs() < self.rate {
+        if rate.abs() < self.rate * (1.0 - ROUNDING) {
             return switch;
         }
         LevelSwitch { range: self.share * switch.range, blend: self.share * switch.blend }
     }
 }
+
+/// Rounding of a rate of turn, as a share: one that stays the same from frame to frame is on one side of the limit. Chosen.
+const ROUNDING: f64 = 1e-9;
 
 /// The shadow controller (section 11.2).
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -215,6 +215,12 @@ impl Settings {
 }
 
 impl Settings {
+    /// Whether a frame depends on those before it: by what data banks hold, by what tubes still show, or by how fast the heading turns.
+    pub fn remembers_frames(&self) -> bool {
+        let looks_at_turns = self.levels.is_some() && self.level_turn != LevelTurn::NEVER;
+        self.data_banks.drum.is_some() || self.analog.remembers_frames() || looks_at_turns
+    }
+
     /// What of these settings every image generator is asked for.
     pub fn view(&self) -> View {
         let Raster { samples, columns, lines, field, refresh, .. } = self.raster;

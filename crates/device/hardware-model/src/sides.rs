@@ -16,7 +16,8 @@ pub enum Side {
 impl Settings {
     /// These settings with `side` as the ideal machine has it. Both sides keep what is no part: raster, clocks, range
     /// programme, laws, scalar, display, seed, kind of sweep memory, travel of the yoke (the raster that is written
-    /// goes by it), levels, fineness of shadow, economy.
+    /// goes by it), levels and where they switch in a turn, fineness of
+    /// shadow, economy.
     pub fn with_ideal(self, side: Side) -> Self {
         let ideal = HardwareModel::ideal();
         let shadow_side = match self.shadow_controller {
@@ -28,7 +29,6 @@ impl Settings {
         match side {
             Side::Digital => Self {
                 cpu: ideal.cpu,
-                level_turn: ideal.level_turn,
                 loader: ideal.loader,
                 data_banks: ideal.data_banks,
                 kind_banks: ideal.kind_banks,

@@ -57,9 +57,7 @@ pub(crate) fn check(plan: &Plan, root: &Reader) {
 
 /// Whether a picture of the machine shows something of frames before its own.
 fn remembers_frames(opened: &Opened) -> bool {
-    let settings = &opened.settings;
-    let of_machine = settings.data_banks.drum.is_some() || settings.analog.remembers_frames();
-    opened.generator.remembers_frames() || (opened.is_machine() && of_machine)
+    opened.generator.remembers_frames() || (opened.is_machine() && opened.settings.remembers_frames())
 }
 
 /// A key is set for all samples or drawn for each, and drawn once.

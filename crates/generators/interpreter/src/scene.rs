@@ -40,7 +40,8 @@ impl SceneData<'_> {
             libm::remainder(heading - before.attitude.heading, 2.0 * std::f64::consts::PI)
         });
         let LevelTurn { rate, share } = self.settings.level_turn;
-        let is_fast = turn.abs() * self.settings.timebase.update.hertz() >= rate;
+        // The processor sees a billionth less as the limit.
+        let is_fast = turn.abs() * self.settings.timebase.update.hertz() >= rate * (1.0 - 1e-9);
         let share = if is_fast { share } else { 1.0 };
         Some(LevelSwitch { range: share * range, blend: share * blend })
     }

@@ -4,6 +4,7 @@ use control_plane::{Blocks, MachineStage, WrittenRaster, has_state, is_state};
 use display_projection_processor::DERIVATIVE;
 use feature_generator::{SubGeneratorPlace, place_of};
 use hardware_model::{Settings, ShadowParts};
+use landscape::CraterGrain;
 use scenario::Occlusion;
 use shadow_controller::comparator_of;
 use signal::{Kind, Signal, Unit, Wire};
@@ -30,6 +31,8 @@ pub(crate) struct Scales {
     lines: f64,
     /// End of the range programme (m).
     range: f64,
+    /// The most that a crater adds to the gain of texture, or takes from it.
+    grain: f64,
     /// Inner signals of each level, the scale of its array, and the side of its regions (m).
     arrays: Vec<(&'static InnerSignals, Scale, f64)>,
     /// Full scales of the wires of the stage that makes light of slopes, by name.
@@ -92,6 +95,7 @@ impl Scales {
             tangent: raster.field.tan_half_height,
             lines: raster.lines as f64,
             range: stage.settings.range.end,
+            grain: stage.landscape.crater_grain().map_or(1.0, CraterGrain::full_scale),
             arrays: vec![(&FINE, fine, size)],
             light: LIGHT
                 .iter()
@@ -135,6 +139,7 @@ impl Scales {
             Unit::Tangent => [0.0, self.tangent],
             Unit::TangentRate => [0.0, self.tangent / (DERIVATIVE * MICROSECONDS)],
             Unit::Line => [0.0, self.lines],
+            Unit::Number if signal.name == "fg.grain" => [0.0, self.grain],
             _ => [0.0, 1.0],
         }
     }

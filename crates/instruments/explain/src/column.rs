@@ -16,6 +16,7 @@ pub(crate) const SIGNALS: &[&str] = &[
     "tg.reflectivity",
     "fg.*",
     "sc.gate",
+    "fg.grain",
     "txg.texture",
     "mu.*",
     "dpp.*",

@@ -63,6 +63,8 @@ pub struct GroundPoint {
     pub features_shown: bool,
     /// Whether the gate of the shadow controller is on.
     pub in_shadow: bool,
+    /// What craters add to the gain of texture, which is 1 without any.
+    pub grain: f64,
     /// Signal of the texture generator at the sample.
     pub texture: f64,
     /// Composite height of terrain and features (m).
@@ -137,6 +139,7 @@ impl GroundPoint {
             feature_height_m: of("fg.height"),
             features_shown: of("mu.vs1") > 0.5,
             in_shadow: of("sc.gate") > 0.5,
+            grain: of("fg.grain"),
             texture: of("txg.texture"),
             height_m: of("mu.height"),
             reflectivity: of("mu.reflectivity"),

@@ -89,7 +89,7 @@ fn ground_rows(ground: &GroundPoint) -> Vec<String> {
         row("tg.reflectivity", &format!("{:.4}", ground.terrain_reflectivity)),
         row("fg.height", &format!("{} m{}", fixed(ground.feature_height_m, 3), craters(&ground.craters))),
         row("mu.vs1, sc.gate", &format!("{}, {}", gate(ground.features_shown), gate(ground.in_shadow))),
-        row("txg.texture", &format!("{:.4}", ground.texture)),
+        row("txg.texture", &format!("{:.4}{}", ground.texture, gain(ground.grain))),
         row(
             "mu",
             &format!("height {} m, reflectivity {:.4}", fixed(ground.height_m, 3), ground.reflectivity),
@@ -115,6 +115,15 @@ fn ground_rows(ground: &GroundPoint) -> Vec<String> {
             .map(|[near, far]| row("dpp.blank", &format!("hides the ground from {near:.1} to {far:.1} m"))),
     );
     rows
+}
+
+/// What craters make of the texture, if they change it.
+fn gain(grain: f64) -> String {
+    if grain == 0.0 {
+        String::new()
+    } else {
+        format!(", craters have it {:.3} times", (1.0 + grain).max(0.0))
+    }
 }
 
 fn craters(numbers: &[u32]) -> String {

@@ -85,9 +85,7 @@ fn joined(
     settings: Settings,
 ) -> Result<MachineStage, StageError> {
     let scenery = scenery.through(scenario.channel.clone());
-    // What data banks hold and what tubes still show depends on the frames before.
-    let is_lasting = settings.data_banks.drum.is_some() || settings.analog.remembers_frames();
-    let scenery = match is_lasting {
+    let scenery = match settings.remembers_frames() {
         true => scenery.with_course(course(scenario, &landscape, &settings)?),
         false => scenery,
     };

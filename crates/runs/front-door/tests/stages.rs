@@ -6,7 +6,7 @@ use std::path::Path;
 use control_plane::MachineStage;
 use front_door::{StageError, Wishes, open};
 use generator::{PlaneKind, Planes};
-use hardware_model::{HardwareModel, LevelSwitch, ShadowCache};
+use hardware_model::{HardwareModel, LevelSwitch, LevelTurn, ShadowCache};
 use landscape::Photometry;
 use scenario::{Scenario, ShadowFineness};
 use signal::Probe;
@@ -82,6 +82,19 @@ fn a_coarse_level_lies_around_the_fine_one() {
     let coarse = levels[1].height_and_slopes(region, local)[0];
     assert!(fine.abs() > 0.001 && (fine - coarse).abs() < 1e-9, "{fine} {coarse}");
     assert!(stage.landscape.height(300.0, -1000.0).unwrap() > 150.0);
+}
+
+/// A machine that looks at turns needs the poses before, whatever else it remembers.
+#[test]
+fn a_switch_that_minds_turns_has_the_course() {
+    let of = |tables: &str, level_turn: LevelTurn| {
+        let scenario = Scenario::parse("t.toml", &format!("{GOOD}\n{tables}")).unwrap();
+        let ideal = HardwareModel { level_turn, ..HardwareModel::ideal() };
+        let settings = front_door::settings(&scenario, &ideal).unwrap();
+        front_door::build(&scenario, settings).unwrap().scenery.course().len()
+    };
+    let minds = LevelTurn { rate: 0.1, share: 0.5 };
+    assert_eq!([of(COARSE, minds), of(COARSE, LevelTurn::NEVER), of("", minds)], [90, 0, 0]);
 }
 
 #[test]

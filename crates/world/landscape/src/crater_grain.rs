@@ -27,6 +27,11 @@ impl CraterGrain {
         self.added[kind as usize - 1]
     }
 
+    /// The most that a crater of any type adds to the gain, or takes from it.
+    pub fn full_scale(&self) -> f64 {
+        self.added.iter().fold(0.0, |most, added| added.abs().max(most))
+    }
+
     /// Gain of the grain among `features` at (x, y) (m): 1 outside of craters, never below 0.
     pub fn gain(&self, features: &Features, x: f64, y: f64) -> f64 {
         (1.0 + features.nearness(x, y, |kind| self.added(kind))).max(0.0)

@@ -7,6 +7,7 @@ use deadlines::{
     DeadlineError, Rehearsal, Rehearsed, Routine, changed_pixels, first, first_moved, routines_text,
 };
 use front_door::Opened;
+use hardware_model::{HardwareModel, ModelSource};
 use picture::ChangedPixels;
 use serde_json::json;
 use timing::{Allowance, Comparison, Difference, TimingRecord, Tolerance, Totals, compare};
@@ -224,6 +225,8 @@ impl Check {
         for Difference { place, baseline, .. } in &comparison.keys {
             match (place.split_once('.')?, baseline) {
                 (("machine", key), Some(value)) => stage.options.set.push((key.to_owned(), value.clone())),
+                // A key that a model may leave out means what the ideal model has.
+                (("machine", key), None) => stage.options.set.push((key.to_owned(), ideal_value(key)?)),
                 (("asked", "sweeps"), count) => {
                     stage.options.sweeps = count.as_ref().map(|count| count.parse()).transpose().ok()?;
                 }
@@ -267,4 +270,21 @@ fn changed_frames(comparison: &Comparison, known: &[u64]) -> Vec<u64> {
 
 fn frames_of(record: &TimingRecord) -> Vec<u64> {
     record.frames.iter().map(|frame| frame.frame).collect()
+}
+
+/// What the ideal model has for a key, as written.
+fn ideal_value(key: &str) -> Option<String> {
+    let ideal = HardwareModel::load(&ModelSource::BuiltIn("ideal".into()), &[], &[]).ok()?;
+    ideal.values.into_iter().find(|value| value.key == key).map(|value| value.value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::ideal_value;
+
+    #[test]
+    fn a_key_that_is_left_out_means_the_ideal_one() {
+        assert_eq!(ideal_value("level_turn.rate_deg_s").as_deref(), Some("\"never\""));
+        assert_eq!(ideal_value("level_turn.rate"), None);
+    }
 }
