@@ -21,7 +21,11 @@ pub fn write_utilisation(record: &TimingRecord, path: &Path) -> Result<(), Deadl
         families.entry(label(&unit)).or_default().push(line(record, &unit));
     }
     let panels: Vec<Panel<'_>> = families.iter().map(|(label, lines)| panel(label, lines)).collect();
-    let look = TraceLook { height: 160, facts: vec![facts(record)], ..TraceLook::titled("Use of units") };
+    let mut told = vec![facts(record)];
+    if record.frames.windows(2).any(|pair| pair[1].frame != pair[0].frame + 1) {
+        told.push("what a frame has is drawn up to the next one that was recorded".into());
+    }
+    let look = TraceLook { height: 160, facts: told, ..TraceLook::titled("Use of units") };
     let picture =
         trace_picture(&Axis::new("frame").whole(), &panels, &[], &look).map_err(DeadlineError::Plot)?;
     picture.write(path).map_err(DeadlineError::Write)
@@ -48,7 +52,8 @@ fn line(record: &TimingRecord, unit: &str) -> Line {
 fn panel<'a>(label: &str, lines: &'a [Line]) -> Panel<'a> {
     let most = lines.iter().flat_map(|line| &line.2).copied().fold(1.0, f64::max);
     let traces = lines.iter().map(|(name, x, y)| Trace { name, x, y }).collect();
-    Panel { axis: Axis::new(label).over([0.0, 1.08 * most]), traces }
+    // An idle unit is a line above the axis, not on it.
+    Panel { axis: Axis::new(label).over([-0.04 * most, 1.08 * most]), traces }
 }
 
 /// Draws histograms of the time that was left (ticks), one panel a kind of deadline: PNG or SVG, as the file is named.
@@ -87,7 +92,8 @@ fn facts(record: &TimingRecord) -> String {
     let frames: Vec<u64> = record.frames.iter().map(|frame| frame.frame).collect();
     let [first, last] = [frames.first(), frames.last()].map(|frame| frame.copied().unwrap_or(0));
     let count = frames.len();
-    format!("{} on {}, {count} frames from {first} to {last}", record.scenario, record.machine)
+    let frames = if count == 1 { "frame" } else { "frames" };
+    format!("{} on {}, {count} {frames} from {first} to {last}", record.scenario, record.machine)
 }
 
 #[cfg(test)]
