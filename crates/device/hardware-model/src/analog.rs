@@ -35,8 +35,8 @@ pub struct AnalogParts {
     pub sample_hold: SampleHoldParts,
     /// From slopes to reflectivity.
     pub reflectivity: ReflectivityParts,
-    /// The blend between two levels of terrain. A record without a fault of it does not name it.
-    #[serde(skip_serializing_if = "LevelBlendParts::is_ideal")]
+    /// The blend between two levels of terrain. A record of the usual one does not name it.
+    #[serde(skip_serializing_if = "LevelBlendParts::is_usual")]
     pub level_blend: LevelBlendParts,
     /// The three video switches.
     pub video_switch: VideoSwitchParts,

@@ -1,6 +1,7 @@
 //! Blocks of the machine beside the terrain path: how many parts they have and how they are organised.
 
 use scenario::LevelSwitch;
+use serde::Serialize;
 
 /// How features come to the sub-generators (section 10).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -29,7 +30,7 @@ impl Default for FeatureParts {
 
 /// What the processor does about far ground while the vehicle turns (report II.B): the coarse level begins nearer, because a background
 /// that rushes past looks blurred. Which rate and which range: our choice.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct LevelTurn {
     /// Rate of turn from which on it does so (rad/s), to within a billionth of it; infinite where it never does.
     pub rate: f64,

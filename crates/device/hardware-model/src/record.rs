@@ -2,13 +2,14 @@
 
 use std::collections::BTreeMap;
 
+use quantities::Timebase;
 use scenario::{RangeLaw, RangeProgramme, Scalar};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
 use crate::{
-    CrossingServer, Economy, FeatureParts, Gate, LatePolicy, LoadDelay, Loader, MixingParts, Organisation,
-    Settings, ShadowParts, SweepMemoryKind,
+    CrossingServer, Economy, FeatureParts, Gate, LatePolicy, LevelTurn, LoadDelay, Loader, MixingParts,
+    Organisation, Settings, ShadowParts, SweepMemoryKind,
 };
 
 /// Everything that decides a picture of the hybrid machine beside ground, light, view and pose.
@@ -28,6 +29,18 @@ pub struct MachineRecord {
     pub loader: LoaderRecord,
     /// Drums and storage buffers, times in ticks of the master clock.
     pub data_banks_ticks: Value,
+    /// Banks of the other kinds of data, times in ticks of the master clock; none where each kind lies in a memory of its generator.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub kind_banks_ticks: Option<Value>,
+    /// Words a second that reach the sub-generators of the feature generator; none where it is any number.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub feature_words_a_second: Option<f64>,
+    /// Words a second that reach the line generators of the shadow controller; none where it is any number.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub segment_words_a_second: Option<f64>,
+    /// What the processor does about far ground while the vehicle turns, in rad/s and as a share; none where it does nothing.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub level_turn: Option<Value>,
     /// The analog side in SI units.
     pub analog_si: Value,
     /// Seed of part-to-part spread and noise.
@@ -156,39 +169,70 @@ pub struct MixingRecord {
 }
 
 impl MachineRecord {
-    /// The record of `settings`.
+    /// The record of `settings`. What all generators are asked for stands in the record of the view; where shadow boundaries are kept
+    /// changes no picture.
     pub fn of(settings: &Settings) -> Self {
-        let scalar = match settings.scalar {
+        // Taken apart, so that no setting is forgotten.
+        let Settings {
+            raster,
+            timebase,
+            range,
+            laws: _,
+            scalar,
+            display: _,
+            cpu,
+            level_turn,
+            loader,
+            data_banks,
+            kind_banks,
+            seed,
+            sweep_memory,
+            feature_generator,
+            shadow_controller,
+            mixing_unit,
+            feature_words,
+            segment_words,
+            analog,
+            yoke: _,
+            levels: _,
+            shadows: _,
+            shadow_cache: _,
+            economy,
+        } = settings;
+        let scalar = match scalar {
             Scalar::F32 => "f32",
             Scalar::F64 => "f64",
         };
-        let sweep_memory = match settings.sweep_memory {
+        let sweep_memory = match sweep_memory {
             SweepMemoryKind::ScanConverter => "scan-converter",
             SweepMemoryKind::DigitalMemory => "digital-memory",
         };
-        let economy = match settings.economy {
+        let economy = match economy {
             Economy::Normal => "normal",
             Economy::Bounded => "bounded",
             Economy::Instants(_) => "preview",
             Economy::Lossless | Economy::LosslessBut(_) => "lossless",
             Economy::Everything => "everything",
         };
-        let raster = &settings.raster;
         Self {
             scalar: scalar.into(),
             raster: SweepRecord { sweeps: raster.sweeps, samples_per_sweep: raster.samples },
-            clocks: ClockRecord::of(settings),
-            range: range(&settings.range),
-            cpu_ticks: json!(settings.cpu),
-            loader: LoaderRecord::of(&settings.loader),
-            data_banks_ticks: json!(settings.data_banks),
-            analog_si: json!(settings.analog),
-            seed: settings.seed,
+            clocks: ClockRecord::of(timebase),
+            range: programme(range),
+            cpu_ticks: json!(cpu),
+            loader: LoaderRecord::of(loader),
+            data_banks_ticks: json!(data_banks),
+            kind_banks_ticks: (!kind_banks.is_plain()).then(|| json!(kind_banks)),
+            feature_words_a_second: *feature_words,
+            segment_words_a_second: *segment_words,
+            level_turn: (*level_turn != LevelTurn::NEVER).then(|| json!(level_turn)),
+            analog_si: json!(analog),
+            seed: *seed,
             sweep_memory: sweep_memory.into(),
             blocks: BlocksRecord {
-                feature_generator: FeatureRecord::of(&settings.feature_generator),
-                shadow_controller: ShadowRecord::of(&settings.shadow_controller),
-                mixing_unit: MixingRecord::of(&settings.mixing_unit),
+                feature_generator: FeatureRecord::of(feature_generator),
+                shadow_controller: ShadowRecord::of(shadow_controller),
+                mixing_unit: MixingRecord::of(mixing_unit),
             },
             economy: economy.into(),
         }
@@ -203,8 +247,7 @@ impl SweepRecord {
 }
 
 impl ClockRecord {
-    fn of(settings: &Settings) -> Self {
-        let clocks = &settings.timebase;
+    fn of(clocks: &Timebase) -> Self {
         Self {
             master: clocks.master.to_string(),
             sample: clocks.sample_rate().to_string(),
@@ -286,7 +329,7 @@ impl MixingRecord {
     }
 }
 
-fn range(programme: &RangeProgramme) -> BTreeMap<String, Value> {
+fn programme(programme: &RangeProgramme) -> BTreeMap<String, Value> {
     let (word, more) = match programme.law {
         RangeLaw::ConstantRate => ("constant-rate", None),
         RangeLaw::TwoRate { switch, fine_share } => ("two-rate", Some((switch, fine_share))),

@@ -3,7 +3,8 @@
 use std::collections::BTreeSet;
 use std::fs;
 
-use hardware_model::{BUILT_IN, HardwareModel, ModelSource};
+use hardware_model::{BUILT_IN, HardwareModel, MachineRecord, ModelSource, Settings};
+use scenario::{Display, FieldOfView, LawWishes, RasterWishes, Scalar};
 
 const DOC: &str = include_str!("../../../../docs/hardware-model-format.md");
 
@@ -280,6 +281,36 @@ fn every_documented_key_changes_something() {
         let changed: Vec<(&str, String)> = usual.iter().cloned().chain([change]).collect();
         assert_ne!(model(&usual), model(&changed), "{key} changes nothing");
     }
+}
+
+/// Who goes on with a run holds its record to what is asked now: a key that changes the settings changes record or view.
+#[test]
+fn every_setting_stands_in_the_record() {
+    let field = FieldOfView { tan_half_width: 0.4, tan_half_height: 0.3 };
+    let settings = |model: &HardwareModel| {
+        let display = Display { white: 1.0, gamma: 1.0 };
+        let (wishes, laws) = (RasterWishes::default(), LawWishes::default());
+        Settings::resolve(model, field, wishes, None, laws, Scalar::F32, display).expect("settings")
+    };
+    let mut told = 0;
+    for (key, before, value) in changes() {
+        if key.starts_with("loader.delay.") {
+            continue;
+        }
+        let usual: Vec<(&str, String)> = before.into_iter().collect();
+        let changed: Vec<(&str, String)> = usual.iter().cloned().chain([(key, value)]).collect();
+        let [one, mut other] = [usual, changed].map(|sets| settings(&model(&sets)));
+        if one.kind_banks.is_plain() && other.kind_banks.is_plain() {
+            // Where each kind lies in a memory of its generator, records and buffers are of no effect.
+            other.kind_banks = one.kind_banks;
+        }
+        if one != other {
+            let differs = MachineRecord::of(&one) != MachineRecord::of(&other) || one.view() != other.view();
+            assert!(differs, "{key} is not in the record");
+            told += 1;
+        }
+    }
+    assert!(told > 100, "{told} keys");
 }
 
 #[test]

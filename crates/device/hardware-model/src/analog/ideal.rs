@@ -76,6 +76,11 @@ impl LevelBlendParts {
     /// A blend with all of its products.
     pub const IDEAL: Self = Self { weight: BlendWeight::Quintic, slope_term: true };
 
+    /// Whether it is the blend that a model without a word of it has.
+    pub fn is_usual(&self) -> bool {
+        *self == Self::IDEAL
+    }
+
     /// Whether the slopes are those of the blended ground, whatever its weight.
     pub fn is_ideal(&self) -> bool {
         self.slope_term
