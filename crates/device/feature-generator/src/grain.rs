@@ -11,7 +11,7 @@ use features::{Crater, Features};
 use signal::{LANES, Lanes, Real};
 
 use crate::chord::half_chord;
-use crate::{FeatureGenerator, FeatureLoad, FeatureProgram, Passings};
+use crate::{FeatureGenerator, FeatureLoad, Passings};
 
 /// The footprint of a crater on a sweep.
 #[derive(Debug, Clone, Copy)]
@@ -47,27 +47,9 @@ impl Footprint {
 }
 
 impl FeatureGenerator<'_> {
-    /// What the craters of a group's programs add to the gain of texture at each sample; `added` by a crater of a type
-    /// (1 to 3) in its middle.
+    /// What the craters that sweeps pass add to the gain of texture at each sample; `added` by a crater of a type (1 to 3) in its
+    /// middle.
     pub fn grain<S: Real>(
-        &self,
-        features: &Features,
-        programs: &[FeatureProgram; LANES],
-        added: impl Fn(u32) -> f64,
-        grain: &mut Vec<Lanes<S>>,
-    ) {
-        begin(self.ranges, grain);
-        for (lane, program) in programs.iter().enumerate() {
-            let ranges = up_to(self.ranges, program.end_range);
-            for load in &program.loads {
-                let crater = features.crater(load.crater);
-                Footprint::of(&crater, load).add(added(crater.type_number()), ranges, lane, grain);
-            }
-        }
-    }
-
-    /// The same of craters that sweeps pass.
-    pub fn passing_grain<S: Real>(
         &self,
         features: &Features,
         passings: &Passings,
@@ -101,11 +83,11 @@ pub(crate) fn up_to(ranges: &[f64], end: f64) -> &[f64] {
 #[cfg(test)]
 mod tests {
     use features::{Crater, Features, Shape};
-    use hardware_model::{FeatureParts, Organisation};
     use proptest::prelude::{prop_assert, prop_assert_eq, proptest};
     use signal::{LANES, Lanes};
 
-    use crate::{FeatureGenerator, FeatureProgram, Passings, Schedule};
+    use crate::preview::tests::schedule;
+    use crate::{FeatureGenerator, FeatureProgram, Passings};
 
     fn features(places: &[(f64, f64, f64)]) -> Features {
         let shape = |number: usize, r: f64| match number % 3 {
@@ -120,24 +102,21 @@ mod tests {
         Features::new(places.iter().enumerate().map(crater).collect())
     }
 
-    fn programs(features: &Features, directions: &[[f64; 2]; LANES]) -> [FeatureProgram; LANES] {
-        let schedule = Schedule {
-            features,
-            parts: FeatureParts { sub_generators: None, organisation: Organisation::Scheduled },
-            region_origin: [0.0; 2],
-            region_size: 100.0,
-            among: None,
-            absent: &[],
-        };
-        std::array::from_fn(|lane| {
+    fn passings(features: &Features, directions: &[[f64; 2]; LANES], from: f64) -> Passings {
+        let schedule = schedule(features);
+        let programs = directions.map(|direction| {
             let mut program = FeatureProgram::default();
-            schedule.write([0.0; 2], directions[lane], [0.5, 90.0], &mut program);
+            schedule.write([0.0; 2], direction, [0.5, 90.0], &mut program);
+            program.loads.iter_mut().for_each(|load| load.from = from);
             program
-        })
+        });
+        let mut passings = Passings::default();
+        passings.follow(&programs);
+        passings
     }
 
     proptest! {
-        /// The law of the ground, read along sweeps; both roads to it are one.
+        /// The law of the ground, read along sweeps.
         #[test]
         fn sweeps_read_the_gain_of_the_ground(
             places in proptest::collection::vec((1.0..80.0f64, -20.0..20.0f64, 0.5..15.0f64), 1..9),
@@ -149,15 +128,11 @@ mod tests {
             });
             let ranges: Vec<f64> = (1..300).map(|k| 0.35 * f64::from(k)).collect();
             let added = |kind: u32| [2.0, -1.0, 0.5][kind as usize - 1];
-            let programs = programs(&features, &directions);
-            let generator = FeatureGenerator { ranges: &ranges };
-            let [mut of_programs, mut of_passings] = [vec![Lanes::splat(9.0_f64); 3], Vec::new()];
-            generator.grain(&features, &programs, added, &mut of_programs);
-            let mut passings = Passings::default();
-            passings.follow(&programs);
-            generator.passing_grain(&features, &passings, added, &mut of_passings);
-            prop_assert_eq!(&of_programs, &of_passings);
-            for (range, grain) in ranges.iter().zip(&of_programs) {
+            let passings = passings(&features, &directions, f64::NEG_INFINITY);
+            let mut found = vec![Lanes::splat(9.0_f64); 3];
+            FeatureGenerator { ranges: &ranges }.grain(&features, &passings, added, &mut found);
+            prop_assert_eq!(found.len(), ranges.len());
+            for (range, grain) in ranges.iter().zip(&found) {
                 for (lane, [cos, sin]) in directions.iter().enumerate() {
                     let expected = features.nearness(range * cos, range * sin, added);
                     let expected = if *range <= 90.0 { expected } else { 0.0 };
@@ -170,12 +145,14 @@ mod tests {
     #[test]
     fn late_words_add_nothing_until_they_are_there() {
         let features = features(&[(20.0, 0.0, 10.0)]);
-        let mut programs = programs(&features, &[[1.0, 0.0]; LANES]);
-        programs[3].loads[0].from = 18.0;
         let ranges: Vec<f64> = (1..40).map(f64::from).collect();
         let mut grain: Vec<Lanes<f64>> = Vec::new();
-        FeatureGenerator { ranges: &ranges }.grain(&features, &programs, |_| 1.0, &mut grain);
-        assert_eq!([grain[17][3], grain[17][2]], [0.0, 0.96], "at 18 m");
-        assert_eq!([grain[18][3], grain[18][2]], [0.99; 2], "at 19 m");
+        let mut at = |from: f64| {
+            let passings = passings(&features, &[[1.0, 0.0]; LANES], from);
+            FeatureGenerator { ranges: &ranges }.grain(&features, &passings, |_| 1.0, &mut grain);
+            [grain[17][3], grain[18][3]]
+        };
+        assert_eq!(at(f64::NEG_INFINITY), [0.96, 0.99], "at 18 and 19 m");
+        assert_eq!(at(18.0), [0.0, 0.99]);
     }
 }

@@ -77,7 +77,7 @@ fn lay_passings<L: Simd, S: Real>(
 const FOUND: usize = 8;
 
 #[cfg(test)]
-mod tests {
+pub(crate) mod tests {
     use fearless_simd::Level;
     use features::{Crater, Features, Shape};
     use hardware_model::{FeatureParts, Organisation};
@@ -97,7 +97,8 @@ mod tests {
         (place, shape).prop_map(|((x, y), (shape, rim))| Crater::new([x, y], shape, 1.0, rim).unwrap())
     }
 
-    fn schedule(features: &Features) -> Schedule<'_> {
+    /// Of any number of sub-generators.
+    pub(crate) fn schedule(features: &Features) -> Schedule<'_> {
         Schedule {
             features,
             parts: FeatureParts { sub_generators: None, organisation: Organisation::Scheduled },

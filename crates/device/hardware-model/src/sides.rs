@@ -14,10 +14,9 @@ pub enum Side {
 }
 
 impl Settings {
-    /// These settings with `side` as the ideal machine has it. Both sides keep what is no part: raster, clocks, range
-    /// programme, laws, scalar, display, seed, kind of sweep memory, travel of the yoke (the raster that is written
-    /// goes by it), levels and where they switch in a turn, fineness of
-    /// shadow, economy.
+    /// These settings with `side` as the ideal machine has it. Both sides keep what is no part: raster, clocks, range programme, laws,
+    /// scalar, display, seed, kind of sweep memory, travel of the yoke (the raster that is written goes by it), levels and where they
+    /// switch in a turn, fineness of shadow, economy.
     pub fn with_ideal(self, side: Side) -> Self {
         let ideal = HardwareModel::ideal();
         let shadow_side = match self.shadow_controller {

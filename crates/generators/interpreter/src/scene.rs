@@ -31,8 +31,8 @@ impl SceneData<'_> {
         self.landscape.level()
     }
 
-    /// Where frame `frame` goes over to the coarse level, and how, if its heading is `heading` (rad): nearer by the model's share while
-    /// that turns fast.
+    /// Where frame `frame` goes over to the coarse level, and how, if its heading is `heading` (rad). While that turns fast it is nearer by
+    /// the model's share.
     pub(crate) fn switch(&self, frame: u64, heading: f64) -> Option<LevelSwitch> {
         let LevelSwitch { range, blend } = self.settings.levels?;
         let before = self.course.get(frame.saturating_sub(1) as usize);

@@ -28,7 +28,7 @@ pub struct Workspace<S> {
     pub craters: Vec<u32>,
     /// Programs of the feature generator.
     pub features: [FeatureProgram; LANES],
-    /// Craters that the group draws, where the machine draws a preview.
+    /// Craters that the group draws, where the machine draws a preview or craters change the texture.
     pub passings: Passings,
     /// Wires of the terrain generators made of parts, the fine level's first.
     pub arrays: [ArrayState<S>; 2],

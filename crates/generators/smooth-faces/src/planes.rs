@@ -116,7 +116,7 @@ pub fn draw(
         let block: Vec<FilledLine> = numbers.into_par_iter().map(line).collect();
         for (place, kind) in kinds.iter().enumerate() {
             let columns = planes.columns();
-            let plane = planes.get_mut(*kind).unwrap_or_default();
+            let Some(plane) = planes.get_mut(*kind) else { continue };
             fill(plane, columns, axis, |number| {
                 Some(block.get(number.checked_sub(first)?)?.values[place].as_slice())
             });
@@ -189,8 +189,8 @@ fn label(scene: &Scene, sample: &Sample) -> f32 {
     f32::from(label.code())
 }
 
-/// Gives each pixel of a plane of so many `columns` its value of the scan lines across `axis`, as far as there are any: `line` has them by
-/// their numbers.
+/// Gives each pixel of a plane of so many `columns` its value of the scan lines across `axis`. `line` has these by their numbers, as far
+/// as there are any.
 fn fill<'a>(
     plane: &mut [f32],
     columns: usize,

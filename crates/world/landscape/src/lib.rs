@@ -14,8 +14,8 @@
 //! - [`Landscape`]: bank, albedo and lunoid together; the one query for height, slope and albedo.
 //! - [`AlbedoMap`]: albedo from place to place, over the one number of the landscape.
 //! - [`Sun`], [`Photometry`]: direction of light, laws of reflection; [`SweepLight`], [`GroupLight`]: along sweeps.
-//! - [`Texture`]: small detail of the foreground, and what craters do to it ([`CraterGrain`]); [`Silhouette`]: mountains beyond the
-//!   stored area.
+//! - [`Texture`]: small detail of the foreground; [`CraterGrain`]: what craters do to it.
+//! - [`Silhouette`]: mountains beyond the stored area.
 //! - [`Attitude`], [`axes`]: rotations between vehicle and terrain axes.
 //! - [`relief`]: seeded landscapes with a realistic height spectrum.
 

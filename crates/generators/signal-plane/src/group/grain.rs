@@ -10,24 +10,24 @@ use crate::workspace::Workspace;
 impl<S: Real> Group<'_, S> {
     /// By the programs of the feature generator.
     pub(super) fn find_grain(&self, sweeps: &[u32; LANES], work: &mut Workspace<S>) {
+        let Some(parts) = &self.parts.features else {
+            if self.textured().is_some() {
+                work.passings.follow(&work.features);
+            }
+            return self.find_passing_grain(work);
+        };
         work.grain.clear();
         let Some((ranges, added)) = self.textured() else { return };
-        let features = self.stage.landscape.features();
-        let Workspace { features: programs, grain, .. } = work;
-        match &self.parts.features {
-            None => FeatureGenerator { ranges }.grain(features, programs, added, grain),
-            Some(parts) => {
-                parts.grain(features, ranges, programs, &self.directions(sweeps), added, grain);
-            }
-        }
+        let (features, directions) = (self.stage.landscape.features(), self.directions(sweeps));
+        parts.grain(features, ranges, &work.features, &directions, added, &mut work.grain);
     }
 
-    /// By the craters that the sweeps of a preview pass.
+    /// By the craters that the sweeps pass.
     pub(crate) fn find_passing_grain(&self, work: &mut Workspace<S>) {
         work.grain.clear();
         let Some((ranges, added)) = self.textured() else { return };
         let features = self.stage.landscape.features();
-        FeatureGenerator { ranges }.passing_grain(features, &work.passings, added, &mut work.grain);
+        FeatureGenerator { ranges }.grain(features, &work.passings, added, &mut work.grain);
     }
 
     /// Ranges of the samples that texture reaches, and what a crater of a type adds to its gain, if craters add anything.
