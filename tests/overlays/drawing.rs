@@ -27,6 +27,14 @@ pub fn family(name: &str) -> String {
 
 /// Families, and what drives them: in the order of the report's overall figure.
 const DRAWING: &[(&str, &[&str])] = &[
+    ("sweep.polarity.x", &["sweep.fold.x"]),
+    ("sweep.polarity.y", &["sweep.fold.y"]),
+    ("sweep.coarse.polarity.x", &["sweep.coarse.fold.x"]),
+    ("sweep.coarse.polarity.y", &["sweep.coarse.fold.y"]),
+    ("tg.*.hold", &["sweep.fold.x", "sweep.fold.y"]),
+    ("tg.coarse.*.hold", &["sweep.coarse.fold.x", "sweep.coarse.fold.y"]),
+    ("tg.*.word*", &["tg.*.hold"]),
+    ("tg.coarse.*.word*", &["tg.coarse.*.hold"]),
     ("sweep.x", &["sweep.accumulator.x"]),
     ("sweep.y", &["sweep.accumulator.y"]),
     ("sweep.coarse.x", &["sweep.coarse.accumulator.x"]),
@@ -35,8 +43,11 @@ const DRAWING: &[(&str, &[&str])] = &[
     ("tg.fn.*.d*", &["sweep.x", "sweep.y"]),
     ("tg.coarse.fn.*.g*", &["sweep.coarse.x", "sweep.coarse.y"]),
     ("tg.coarse.fn.*.d*", &["sweep.coarse.x", "sweep.coarse.y"]),
-    ("tg.product.*", &["tg.fn.*.g*", "tg.fn.*.d*"]),
-    ("tg.coarse.product.*", &["tg.coarse.fn.*.g*", "tg.coarse.fn.*.d*"]),
+    ("tg.product.*", &["tg.fn.*.g*", "tg.fn.*.d*", "sweep.polarity.x", "sweep.polarity.y"]),
+    (
+        "tg.coarse.product.*",
+        &["tg.coarse.fn.*.g*", "tg.coarse.fn.*.d*", "sweep.coarse.polarity.x", "sweep.coarse.polarity.y"],
+    ),
     ("tg.*.dac*", &["tg.product.*", "tg.*.word*"]),
     ("tg.coarse.*.dac*", &["tg.coarse.product.*", "tg.coarse.*.word*"]),
     ("tg.*.height", &["tg.*.dac*"]),

@@ -36,7 +36,7 @@ pub static OVERLAYS: &[Overlay] = &[
     shipped("smear", &["tg.product.*", "tg.coarse.product.*", "tg.*sum.*"]),
     shipped("slew", SUMS),
     shipped("fold", RAMPS),
-    shipped("fringe", DACS),
+    shipped("fringe", STROBED),
     shipped("quilt", DACS),
     shipped("facet", FUNCTIONS),
     shipped("coarse", WORDS),
@@ -63,7 +63,9 @@ pub static OVERLAYS: &[Overlay] = &[
     own("slow-set-up", "[cpu]\nsweep_setup_us = 3000\n", ACCUMULATORS),
     own("ramp-bits", "[sweep]\ndac_bits = 4\n", RAMPS),
     own("ramp-settling", "[sweep]\ndac_bits = 10\nsettle_ns = 200\n", RAMPS),
-    own("ramp-comparators", "[sweep]\nfold_detect = 'comparator'\n[comparator]\ndelay_ns = 100\n", DACS),
+    own("ramp-nonlinearity", "[sweep]\ndac_bits = 10\nnonlinearity_pct = 2\n", RAMPS),
+    own("ramp-glitch", "[sweep]\ndac_bits = 10\nglitch_v_ns = 500\n", RAMPS),
+    own("ramp-comparators", "[sweep]\nfold_detect = 'comparator'\n[comparator]\ndelay_ns = 100\n", STOPS),
     own("basis-error", "[function_generator]\nerror_pct = 1\n", FUNCTIONS),
     own("basis-bandwidth", "[function_generator]\nbandwidth_mhz = 1\n", FUNCTIONS),
     own("product-error", "[multiplier]\nerror_pct = 1\n", PRODUCTS),
@@ -103,6 +105,7 @@ pub static OVERLAYS: &[Overlay] = &[
         "[comparator]\noffset_mv = 500\n",
         &["fg.comparator.*", "sc.comparator.*", "fg.or", "sc.or", "dpp.blank"],
     ),
+    own("comparator-hysteresis", "[comparator]\nhysteresis_pct = 5\n", GATES),
     own("comparator-overdrive", "[comparator]\noverdrive_mv_ns = 5000\ndelay_ns = 10\n", GATES),
     own("gates-keyed", "[mixing_unit]\ngate = 'self-keyed'\nthreshold = 0.1\n", &["mu.vs1"]),
     own("switch-time", "[video_switch]\ntime_ns = 300\n", FADES),
@@ -134,6 +137,8 @@ pub static OVERLAYS: &[Overlay] = &[
 
 const ACCUMULATORS: &[&str] = &["sweep.accumulator.*", "sweep.coarse.accumulator.*"];
 const RAMPS: &[&str] = &["sweep.x", "sweep.y", "sweep.coarse.x", "sweep.coarse.y"];
+const STOPS: &[&str] = &["sweep.fold.*", "sweep.coarse.fold.*"];
+const STROBED: &[&str] = &["sweep.polarity.*", "sweep.coarse.polarity.*", "tg.*.hold"];
 const WORDS: &[&str] = &["tg.*.word*"];
 const FUNCTIONS: &[&str] = &["tg.*fn.*"];
 const PRODUCTS: &[&str] = &["tg.product.*", "tg.coarse.product.*"];

@@ -300,6 +300,9 @@ pub struct MemoryParts {
     pub deflection: Option<f64>,
     /// Tubes: with 2 one is written while the other is read.
     pub tubes: u32,
+    /// Bits of the words of a digital memory; it keeps numbers as they are if `None`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bits: Option<u32>,
 }
 
 /// How the beam current follows the speed of writing, so that exposure does not depend on it.

@@ -33,6 +33,11 @@ impl HardwareModel {
         self.check_over(self.usual_ground())
     }
 
+    /// The reasons for which no machine can be built like this.
+    pub fn refusals(&self) -> impl Iterator<Item = Finding> {
+        self.check().into_iter().filter(|finding| finding.grade == Grade::Refuse)
+    }
+
     /// Findings over `ground`, those that refuse the model first. Thresholds are those of hardware section 4, and at a
     /// constant rate of ground range; where there is none there, the worst figure that section 3 has.
     pub fn check_over(&self, ground: GroundScale) -> Vec<Finding> {

@@ -154,6 +154,12 @@ impl Forced {
 }
 
 impl Economy {
+    /// By what timing goes. The processor does not transform bodies that are too small to be seen, whatever is drawn of them.
+    #[must_use]
+    pub fn of_timing(self) -> Self {
+        if self.leaves_out_small_bodies() { self } else { Self::Bounded }
+    }
+
     /// Whether bodies that look smaller than a resolution cell are left out.
     pub fn leaves_out_small_bodies(self) -> bool {
         matches!(self, Self::Normal | Self::Bounded | Self::Instants(_))

@@ -233,6 +233,7 @@ fn analog_changes() -> [(&'static str, &'static str); 88] {
         ("sweep_memory.write_compensation", "100"),
         ("sweep_memory.write_compensation", "off"),
         ("sweep_memory.deflection_mhz", "3"),
+        ("sweep_memory.bits", "6"),
         ("picture_tube.bandwidth_mhz", "10"),
         ("picture_tube.correction", "2.2"),
         ("picture_tube.gamma", "2.2"),

@@ -49,6 +49,7 @@
 //! reads with a displacement and a scale of its own, along and across; where there are two, every second frame has the
 //! other. n shades that can be told
 //! apart are noise in the video, which the display adds (crate `picture-tube`).
+//! **Words** ([`Words`]) of a digital memory: what is written is rounded to the nearest of 2^b levels from 0 to the white of the display.
 //! **Elaboration.** Exact compensation, no deflection, no spot, no residue: each is a stage that is not there. Charge
 //! and levels are two guns, chosen once a group.
 //! **Our choices.** Linear spot; the outermost sweeps serve pixels beyond them by at most half a sweep; a turned screen
@@ -71,6 +72,7 @@ mod tiles;
 mod tube;
 mod turned;
 mod upright;
+mod words;
 mod write;
 mod write_gun;
 
@@ -79,5 +81,6 @@ pub use read_out::{View, covering};
 pub use scenario::PixelRule;
 pub use tiles::{Memory, Reading, Sweeps, Tile};
 pub use tube::{Tube, TubeRaster};
+pub use words::Words;
 pub use write::{Beam, FarStroke, SIGNALS, Steps, write_group};
 pub use write_gun::{Drive, GunWork, WriteGun};

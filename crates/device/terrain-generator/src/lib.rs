@@ -57,7 +57,7 @@ pub use inner::{COARSE, FINE, InnerSignals, InnerWire};
 pub use inside::{Inside, held_words};
 pub use light_of_parts::{LitGroup, PartsLight, light_full_scales, light_wires};
 pub use modified::{ModifiedTerrainGenerator, Overlap};
-pub use of_parts::{ArrayState, PartsArray, PartsTerrain, Scale, broken_lines};
+pub use of_parts::{ArrayState, Logic, PartsArray, PartsTerrain, Scale, broken_lines};
 pub use polynomials::Polynomials;
 pub use region::Region;
 pub use registers::Registers;

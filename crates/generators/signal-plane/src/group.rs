@@ -75,6 +75,7 @@ impl<S: Real> Group<'_, S> {
         self.write(work, rows);
         let Workspace { projected, third, far, .. } = work;
         self.overlay(first, (&projected.line, far), third, rows);
+        self.keep_words(rows);
     }
 
     /// The same group with its signals at the samples of `drawing`.

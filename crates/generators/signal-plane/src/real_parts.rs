@@ -3,6 +3,7 @@
 use control_plane::{Block, Elaboration, MachineStage, WrittenRaster};
 use display_projection_processor::PartsProcessor;
 use feature_generator::PartsFeatures;
+use hardware_model::{Settings, SweepMemoryKind};
 use landscape::Level;
 use mixing_unit::PartsMixer;
 use parts::LagStep;
@@ -10,7 +11,7 @@ use picture_tube::PictureTube;
 use polyhedron_generator::PartsSwitch;
 use shadow_controller::PartsLines;
 use signal::Real;
-use sweep_memory::{Tube, WriteGun};
+use sweep_memory::{Tube, Words, WriteGun};
 use terrain_generator::{PartsArray, PartsLight};
 use texture_generator::PartsTexture;
 
@@ -35,6 +36,8 @@ pub struct RealParts<S> {
     pub beam: Option<BeamParts<S>>,
     /// Storage tubes of the sweep memory.
     pub tube: Option<Tube>,
+    /// Words of a digital sweep memory, where they are rounded.
+    pub words: Option<Words>,
     /// Video amplifier and picture tube of the display.
     pub picture_tube: Option<PictureTube>,
     /// Output amplifiers of the main signals.
@@ -88,10 +91,18 @@ impl<S: Real> RealParts<S> {
             mixer: list.has_parts(Block::Mixing).then(|| PartsMixer::new(mixing, step, analog, seed)),
             beam: list.has_parts(Block::Beam).then(beam),
             tube: list.has_parts(Block::Memory).then(|| Tube::new(&analog.memory, tube, seed)),
+            words: words(settings),
             picture_tube: list.has_parts(Block::PictureTube).then(|| PictureTube::of(settings)),
             amplifiers: list.has_parts(Block::Amplifiers).then(|| OutputAmplifiers::new(stage, step, raster)),
         }
     }
+}
+
+/// Words of the sweep memory, if it is a digital one that rounds.
+fn words(settings: &Settings) -> Option<Words> {
+    let bits =
+        settings.analog.memory.bits.filter(|_| settings.sweep_memory == SweepMemoryKind::DigitalMemory);
+    bits.map(|bits| Words::new(bits, settings.display.white))
 }
 
 impl<S> RealParts<S> {

@@ -7,8 +7,8 @@ use timing::MovedEvent;
 
 use crate::{DeadlineError, Rehearsal};
 
-/// The first event of `frames`, ascending, that `found` has not where `baseline` has it: those of the frame first, then sweep
-/// by sweep. Slack is not asked: it follows from what moved.
+/// The first event of `frames`, ascending, that `found` has not where `baseline` has it, with its ticks in both: those of the frame
+/// first, then sweep by sweep. Slack is not asked: it follows from what moved.
 ///
 /// # Errors
 /// If a frame cannot be drawn.
@@ -49,6 +49,91 @@ fn differing(mut lists: [Vec<DigitalEvent>; 2], frame: u64, sweep: Option<u32>) 
     }
     let [baseline, found] = &lists;
     let first = (0..baseline.len().max(found.len())).find(|&k| baseline.get(k) != found.get(k))?;
-    let event = |list: &[DigitalEvent]| list.get(first).map(told);
-    Some(MovedEvent { frame, sweep, baseline: event(baseline), found: event(found) })
+    let (baseline, found) = (&baseline[first..], &found[first..]);
+    let tick = |event: &Option<&DigitalEvent>| event.map_or(i64::MAX, |event| event.tick.0 as i64);
+    let ours = baseline.first().map(|event| [Some(event), same_event(found, event)]);
+    let theirs = found.first().map(|event| [same_event(baseline, event), Some(event)]);
+    // Of the two that stand first, the earlier one moved; one that is there at the same tick did not.
+    let moved = ours.into_iter().chain(theirs);
+    let [before, after] = moved.min_by_key(|pair| {
+        let [before, after] = pair.each_ref().map(tick);
+        (before == after, before.min(after))
+    })?;
+    Some(MovedEvent { frame, sweep, baseline: before.map(told), found: after.map(told) })
+}
+
+/// The first of some events that is `event` but for its tick.
+fn same_event<'a>(events: &'a [DigitalEvent], event: &DigitalEvent) -> Option<&'a DigitalEvent> {
+    events.iter().find(|other| DigitalEvent { tick: event.tick, ..**other } == *event)
+}
+
+#[cfg(test)]
+mod tests {
+    use machine::{DigitalEvent, DigitalUnit, EventWord};
+    use quantities::Tick;
+    use sweep_program::WordMask;
+
+    use super::differing;
+
+    fn event(tick: u64, event: EventWord) -> DigitalEvent {
+        DigitalEvent {
+            tick: Tick(tick),
+            event,
+            unit: DigitalUnit::Cpu,
+            sweep: None,
+            level: None,
+            crossing: None,
+            fold: None,
+            colour: None,
+            register: None,
+            corner: None,
+            mask: WordMask(0),
+            words: 0,
+            slack: None,
+            cause: None,
+            comes: None,
+            other: None,
+            part: None,
+            crater: None,
+            range: None,
+        }
+    }
+
+    /// One event is told with both of its ticks, whatever stands in its place in the other list.
+    #[test]
+    fn an_event_that_moved_is_told_with_its_new_tick() {
+        use EventWord::{Access, Load, SetUp, SetUpBegins, Stop};
+        for (baseline, found, ticks) in [
+            // Later than another event now, and earlier than it.
+            (
+                vec![(1, Stop), (2, Load), (3, Access)],
+                vec![(1, Stop), (3, Access), (4, Load)],
+                [Some(2), Some(4)],
+            ),
+            (
+                vec![(1, Stop), (3, Access), (4, Load)],
+                vec![(1, Stop), (2, Load), (3, Access)],
+                [Some(4), Some(2)],
+            ),
+            // Beside one of the same tick that stays.
+            (vec![(0, SetUpBegins), (0, SetUp)], vec![(0, SetUpBegins), (5, SetUp)], [Some(0), Some(5)]),
+            (vec![(0, SetUpBegins), (3, SetUp)], vec![(0, SetUp), (0, SetUpBegins)], [Some(3), Some(0)]),
+            // There in one alone.
+            (vec![(1, Stop), (2, Load)], vec![(1, Stop)], [Some(2), None]),
+            (vec![(2, Load)], vec![(1, Stop), (2, Load)], [None, Some(1)]),
+        ] {
+            let list = |events: &[(u64, EventWord)]| {
+                events.iter().map(|(tick, word)| event(*tick, *word)).collect::<Vec<_>>()
+            };
+            let moved = differing([list(&baseline), list(&found)], 0, None).expect("they differ");
+            let words = [&moved.baseline, &moved.found].map(Option::as_ref);
+            for (told, tick) in words.into_iter().zip(ticks) {
+                assert_eq!(told.is_some(), tick.is_some(), "{moved:?}");
+                let (Some(told), Some(tick)) = (told, tick) else { continue };
+                assert!(told.starts_with(&format!("tick {tick}:")), "{told}: expected tick {tick}");
+            }
+        }
+        let same = vec![event(1, Stop)];
+        assert_eq!(differing([same.clone(), same], 0, None), None);
+    }
 }

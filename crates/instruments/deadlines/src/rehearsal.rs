@@ -26,7 +26,7 @@ pub struct Rehearsal {
     pub model: HardwareModel,
     /// Ground, scenery and settings of the machine.
     pub stage: MachineStage,
-    /// The digital side of the machine on the stage.
+    /// The digital side of the machine on the stage. Whatever else is drawn changes no event of it.
     pub control: ControlPlane,
     /// The threads that do the work.
     pub pool: ThreadPool,
@@ -42,7 +42,9 @@ impl Rehearsal {
     pub fn new(opened: Opened, pool: ThreadPool) -> Result<Self, DeadlineError> {
         let keys = opened.keys()?;
         let stage = pool.install(|| opened.machine_stage())?;
-        let control = ControlPlane::new(stage.clone());
+        let economy = stage.settings.economy.of_timing();
+        let settings = Settings { economy, ..stage.settings.clone() };
+        let control = ControlPlane::new(MachineStage { settings, ..stage.clone() });
         let Opened { scenario, model, .. } = opened;
         Ok(Self { scenario, model, stage, control, pool, keys })
     }

@@ -3,6 +3,7 @@
 use quantities::fixed;
 
 use crate::ground::GroundPoint;
+use crate::late::Late;
 use crate::seek::{Explanation, ReadSweep, Writer};
 
 /// Below this a pixel counts as dark.
@@ -159,8 +160,22 @@ fn digital(told: &Explanation) -> Vec<String> {
                 late.cause
             )
         }));
+        reasons.extend(earlier(read));
     }
     reasons
+}
+
+/// Late words of a sweep that no register lacks any more: what they moved has gone into the hold, and into parts and tubes.
+fn earlier(read: &ReadSweep) -> Option<String> {
+    let mut places: Vec<String> = read.late.iter().filter(|late| !late.in_force).map(Late::place).collect();
+    places.dedup();
+    (!places.is_empty()).then(|| {
+        format!(
+            "words of sweep {} that were late before it, and are in force no more: {}; the hold, parts and tubes keep what they did",
+            read.sweep,
+            places.join(", ")
+        )
+    })
 }
 
 /// What the read beam and the tubes made of it.

@@ -38,12 +38,22 @@ pub enum RunError {
     /// The program ended without waveforms.
     #[error("ngspice gave no waveforms; it says: {0}")]
     Failed(String),
+    /// The program ended before the sweep did.
+    #[error("ngspice stopped at {reached:.3e} of {end:.3e} s; it says: {said}")]
+    Stopped {
+        /// Last instant of its waveforms (s).
+        reached: f64,
+        /// Last instant of the circuit (s).
+        end: f64,
+        /// Its first words.
+        said: String,
+    },
 }
 
 /// Runs the circuit of `netlist`, which stands in the file `circuit`; its raw file is written to `raw`.
 ///
 /// # Errors
-/// If ngspice is not there, or makes nothing of the circuit.
+/// If ngspice is not there, makes nothing of the circuit, or does not come to its end.
 pub fn run(netlist: &Netlist, circuit: &Path, raw: &Path) -> Result<Curves, RunError> {
     let started = Command::new("ngspice").arg("-b").arg("-r").arg(raw).arg(circuit).output();
     let output = match started {
@@ -52,15 +62,19 @@ pub fn run(netlist: &Netlist, circuit: &Path, raw: &Path) -> Result<Curves, RunE
     };
     let said = || {
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
-        RunError::Failed(
-            said.lines().filter(|line| !line.trim().is_empty()).take(5).collect::<Vec<_>>().join("; "),
-        )
+        said.lines().filter(|line| !line.trim().is_empty()).take(5).collect::<Vec<_>>().join("; ")
     };
-    let bytes = std::fs::read(raw).map_err(|_| said())?;
-    parsed(&bytes, netlist.nodes.len()).ok_or_else(said)
+    let bytes = std::fs::read(raw).map_err(|_| RunError::Failed(said()))?;
+    let curves = parsed(&bytes, netlist.nodes.len()).ok_or_else(|| RunError::Failed(said()))?;
+    let (reached, end) = (curves.times.last().copied().unwrap_or(0.0), netlist.end());
+    if reached < end * (1.0 - 1e-9) {
+        return Err(RunError::Stopped { reached, end, said: said() });
+    }
+    Ok(curves)
 }
 
-/// A raw file of real numbers: a header up to `Binary:`, then doubles, the time first.
+/// A raw file of real numbers: a header up to `Binary:`, then doubles, the time first. Of a file that ends within a point, that point is
+/// left out.
 fn parsed(bytes: &[u8], nodes: usize) -> Option<Curves> {
     const MARK: &[u8] = b"Binary:\n";
     let body = bytes.windows(MARK.len()).position(|window| window == MARK)? + MARK.len();
@@ -68,9 +82,32 @@ fn parsed(bytes: &[u8], nodes: usize) -> Option<Curves> {
     let variables: usize =
         header.lines().find_map(|line| line.strip_prefix("No. Variables:"))?.trim().parse().ok()?;
     let number = |bytes: &[u8]| bytes.try_into().map(f64::from_le_bytes).ok();
-    let numbers: Option<Vec<f64>> = bytes[body..].chunks_exact(8).map(number).collect();
+    let points = (bytes.len() - body) / (8 * variables.max(1));
+    let numbers: Option<Vec<f64>> =
+        bytes[body..].chunks_exact(8).take(points * variables).map(number).collect();
     let numbers = numbers?;
     let column = |k: usize| numbers.iter().skip(k).step_by(variables).copied().collect::<Vec<f64>>();
     (variables == nodes + 1 && numbers.len() > variables)
         .then(|| Curves { times: column(0), values: (1..variables).map(column).collect() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::parsed;
+
+    /// A file of three points of a time and a node, and the same cut off anywhere: whole points stay, and nothing is made up.
+    #[test]
+    fn a_file_that_is_cut_off_has_its_whole_points() {
+        let mut file = b"Title: cut\nNo. Variables: 2\nNo. Points: 0\nBinary:\n".to_vec();
+        let header = file.len();
+        (0..6).for_each(|number| file.extend(f64::from(number).to_le_bytes()));
+        for length in header..=file.len() {
+            let points = (length - header) / 16;
+            let curves = parsed(&file[..length], 1);
+            assert_eq!(curves.is_some(), points > 0, "{length}");
+            let Some(curves) = curves else { continue };
+            assert_eq!((curves.times.len(), curves.values[0].len()), (points, points), "{length}");
+            assert_eq!((curves.times[0], curves.values[0][0]), (0.0, 1.0));
+        }
+    }
 }

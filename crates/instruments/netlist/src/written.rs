@@ -4,6 +4,9 @@ use std::fmt::Write;
 
 /// Instants of a sample at which waveforms are asked for; ngspice takes twice as many and more.
 const INSTANTS: f64 = 8.0;
+/// Part of a current that ngspice may leave open (A). Amplifiers slew by up to 20 mA; where they rest, a smaller part is below what
+/// their voltages leave open, and ngspice would cut its steps for nothing.
+const CURRENT: f64 = 1e-9;
 
 /// A circuit that ngspice runs as it stands.
 #[derive(Debug, Clone)]
@@ -37,14 +40,18 @@ impl Netlist {
         self.nodes.iter().map(|node| node.signal.as_str())
     }
 
+    /// Last instant of the circuit (s).
+    pub(crate) fn end(&self) -> f64 {
+        (self.last as i64 - self.begins) as f64 * self.step
+    }
+
     /// The circuit with what ngspice is told to do.
     pub(crate) fn ended(mut self) -> Self {
-        let step = self.step / INSTANTS;
-        let end = (self.last as i64 - self.begins) as f64 * self.step;
+        let (step, end) = (self.step / INSTANTS, self.end());
         let saved: String = self.nodes.iter().map(|node| format!(" v({})", node.name)).collect();
         let _ = write!(
             self.text,
-            ".options reltol=1e-5 abstol=1e-15 vntol=1e-9 chgtol=1e-18\n.save{saved}\n.tran {step:.15e} {end:.15e} 0 {:.3e}\n.end\n",
+            ".options reltol=1e-5 abstol={CURRENT:e} vntol=1e-9 chgtol=1e-18\n.save{saved}\n.tran {step:.15e} {end:.15e} 0 {:.3e}\n.end\n",
             step / 2.0
         );
         self

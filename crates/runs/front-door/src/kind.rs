@@ -184,7 +184,7 @@ pub fn read_model(
         }
         Err(OpenError::from(faults))
     })?;
-    expect_drawable(&loaded.values)?;
+    expect_drawable(&loaded)?;
     Ok(loaded)
 }
 

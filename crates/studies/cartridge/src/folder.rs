@@ -41,6 +41,7 @@ carried! {
     "flat-plane"
     "fold-table"
     "folds-of-every-machine"
+    "folds-on-the-ramp"
     "gain-error"
     "ground-distance"
     "lag-fold"

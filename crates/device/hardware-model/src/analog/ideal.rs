@@ -128,12 +128,13 @@ impl MemoryParts {
         write_compensation: WriteCompensation::Exact,
         deflection: None,
         tubes: 1,
+        bits: None,
     };
 
     /// Whether the picture read is the picture written, but for noise, which is in the video. The number of tubes does not
-    /// matter where none has a fault.
+    /// matter where none has a fault, nor do the words of a digital memory, which are rounded as they are written.
     pub fn keeps_pictures(&self) -> bool {
-        Self { tubes: 1, grey: None, ..*self } == Self::IDEAL
+        Self { tubes: 1, grey: None, bits: None, ..*self } == Self::IDEAL
     }
 }
 

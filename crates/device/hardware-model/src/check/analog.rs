@@ -2,8 +2,8 @@
 
 use scenario::{Occlusion, RangeLaw};
 
-use super::{Check, short};
-use crate::{FoldDetect, WriteCompensation};
+use super::{Check, Grade, short};
+use crate::{FoldDetect, SweepMemoryKind, WriteCompensation};
 
 pub(super) fn check(check: &mut Check) {
     ramps(check);
@@ -33,6 +33,13 @@ fn ramps(check: &mut Check) {
     check.warn_if(sweep.settle > axis, "A9", &["sweep.settle_ns"], || {
         format!("the ramp's converter settles in {} % of a crossing", of_crossing(sweep.settle))
     });
+    let acts_on_nothing = sweep.dac_bits.is_none() && (sweep.nonlinearity != 0.0 || sweep.glitch != 0.0);
+    check.push_if(
+        acts_on_nothing,
+        Grade::Warn(None),
+        &["sweep.nonlinearity_pct", "sweep.glitch_v_ns", "sweep.dac_bits"],
+        || "errors of a ramp converter that is exact: they are of no use".into(),
+    );
     check.warn_if(sweep.fold_detect == FoldDetect::Comparator, "A9", &["sweep.fold_detect"], || {
         "folds found on the analog ramp come later than the ramp by the comparator's delay".into()
     });
@@ -225,6 +232,10 @@ fn memory(check: &mut Check) {
     });
     check.warn_if(memory.registration > 0.02, "A21", &["sweep_memory.registration_pct"], || {
         format!("reading is {} % off writing, tubes had 0.3 to 2", short(100.0 * memory.registration))
+    });
+    let is_idle = memory.bits.is_some() && check.model.sweep_memory != SweepMemoryKind::DigitalMemory;
+    check.push_if(is_idle, Grade::Warn(None), &["sweep_memory.bits", "sweep_memory.kind"], || {
+        "words of a digital memory, and the memory is a scan converter: they are of no use".into()
     });
 }
 

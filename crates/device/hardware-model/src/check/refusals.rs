@@ -45,7 +45,9 @@ fn buffer(check: &mut Check) {
     });
     let record = banks.drum.map_or(0, |drum| drum.record_words);
     check.refuse_if(record > words, &["buffer.words", "drum.record_words"], || {
-        format!("a buffer of {words} words cannot take in one record of {record}")
+        format!(
+            "a buffer of {words} words cannot take in one record of {record}; buffer.words = {record} would do for one"
+        )
     });
 }
 

@@ -310,6 +310,8 @@ fn memory(table: &Reader) -> Option<MemoryParts> {
     let registration = percent(table, "registration_pct").required();
     let write_compensation = write_compensation(table).required();
     let deflection = megahertz(table, "deflection_mhz").required();
+    // A file from before there was this key keeps its meaning.
+    let bits = bits(table, "bits").default(MemoryParts::IDEAL.bits);
     Some(MemoryParts {
         tv_lines: tv_lines?,
         grey: grey?,
@@ -318,6 +320,7 @@ fn memory(table: &Reader) -> Option<MemoryParts> {
         write_compensation: write_compensation?,
         deflection: deflection?,
         tubes: tubes?,
+        bits: bits?,
     })
 }
 

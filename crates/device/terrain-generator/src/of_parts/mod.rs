@@ -29,6 +29,7 @@ mod block;
 mod cell;
 mod converters;
 mod grid;
+mod logic;
 mod out;
 mod parts_array;
 mod ramp;
@@ -45,6 +46,7 @@ mod timing;
 mod words;
 
 pub use basis::broken_lines;
+pub use logic::Logic;
 pub use parts_array::PartsArray;
 pub(crate) use parts_array::Tap;
 pub use scale::Scale;

@@ -33,6 +33,10 @@ pub(super) struct Timing {
     /// From a fold in the accumulator to the polarity and to the registers (s), nominal.
     to_polarity: f64,
     to_registers: f64,
+    /// From there to the output that tells the fold: of the accumulator, or of the comparator at the stop (s), nominal.
+    to_stops: f64,
+    /// From the strobe of a register to what its D/As make of it (s), nominal.
+    switching: f64,
     /// Where folds are found on the ramps: of the lower and the upper stop of each axis.
     stops: Option<[LimitStop; 4]>,
     /// By how many samples each multiplying D/A switches later than a nominal one; empty if they are alike.
@@ -94,6 +98,8 @@ impl Timing {
             preset: parts.sweep.preset,
             to_polarity: to_polarity + parts.sweep.strobe_offset,
             to_registers: to_registers + parts.sweep.strobe_offset,
+            to_stops: if on_ramp { delays.to_ramps + parts.comparator.delay } else { 0.0 },
+            switching,
             stops: on_ramp.then(|| std::array::from_fn(stop)),
             earliest: later.iter().copied().fold(0.0, f64::min),
             later,
@@ -108,6 +114,16 @@ impl Timing {
     /// When a polarity flip-flop has turned (samples).
     pub fn of_polarity(&self, step: &Step, generator: &TerrainGenerator<'_>, program: &SweepProgram) -> f64 {
         self.acts(step, self.to_polarity, generator, program)
+    }
+
+    /// When a stop's output tells the fold of `step` (samples).
+    pub fn of_stop(&self, step: &Step, generator: &TerrainGenerator<'_>, program: &SweepProgram) -> f64 {
+        self.acts(step, self.to_stops, generator, program)
+    }
+
+    /// When the registers of `step` are strobed (samples).
+    pub fn of_strobe(&self, step: &Step, generator: &TerrainGenerator<'_>, program: &SweepProgram) -> f64 {
+        self.acts(step, self.to_registers - self.switching, generator, program)
     }
 
     /// Ground range that the accumulators have at `time` (samples of the beam) over samples at `ranges`.

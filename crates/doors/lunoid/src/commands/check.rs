@@ -103,7 +103,7 @@ type Checked = Result<Sound, ProblemList>;
 /// Of a model alone: over a scenario of other sweeps its delays may meet their words all the same.
 fn check_model(path: &Path) -> Checked {
     let loaded = HardwareModel::read(path, &[], &[])?;
-    expect_drawable(&loaded.values)?;
+    expect_drawable(&loaded)?;
     let idle = loaded.model.check().into_iter().filter(|finding| finding.keys.contains(&"loader.delay"));
     let idle = idle.map(|finding| format!("{}: {}", path.display(), finding.message));
     Ok(loaded.remarks.into_iter().chain(idle).collect::<Vec<_>>().into())
@@ -113,7 +113,7 @@ fn check_model(path: &Path) -> Checked {
 fn check_overlay(path: &Path) -> Checked {
     let ideal = ModelSource::BuiltIn("ideal".into());
     let loaded = HardwareModel::load(&ideal, &[path.to_owned()], &[])?;
-    expect_drawable(&loaded.values).map(|()| Sound::default())
+    expect_drawable(&loaded).map(|()| Sound::default())
 }
 
 /// Reads a file of the generator of `row`.

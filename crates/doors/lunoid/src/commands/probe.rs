@@ -272,7 +272,9 @@ impl ProbeCommand {
         written: &Written,
     ) -> Result<(), Failure> {
         for name in &choice.left_out {
-            tell(&format!("{name}: this machine has no such wire; 0 throughout (--everything puts it in)\n"));
+            tell(&format!(
+                "{name}: this machine has no such wire; 0 throughout (`lunoid signals` tells which it has, and what is left out)\n"
+            ));
         }
         let (out, frame) = (self.out.display(), self.chosen.frame);
         if self.json {

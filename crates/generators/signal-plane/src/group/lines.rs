@@ -55,6 +55,13 @@ impl<S: Real> Group<'_, S> {
         (!self.stage.landscape.silhouettes().is_empty()).then_some(far)
     }
 
+    /// What a memory of rounded words keeps of the lines.
+    pub fn keep_words(&self, rows: &mut [f32]) {
+        if let Some(words) = &self.parts.words {
+            words.store(rows);
+        }
+    }
+
     /// VS3: polyhedra and light points over what the sweeps have written; `held` are lines of the held elevation, `far` mountains
     /// behind the last sample.
     pub fn overlay(

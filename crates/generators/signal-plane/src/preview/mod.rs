@@ -46,6 +46,7 @@ impl<S: Real> Group<'_, S> {
         self.write_preview(work, rows);
         let Workspace { sight, third, far, .. } = work;
         self.overlay(first, (&sight.line, far), third, rows);
+        self.keep_words(rows);
     }
 
     fn write_preview(&self, work: &mut Workspace<S>, rows: &mut [f32]) {

@@ -1,15 +1,16 @@
 //! Wires that are worked out together, once a sweep: those inside the arrays, the words of their hold registers, the gates.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-use control_plane::waveforms::Changes;
+use control_plane::waveforms::{Changes, changes};
 use landscape::{CornerWords, Level};
 use mixing_unit::SwitchGates;
 use signal::{Lanes, Probe, Real};
 use sweep_program::SweepProgram;
 use terrain_generator::{
-    ArrayState, COARSE, FINE, InnerSignals, InnerWire, LIGHT, PartsArray, TerrainGenerator, held_words,
-    light_wires,
+    ArrayState, COARSE, FINE, InnerSignals, InnerWire, LIGHT, Logic, PartsArray, TerrainGenerator,
+    held_words, light_wires,
 };
 
 use super::{Recorded, sampled};
@@ -35,7 +36,7 @@ impl<S: Real> Recorded<'_, S> {
     pub(super) fn together(&self, probe: &Probe, lane: usize, sweep: u32) -> Together {
         let mut all = Together::new();
         for swept in self.swept() {
-            all.extend(swept.words(probe, lane));
+            all.extend(self.words(&swept, probe, lane));
             let wanted = swept.signals.wires.iter().filter(|(_, signal)| probe.wants(signal));
             let (wires, names): (Vec<InnerWire>, Vec<_>) =
                 wanted.map(|(wire, signal)| (*wire, signal.name)).unzip();
@@ -116,18 +117,17 @@ impl<S: Real> Recorded<'_, S> {
             }
         }
     }
-}
 
-impl<S: Real> Swept<'_, S> {
     /// Words of the hold registers of lane `lane` that `probe` wants.
-    fn words(&self, probe: &Probe, lane: usize) -> Together {
-        let words = self.signals.words.iter().enumerate();
+    fn words(&self, swept: &Swept<'_, S>, probe: &Probe, lane: usize) -> Together {
+        let words = swept.signals.words.iter().enumerate();
         let wanted: Vec<_> = words.filter(|(_, signal)| probe.wants(signal)).collect();
         if wanted.is_empty() {
             return Together::new();
         }
-        let as_held = |words: &CornerWords| self.array.map_or(*words, |array| array.as_held(words));
-        let held: Vec<_> = held_words(&self.programs[lane], self.level.words())
+        let as_held = |words: &CornerWords| swept.array.map_or(*words, |array| array.as_held(words));
+        let program = self.on_wires(swept, Logic::Registers, lane);
+        let held: Vec<_> = held_words(&program, swept.level.words())
             .into_iter()
             .map(|(time, words)| (time, words.each_ref().map(as_held)))
             .collect();
@@ -137,6 +137,29 @@ impl<S: Real> Swept<'_, S> {
             changes
         };
         wanted.into_iter().map(|(number, signal)| (signal.name, of(number))).collect()
+    }
+
+    /// What a digital wire of the terrain path, of the coarse level or of the fine one, did in lane `lane`; nothing if there is no such
+    /// level.
+    pub(super) fn logic(&self, name: &str, lane: usize) -> Changes {
+        let level = usize::from(name.contains(".coarse."));
+        let logic = match name {
+            _ if name.contains(".fold.") || name.ends_with(".late") => Logic::Stops,
+            _ if name.contains(".polarity.") => Logic::Polarity,
+            _ => Logic::Registers,
+        };
+        let swept = self.swept();
+        swept
+            .get(level)
+            .map_or_else(Changes::default, |swept| changes(name, &self.on_wires(swept, logic, lane)))
+    }
+
+    /// The program of a level and lane, with the instants of these wires.
+    fn on_wires<'p>(&self, swept: &Swept<'p, S>, logic: Logic, lane: usize) -> Cow<'p, SweepProgram> {
+        let program = &swept.programs[lane];
+        swept.array.map_or(Cow::Borrowed(program), |array| {
+            Cow::Owned(array.on_wires(logic, &self.group.terrain(swept.level), program))
+        })
     }
 }
 

@@ -3,7 +3,7 @@
 mod inner;
 mod units;
 
-use control_plane::waveforms::{Changes, changes, feature_centres};
+use control_plane::waveforms::{Changes, feature_centres};
 use control_plane::{RANGE, is_state, state_changes};
 use mixing_unit::Inputs;
 use polyhedron_generator::Overlay;
@@ -67,9 +67,7 @@ impl<S: Real> Recorded<'_, S> {
             _ if name.starts_with("sc.") => self.line_generator(name, lane, sweep),
             "yoke.angle" => Changes { times: vec![0.0], values: vec![group.plan.yoke] },
             _ if name.contains(".word") => together.remove(name).unwrap_or_default(),
-            _ if !name.contains(".coarse.") => changes(name, &work.programs[lane]),
-            _ if group.blocks.coarse.is_some() => changes(name, &work.coarse[lane]),
-            _ => Changes::default(),
+            _ => self.logic(name, lane),
         }
     }
 

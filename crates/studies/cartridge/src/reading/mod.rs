@@ -158,9 +158,9 @@ impl Reading {
             | Self::Samples(signal::SamplesReading { signal, .. })
             | Self::Statistic(statistic::StatisticReading { signal, .. })
             | Self::FourierLine(fourier_line::FourierLineReading { signal, .. })
-            | Self::Turns(turns::TurnsReading { signal, .. })
             | Self::EdgeShift(edge_shift::EdgeShiftReading { signal, .. })
             | Self::Changes(changes::ChangesReading { signal, .. }) => vec![RANGE, signal],
+            Self::Turns(turns) => [RANGE].into_iter().chain(turns.signals()).collect(),
             Self::Hidden(_) | Self::LunoidHorizonRange(_) => one("dpp.blank"),
             Self::DisplayLine(_) => vec![RANGE, "dpp.elevation", "dpp.blank", "dpp.y"],
             Self::RepeatedSweeps(_) => one("tg.height"),

@@ -5,7 +5,8 @@ use serde::Deserialize;
 use super::Deviation;
 use crate::scene::machine::Drawn;
 
-/// Turns of a ramp of sweep 0: found from the straight pieces around each, or told by the folds of its accumulator.
+/// Turns of a ramp of sweep 0: found from the straight pieces around each, or told by the stops that find its folds. The answer is a list
+/// of ground ranges, or the turns of another ramp.
 #[derive(Debug, Clone, Deserialize)]
 #[cfg_attr(test, derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
@@ -13,18 +14,37 @@ pub struct TurnsReading {
     /// Name of the ramp, or of its folds: `sweep.fold.x`.
     pub signal: String,
     /// Ground ranges of all its turns, ascending (m).
+    #[serde(default)]
     pub at_m: Vec<f64>,
+    /// Name of the ramp at whose turns they are, in place of ground ranges.
+    #[serde(default)]
+    pub at_turns_of: Option<String>,
 }
 
 impl TurnsReading {
     pub(super) fn deviation(&self, seen: &Drawn) -> Result<Deviation, String> {
-        let (ranges, instants) = (seen.ranges_of(0)?, seen.instants(&self.signal, 0)?);
-        let found = match instants {
-            [] => turns(ranges, seen.wave(&self.signal, 0)?),
-            _ => instants.iter().filter_map(|&instant| range_at(ranges, instant)).collect(),
+        let right = match (&self.at_turns_of, &self.at_m[..]) {
+            (Some(ramp), []) => turns_of(seen, ramp)?,
+            (None, [_, ..]) => self.at_m.clone(),
+            _ => return Err("turns: expected either at_m or at_turns_of".into()),
         };
-        Ok(Deviation::between(&format!("turns of {}", self.signal), &found, &self.at_m, 1.0))
+        let found = turns_of(seen, &self.signal)?;
+        Ok(Deviation::between(&format!("turns of {}", self.signal), &found, &right, 1.0))
     }
+
+    /// The signals that it looks at.
+    pub(super) fn signals(&self) -> impl Iterator<Item = &str> {
+        [Some(&self.signal), self.at_turns_of.as_ref()].into_iter().flatten().map(String::as_str)
+    }
+}
+
+/// Ground ranges of the turns of a ramp, or of the folds that a stop tells (m).
+fn turns_of(seen: &Drawn, signal: &str) -> Result<Vec<f64>, String> {
+    let ranges = seen.ranges_of(0)?;
+    Ok(match seen.instants(signal, 0)? {
+        [] => turns(ranges, seen.wave(signal, 0)?),
+        instants => instants.iter().filter_map(|&instant| range_at(ranges, instant)).collect(),
+    })
 }
 
 /// Ground range at an instant between samples (m); none before the first and behind the last.

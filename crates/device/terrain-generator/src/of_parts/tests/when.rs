@@ -6,7 +6,7 @@ use signal::LANES;
 use sweep_program::{RampAxis, Step, Stop};
 
 use super::{STEP, Scene, parts, weight};
-use crate::of_parts::{ArrayState, PartsArray, Tap};
+use crate::of_parts::{ArrayState, Logic, PartsArray, Tap};
 use crate::terms::{ALL, TERMS, side_by_side, word_of};
 use crate::{Profile, Registers};
 
@@ -63,6 +63,40 @@ fn a_stop_is_found_by_its_offset_over_the_slope_later() {
         }
     }
     assert!(largest > 0.05, "{largest}");
+}
+
+/// Stops, flip-flops and registers are told where their wires are: a digital fold as far ahead of the beam as the accumulators run, one
+/// that a comparator finds by its delay later, a register by its switching time before its D/As have the word.
+#[test]
+fn logic_is_told_where_its_wires_are() {
+    let scene = Scene::new();
+    // A bandwidth whose time constant is a sample and a half.
+    let digital = parts(|parts| {
+        parts.multiplier.bandwidth = Some(1.0 / (std::f64::consts::TAU * 75e-9));
+        parts.sweep.strobe_offset = 10e-9;
+    });
+    let comparator = found_on_the_ramp(|parts| {
+        (parts.multiplying_dac.switching, parts.sweep.strobe_offset) = (100e-9, 25e-9);
+    });
+    // Samples by which stops, polarity and registers are later than in the program.
+    for (parts, later) in [(digital, [-1.5, -1.3, 0.2]), (comparator, [0.8, 1.3, 1.3])] {
+        let array = array(&scene, &parts);
+        for program in &scene.programs {
+            for (logic, later) in [Logic::Stops, Logic::Polarity, Logic::Registers].into_iter().zip(later) {
+                let told = array.on_wires(logic, &scene.generator(), program);
+                assert_eq!(told.steps.len(), program.steps.len());
+                let mut passed = 0;
+                for (step, told) in program.steps.iter().zip(&told.steps) {
+                    assert_eq!(step.kind, told.kind);
+                    let in_retrace = parts.sweep.preset && step.time.0 <= 0.0;
+                    let right = if in_retrace { step.time.0 } else { step.time.0 + later };
+                    assert!((told.time.0 - right).abs() < 1e-9, "{logic:?}: {} {right}", told.time.0);
+                    passed += usize::from(!in_retrace);
+                }
+                assert!(passed > 5, "{passed} steps behind the first range");
+            }
+        }
+    }
 }
 
 /// The weights of a lane, sample by sample.

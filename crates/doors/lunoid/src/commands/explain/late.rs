@@ -34,11 +34,11 @@ pub struct LateArgs {
 }
 
 impl LateArgs {
-    /// Tells what the words at `place` changed. `chosen` names the frame and the machine; `stage` is its stage.
+    /// Tells what the words at `place` changed. `chosen` names the frame and the machine; then what was asked for, and the stage that it is.
     pub fn explain(
         &self,
         place: LatePlace,
-        (chosen, stage): (&FrameArgs, &StageArgs),
+        (chosen, [asked, stage]): (&FrameArgs, [&StageArgs; 2]),
         opened: Opened,
         json: bool,
     ) -> Result<Verdict, Failure> {
@@ -64,7 +64,7 @@ impl LateArgs {
         }
         match json {
             true => print_json(&told.json())?,
-            false => print(&(told.text() + "\n" + &next(&told, stage)))?,
+            false => print(&(told.text() + "\n" + &next(&told, asked)))?,
         }
         Ok(Verdict::Yes)
     }

@@ -5,7 +5,7 @@ mod late;
 use clap::Args;
 use deadlines::Rehearsal;
 use exact::Columns;
-use explain::{Explanation, Inquiry, InquiryError, facts};
+use explain::{Explanation, Inquiry, InquiryError, ReadSweep, facts};
 use front_door::Opened;
 use machine::Prepare;
 use serde_json::json;
@@ -73,7 +73,7 @@ impl Explain {
         match (self.late.late, self.pixel) {
             (Some(place), _) => {
                 expect_machine(&opened, "it has no words that come late")?;
-                self.late.explain(place, (&self.chosen, &stage), opened, self.json)
+                self.late.explain(place, (&self.chosen, [&asked, &stage]), opened, self.json)
             }
             (None, Some(pixel)) if opened.is_machine() => self.of_the_machine(opened, &asked, pixel),
             (None, Some(pixel)) => self.of_a_guest(&opened, pixel),
@@ -180,9 +180,15 @@ impl Explain {
             told.body.map(|_| ("probe", format!("--sweep {sweep} --signals 'pg.*,sm.write' --out body.csv")));
         let registers =
             told.ground.as_ref().map(|ground| ("trace", format!("--at {sweep}:{}", ground.sample)));
-        let mut in_force = told.read.iter().flat_map(|read| read.late.iter().map(|late| (read.sweep, late)));
-        let words =
-            in_force.rfind(|(_, late)| late.in_force).map(|(sweep, late)| ("explain", option(sweep, late)));
+        // The sweep with the greater part of the pixel stands first; the words that came last in it are the likeliest.
+        let last = |read: &ReadSweep| {
+            let mut late = read.late.iter().rev();
+            late.clone()
+                .find(|late| late.in_force)
+                .or_else(|| late.next())
+                .map(|late| option(read.sweep, late))
+        };
+        let words = told.read.iter().find_map(last).map(|words| ("explain", words));
         let commands = [("probe", page)]
             .into_iter()
             .chain(body)

@@ -1,0 +1,52 @@
+//! The digital wires of an array of parts: the instants of a sweep's steps as each of them has these.
+
+use signal::Real;
+use sweep_program::SweepProgram;
+
+use super::PartsArray;
+use crate::TerrainGenerator;
+
+/// Digital wires of an array, by where they are.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Logic {
+    /// What tells a fold: the accumulator, or a comparator on the ramp; and the line of words that it finds missing.
+    Stops,
+    /// Flip-flops of the polarity.
+    Polarity,
+    /// Registers in front of the multiplying D/As.
+    Registers,
+}
+
+impl<S: Real> PartsArray<S> {
+    /// `program` with the instants at which its steps are on these wires, in samples of the beam, ahead of which the ramps run. What lies
+    /// before the first range keeps its instants where the accumulators are preset. A strobe does not overtake the one before it.
+    pub fn on_wires(
+        &self,
+        logic: Logic,
+        generator: &TerrainGenerator<'_>,
+        program: &SweepProgram,
+    ) -> SweepProgram {
+        let timing = &self.timing;
+        let mut told = program.clone();
+        let mut before = f64::NEG_INFINITY;
+        for (step, told) in program.steps.iter().zip(&mut told.steps) {
+            if timing.preset && step.time.0 <= 0.0 {
+                continue;
+            }
+            told.time.0 = match logic {
+                Logic::Stops => timing.of_stop(step, generator, program),
+                Logic::Polarity => timing.of_polarity(step, generator, program),
+                Logic::Registers => timing.of_strobe(step, generator, program).max(before),
+            };
+            before = told.time.0;
+        }
+        for miss in &mut told.misses {
+            let fold =
+                program.steps.iter().position(|step| step.time == miss.time && step.kind.fold().is_some());
+            if let Some(fold) = fold {
+                miss.time = told.steps[fold].time;
+            }
+        }
+        told
+    }
+}
