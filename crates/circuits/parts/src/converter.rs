@@ -44,7 +44,9 @@ pub struct Converter<S> {
     cubic: f64,
     delay: Delay,
     settle: LagStep<S>,
+    /// What the pulse of the major carry leaves at the end of a step, and what it begins with.
     pulse: S,
+    kick: S,
 }
 
 /// Word, its level, and the output.
@@ -70,6 +72,7 @@ impl<S: Real> Converter<S> {
             delay,
             settle: LagStep::jump(h, law.tau, delay.share),
             pulse: S::from_f64(law.glitch_area * impulse(h, law.tau, delay.share)),
+            kick: S::from_f64(law.glitch_area * impulse(0.0, law.tau, 0.0)),
         }
     }
 
@@ -142,25 +145,50 @@ impl<S: Real> Converter<S> {
     /// as numbers, so that a group needs no conversions and no branches.
     #[inline(always)]
     pub fn step_lanes(&self, state: &mut ConverterLanes<S>, u: Lanes<S>) -> Lanes<S> {
-        let (top, lsb, major) = (self.words - 1.0, 1.0 / self.words, 2.0 / self.words);
         let before = *state;
+        let carries = self.take(state, u);
+        for lane in 0..LANES {
+            let settled = self.settle.step(before.y.0[lane], before.level.0[lane], state.level.0[lane]);
+            state.y.0[lane] = settled + self.pulse * carries.0[lane];
+        }
+        state.y
+    }
+
+    /// The same of converters without a delay, for a part behind them that follows their outputs within the step: these go by the
+    /// settling lag from the first to the second of what is returned.
+    #[inline(always)]
+    pub fn settling_lanes(&self, state: &mut ConverterLanes<S>, u: Lanes<S>) -> [Lanes<S>; 2] {
+        let before = *state;
+        let carries = self.take(state, u);
+        let mut begin = Lanes::default();
+        for lane in 0..LANES {
+            let (y, carry) = (before.y.0[lane], carries.0[lane]);
+            begin.0[lane] = y + self.kick * carry;
+            let settled = self.settle.step(y, before.level.0[lane], state.level.0[lane]);
+            state.y.0[lane] = settled + self.pulse * carry;
+        }
+        [begin, state.level]
+    }
+
+    /// Gives a group the words of `u`; the pulses of their carries, as shares of that of the major carry, with their signs.
+    #[inline(always)]
+    fn take(&self, state: &mut ConverterLanes<S>, u: Lanes<S>) -> Lanes<S> {
+        let (top, lsb, major) = (self.words - 1.0, 1.0 / self.words, 2.0 / self.words);
+        let mut carries = Lanes::default();
         for lane in 0..LANES {
             let word = whole(u.0[lane].to_f64() * self.words + 0.5);
             let word = if word > 0.0 { word } else { 0.0 };
             let word = if word < top { word } else { top };
-            let from = before.word[lane];
+            let from = state.word[lane];
             let changed = ((word + WHOLE).to_bits() ^ (from + WHOLE).to_bits()) | WHOLE.to_bits();
             let highest = f64::from_bits((f64::from_bits(changed) - WHOLE).to_bits() & POWER);
-            let pulse = self.pulse * S::from_f64(highest * major);
             let q = word * lsb;
-            let level = S::from_f64(q + self.cubic * q * (1.0 - q) * (1.0 - 2.0 * q));
             let sign = if word < from { -1.0 } else { 1.0 };
-            let settled = self.settle.step(before.y.0[lane], before.level.0[lane], level);
-            state.y.0[lane] = settled + pulse * S::from_f64(sign);
-            state.level.0[lane] = level;
+            carries.0[lane] = S::from_f64(highest * major * sign);
+            state.level.0[lane] = S::from_f64(q + self.cubic * q * (1.0 - q) * (1.0 - 2.0 * q));
             state.word[lane] = word;
         }
-        state.y
+        carries
     }
 }
 

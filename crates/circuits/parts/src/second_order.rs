@@ -6,8 +6,8 @@
 //!
 //! **Law** (section 6). `y'' + 2 z w y' + w^2 y = w^2 u`, by the 2 x 2 matrix exponential, for any damping: below 1
 //! with sine and cosine, above with the two real modes, and through 1 without a seam. Input: a straight line over the
-//! step ([`SecondOrder::step`]), or a staircase that switches at the same share of every step
-//! ([`SecondOrder::staircase`]), which is what a smoother behind a converter gets.
+//! step ([`SecondOrder::step`]), a staircase that switches at the same share of every step ([`SecondOrder::staircase`]), or what a
+//! converter makes of one by its own lag ([`SecondOrder::settling`]), which is what a smoother behind it gets.
 //! **Parameters.** [`SecondOrder`]. A ramp passes with the delay `2 z / w` ([`SecondOrder::group_delay`]).
 //! **State and timing.** [`SecondOrderState`]: output and its rate, in physical units, so steps of different length
 //! may follow one another.
@@ -71,6 +71,23 @@ impl SecondOrder {
         let from = (1.0 - after.rise) * before.rise + after.coast * before.push;
         let push_from = after.keep * before.push - after.push * before.rise;
         Free::new(h, self).driven([from, after.rise], [push_from, after.push])
+    }
+
+    /// Step of `h` seconds for an input that goes from u0 to u1 by a lag of `tau` seconds, as that of a converter does. The damping is
+    /// below 1.
+    pub fn settling<S: Real>(&self, h: f64, tau: f64) -> SecondOrderStep<S> {
+        if tau == 0.0 || self.natural == f64::INFINITY {
+            return self.staircase(h, 0.0);
+        }
+        let free = Free::new(h, self);
+        // The response to what is left of u0 - u1, exp(-t / tau): a multiple of itself, and the free part that begins against it.
+        let (rate, own) = (1.0 / tau, self.damping * self.natural);
+        let peak = self.natural * self.natural
+            / ((rate - own) * (rate - own) + self.natural * self.natural - own * own);
+        let left = libm::exp(-h * rate);
+        let from = peak * (left - (1.0 - free.rise) + free.coast * rate);
+        let push_from = peak * (free.push + free.keep * rate - left * rate);
+        free.driven([from, free.rise - from], [push_from, free.push - push_from])
     }
 
     /// What an impulse of area 1 into the part at `share` of a step of `h` seconds adds to its state at the end of

@@ -89,6 +89,31 @@ fn staircases_are_two_held_steps() {
     }
 }
 
+/// An input that settles by a lag is one of many short straight pieces.
+#[test]
+fn an_input_that_settles_is_many_straight_pieces() {
+    let h = 50e-9;
+    for (natural, damping) in
+        [(1.0 / 40e-9, 0.8), (1.0 / 3e-9, 0.7), (1.0 / 900e-9, 0.99), (1.0 / 40e-9, 0.0)]
+    {
+        for tau in [20e-9, 1e-9, 400e-9, 0.0] {
+            let part = SecondOrder { natural, damping };
+            let begin = SecondOrderState { y: 0.3, rate: 2e6 };
+            let (from, to) = (0.9, -0.4);
+            let found = part.settling::<f64>(h, tau).step(begin, from, to);
+            let pieces = 20_000;
+            let piece = part.step::<f64>(h / f64::from(pieces));
+            let input = |k: i32| {
+                let since = h * f64::from(k) / f64::from(pieces);
+                if tau == 0.0 { to } else { to + (from - to) * libm::exp(-since / tau) }
+            };
+            let right = (0..pieces).fold(begin, |state, k| piece.step(state, input(k), input(k + 1)));
+            assert!((found.y - right.y).abs() < 1e-6, "{natural} {damping} {tau}: {} {}", found.y, right.y);
+            assert!((found.rate - right.rate).abs() < 1e-6 * natural, "{natural} {damping} {tau}: rate");
+        }
+    }
+}
+
 #[test]
 fn a_smoothed_staircase_lies_on_the_late_ramp() {
     // Mean over a step of a staircase that leads by half a step: the ramp, late by the group delay less that half.

@@ -63,9 +63,9 @@ impl<S: Real> RampParts<S> {
         // A staircase is late by half a step.
         let stairs = parts.dac_bits.map_or(0.0, |_| settle + if has_smoother { 0.5 * h } else { 0.0 });
         let smooth = |law: &SecondOrder| match parts.dac_bits {
-            // The word changes as the step begins.
-            Some(_) if settle == 0.0 => law.staircase(h, 0.0),
-            _ => law.step(h),
+            // The word changes as the step begins, and the converter settles within it.
+            Some(_) => law.settling(h, settle),
+            None => law.step(h),
         };
         Self {
             converter: parts.dac_bits.map(|bits| Converter::new(h, &law(bits))),
@@ -104,22 +104,26 @@ impl<S: Real> RampParts<S> {
     }
 
     /// Steps later, one for each of `values`, which become the ramp's; the accumulator changes to each as a step begins (to the
-    /// converter's word), or moves to it in a straight line where there is no converter. Part by part, so that what waits for
-    /// the step before is short.
+    /// converter's word), or moves to it in a straight line where there is no converter.
     #[inline(always)]
     pub fn pass<L: Simd>(&self, simd: L, state: &mut RampState<S>, values: &mut [Lanes<S>]) {
-        if let Some(part) = &self.converter {
-            values.iter_mut().for_each(|value| *value = part.step_lanes(&mut state.converter, *value));
-        }
-        let Some(part) = &self.smoother else { return };
+        let Some(smoother) = &self.smoother else {
+            if let Some(part) = &self.converter {
+                values.iter_mut().for_each(|value| *value = part.step_lanes(&mut state.converter, *value));
+            }
+            return;
+        };
         let load = |lanes: &Lanes<S>| S::Vector::<L>::from_slice(simd, &lanes.0);
         let mut before = load(&state.input);
         let mut smooth = SecondOrderState { y: load(&state.smooth.y), rate: load(&state.smooth.rate) };
         for value in values {
-            let input = load(value);
-            smooth = part.step(smooth, before, input);
+            let [begin, end] = match &self.converter {
+                Some(part) => part.settling_lanes(&mut state.converter, *value).each_ref().map(load),
+                None => [before, load(value)],
+            };
+            smooth = smoother.step(smooth, begin, end);
             smooth.y.store_slice(&mut value.0);
-            before = input;
+            before = end;
         }
         before.store_slice(&mut state.input.0);
         smooth.y.store_slice(&mut state.smooth.y.0);
@@ -172,6 +176,35 @@ mod tests {
         // Half a microsecond before the fold, transients are over.
         let found = run(&parts)[399];
         assert!((found - triangle(-0.5e-6 - 32e-9)).abs() < 1e-7, "{found}");
+    }
+
+    /// Converter, settling lag, pulse of the carry and smoother are what their equations make of them: steps of 50 ns against ones of
+    /// half a nanosecond, Euler's.
+    #[test]
+    fn a_smoother_follows_its_converter_within_the_step() {
+        let (h, settle, smoother, glitch) = (50e-9, 150e-9, 40e-9, 20e-9);
+        let parts = SweepParts { dac_bits: Some(6), settle, smoother, glitch, ..AnalogParts::ideal().sweep };
+        let ramp = RampParts::<f64>::new(h, 10.0, &parts);
+        let place = |k: i32| 0.2 + 0.007 * f64::from(k);
+        let mut values: Vec<_> = (0..80).map(|k| Lanes::splat(place(k))).collect();
+        dispatch!(Level::new(), simd => ramp.pass(simd, &mut ramp.at_rest(Lanes::splat(place(0))), &mut values));
+        let tau = settle / libm::log(1e3);
+        let word = |k: i32| (place(k) * 64.0 + 0.5).floor();
+        let (mut converted, mut y, mut rate) = (word(0) / 64.0, word(0) / 64.0, 0.0);
+        let steps = 2000;
+        let (dt, w) = (h / f64::from(steps), 1.0 / smoother);
+        for k in 0..80 {
+            let bits_changed = (word(k.max(1) - 1) as u32 ^ word(k) as u32).checked_ilog2();
+            converted +=
+                bits_changed.map_or(0.0, |bit| glitch / 10.0 / tau * libm::exp2(f64::from(bit) - 5.0));
+            for _ in 0..steps {
+                let pull = w * w * (converted - y) - 2.0 * 0.8 * w * rate;
+                (y, rate) = (y + rate * dt, rate + pull * dt);
+                converted += (word(k) / 64.0 - converted) * dt / tau;
+            }
+            let found = values[k as usize][3];
+            assert!((found - y).abs() < 2e-5, "sample {k}: {found} {y}");
+        }
     }
 
     #[test]

@@ -29,7 +29,7 @@ impl RampCircuit {
         let has_smoother = figures.smoother > 0.0;
         Self {
             settle: LagMap::of(step, figures.settle),
-            smoother: has_smoother.then(|| TwoPoleMap::of(step, figures.smoother, DAMPING)),
+            smoother: has_smoother.then(|| smoother(&figures, step)),
             kick: if figures.settle > 0.0 { figures.glitch / figures.settle } else { 0.0 },
             figures,
             step,
@@ -46,18 +46,17 @@ impl RampCircuit {
     }
 
     /// The ramp a step later. The accumulator had `begins` as the step began, and has `ends` at its end: a converter takes the first, a
-    /// smoother without a converter follows the straight line.
+    /// smoother without a converter follows the straight line. Behind a converter it follows what that puts out.
     pub fn step(&mut self, begins: f64, ends: f64) -> f64 {
-        let before = self.clone();
-        match self.figures.bits {
-            None => self.converted = ends,
-            Some(bits) => {
-                self.word = word_for(begins, bits);
-                self.level = level_of(self.word, bits, self.figures.nonlinearity);
-                self.converted = self.settle.step(before.kicked(self.word, bits), [self.level; 2]);
-            }
-        }
-        self.smoothed([before.smoother_begins(self.converted), self.converted])
+        let Some(bits) = self.figures.bits else {
+            let before = std::mem::replace(&mut self.converted, ends);
+            return self.smoothed([before, ends]);
+        };
+        let word = word_for(begins, bits);
+        let kicked = self.kicked(word, bits);
+        (self.word, self.level) = (word, level_of(word, bits, self.figures.nonlinearity));
+        self.converted = self.settle.step(kicked, [self.level; 2]);
+        self.smoothed([kicked, self.level])
     }
 
     /// What the converter puts out as it takes `word`, with the pulse of the carry.
@@ -66,27 +65,20 @@ impl RampCircuit {
         self.converted + if word < self.word { -kick } else { kick }
     }
 
-    /// What drives the smoother as a step begins at whose end the converter has `converted`: stairs jump there.
-    fn smoother_begins(&self, converted: f64) -> f64 {
-        let are_stairs = self.figures.bits.is_some() && self.figures.settle == 0.0;
-        if are_stairs { converted } else { self.converted }
-    }
-
-    /// The ramp a `share` of a step later, of which `after` is the end: what a part is driven with goes straight there.
+    /// The ramp a `share` of a step later, of which `after` is the end: an accumulator without a converter goes straight there.
     pub fn towards(&self, after: &Self, share: f64) -> f64 {
         let time = share * self.step;
-        let to_the_end = |from: f64| from + (after.converted - from) * share;
+        let input = match self.figures.bits {
+            None => [self.converted, self.converted + (after.converted - self.converted) * share],
+            Some(bits) => [self.kicked(after.word, bits), after.level],
+        };
         if self.smoother.is_some() {
-            let begins = self.smoother_begins(after.converted);
-            let smoother = TwoPoleMap::of(time, self.figures.smoother, DAMPING);
             let [y, rate] = self.smooth;
-            return smoother.step([y, rate * share], [begins, to_the_end(begins)])[0];
+            return smoother(&self.figures, time).step([y, rate * share], input)[0];
         }
         match self.figures.bits {
-            None => to_the_end(self.converted),
-            Some(bits) => {
-                LagMap::of(time, self.figures.settle).step(self.kicked(after.word, bits), [after.level; 2])
-            }
+            None => input[1],
+            Some(_) => LagMap::of(time, self.figures.settle).step(input[0], [after.level; 2]),
         }
     }
 
@@ -102,6 +94,14 @@ impl RampCircuit {
         let Some(smoother) = &self.smoother else { return input[1] };
         self.smooth = smoother.step(self.smooth, input);
         self.smooth[0]
+    }
+}
+
+/// The smoother over `time` (s), as what is before it drives it.
+fn smoother(figures: &RampFigures, time: f64) -> TwoPoleMap {
+    match figures.bits {
+        None => TwoPoleMap::of(time, figures.smoother, DAMPING),
+        Some(_) => TwoPoleMap::settling(time, figures.smoother, DAMPING, figures.settle),
     }
 }
 

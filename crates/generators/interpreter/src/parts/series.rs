@@ -70,10 +70,44 @@ pub struct TwoPoleMap([[f64; 4]; 2]);
 impl TwoPoleMap {
     /// Of `y'' + 2 z w y' + w^2 y = w^2 u` over `time`; `1 / w` is `inverse`, in the unit of `time`.
     pub fn of(time: f64, inverse: f64, damping: f64) -> Self {
-        let angle = time / inverse;
+        Self::driven([time / inverse, damping], time / inverse, |[u0, u1]| {
+            move |share: f64, length: f64, order| match order {
+                0 => u0 + (u1 - u0) * share,
+                1 => (u1 - u0) * length,
+                _ => 0.0,
+            }
+        })
+    }
+
+    /// The same for an input that goes from `u0` to `u1` by a lag of `tau`, in the unit of `time`.
+    pub fn settling(time: f64, inverse: f64, damping: f64, tau: f64) -> Self {
+        let ratio = if tau == 0.0 { f64::INFINITY } else { time / tau };
+        if ratio == f64::INFINITY {
+            return Self::driven([time / inverse, damping], time / inverse, |[_, u1]| {
+                move |_, _, order| if order == 0 { u1 } else { 0.0 }
+            });
+        }
+        Self::driven([time / inverse, damping], (time / inverse).max(ratio), |[u0, u1]| {
+            move |share: f64, length: f64, order| {
+                let factorial: f64 = (1..=order).map(|k| k as f64).product();
+                let left = (u0 - u1) * libm::exp(-ratio * share);
+                let own = left * libm::pow(-ratio * length, order as f64) / factorial;
+                if order == 0 { u1 + own } else { own }
+            }
+        })
+    }
+
+    /// Of two poles of an angle and a damping. `speed` says how many time constants of the quickest part the step has; `input` makes
+    /// of both values the coefficients of the input over the piece that begins at a share of the step and has a length, by order.
+    fn driven<I: Fn(f64, f64, usize) -> f64>(
+        poles: [f64; 2],
+        speed: f64,
+        input: impl Fn([f64; 2]) -> I,
+    ) -> Self {
+        let pieces = (speed / PIECE).ceil().max(1.0);
         let column = |k: usize| {
             let unit = |n: usize| if n == k { 1.0 } else { 0.0 };
-            two_poles([unit(0), unit(1)], [unit(2), unit(3)], angle, damping)
+            two_poles([unit(0), unit(1)], poles, pieces, input([unit(2), unit(3)]))
         };
         let columns = [0, 1, 2, 3].map(column);
         Self([0, 1].map(|row| columns.map(|column| column[row])))
@@ -85,16 +119,19 @@ impl TwoPoleMap {
     }
 }
 
-fn two_poles([mut y, rate]: [f64; 2], [u0, u1]: [f64; 2], angle: f64, damping: f64) -> [f64; 2] {
-    let pieces = (angle / PIECE).ceil();
-    let (w, climb) = (angle / pieces, (u1 - u0) / pieces);
+fn two_poles(
+    [mut y, rate]: [f64; 2],
+    [angle, damping]: [f64; 2],
+    pieces: f64,
+    input: impl Fn(f64, f64, usize) -> f64,
+) -> [f64; 2] {
+    let w = angle / pieces;
     let mut rate = rate / pieces;
     for piece in 0..pieces as usize {
-        let input = [u0 + climb * piece as f64, climb];
         let mut coefficients = [y, rate];
         let mut sums = [y + rate, rate];
         for order in 0..ORDERS {
-            let driven = input.get(order).copied().unwrap_or(0.0);
+            let driven = input(piece as f64 / pieces, 1.0 / pieces, order);
             let [below, last] = coefficients;
             let (first, second) = ((order + 1) as f64, (order + 2) as f64);
             let next = (w * w * (driven - below) - 2.0 * damping * w * first * last) / (first * second);
