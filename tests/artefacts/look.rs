@@ -103,13 +103,17 @@ impl Look<'_> {
         0..self.run.settings.raster.sweeps
     }
 
-    /// Sweeps that were drawn along their own azimuth, so that their ramps fold when they should: the others are another
-    /// artefact's.
+    /// Sweeps that were drawn along their own azimuth, so that their ramps fold when they should, all as far ahead of the beam as their
+    /// parts are slow: the others are another artefact's.
     pub fn own(&self) -> impl Iterator<Item = u32> {
         self.sweeps().filter(|&sweep| {
-            ["sweep.fold.x", "sweep.fold.y"]
-                .iter()
-                .all(|&name| self.run.wave(sweep, name) == self.clean.wave(sweep, name))
+            let instants = |wave: &[f64]| wave[..wave.len() / 2].to_vec();
+            let folds =
+                |run: &Run| ["sweep.fold.x", "sweep.fold.y"].map(|name| instants(run.wave(sweep, name)));
+            let [found, right] = [self.run, self.clean].map(|run| folds(run).concat());
+            let ahead: Vec<f64> = right.iter().zip(&found).map(|(right, found)| right - found).collect();
+            let alike = |ahead: &[f64]| ahead.iter().all(|of| (of - ahead[0]).abs() < 1e-6);
+            found.len() == right.len() && alike(&ahead)
         })
     }
 

@@ -105,7 +105,7 @@ pub static OVERLAYS: &[Overlay] = &[
         "[comparator]\noffset_mv = 500\n",
         &["fg.comparator.*", "sc.comparator.*", "fg.or", "sc.or", "dpp.blank"],
     ),
-    own("comparator-hysteresis", "[comparator]\nhysteresis_pct = 5\n", GATES),
+    own("comparator-hysteresis", "[comparator]\nhysteresis_pct = 5\n", SHADOW_LINES),
     own("comparator-overdrive", "[comparator]\noverdrive_mv_ns = 5000\ndelay_ns = 10\n", GATES),
     own("gates-keyed", "[mixing_unit]\ngate = 'self-keyed'\nthreshold = 0.1\n", &["mu.vs1"]),
     own("switch-time", "[video_switch]\ntime_ns = 300\n", FADES),

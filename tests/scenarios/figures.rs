@@ -41,7 +41,7 @@ fn the_nominal_drive_is_late_noisy_and_short_of_rocks() {
     let (nominal, ideal) = (shipped.machine(45), ideal.machine(45));
     assert_eq!((nominal.counts["late_words"], nominal.counts["bodies"]), (17_595, 24));
     assert_eq!((ideal.counts["late_words"], ideal.counts["bodies"]), (0, 48));
-    assert_figure(rmse(&nominal, &ideal), 0.056, 0.001);
+    assert_figure(rmse(&nominal, &ideal), 0.057, 0.001);
 }
 
 #[test]

@@ -4,6 +4,7 @@ mod direct_sum;
 mod interpreter_alone;
 mod late_words;
 mod named_sweeps;
+mod ramp;
 mod random_scenes;
 mod shipped;
 mod wires;

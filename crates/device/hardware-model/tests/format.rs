@@ -170,7 +170,7 @@ fn digital_changes() -> impl Iterator<Item = (&'static str, Option<Setting>, Str
     of_the_drum.chain(others.into_iter().map(|(key, value)| (key, None, value.to_owned())))
 }
 
-fn analog_changes() -> [(&'static str, &'static str); 88] {
+fn analog_changes() -> [(&'static str, &'static str); 89] {
     [
         ("analog.full_scale_v", "10"),
         ("spread.parts", "on"),

@@ -5,7 +5,7 @@
 pub struct Words {
     /// Intensity of the greatest word.
     full_scale: f32,
-    /// The greatest word.
+    /// The greatest word, all of whose bits are set.
     top: f32,
 }
 

@@ -118,6 +118,8 @@ mod tests {
             // Beside one of the same tick that stays.
             (vec![(0, SetUpBegins), (0, SetUp)], vec![(0, SetUpBegins), (5, SetUp)], [Some(0), Some(5)]),
             (vec![(0, SetUpBegins), (3, SetUp)], vec![(0, SetUp), (0, SetUpBegins)], [Some(3), Some(0)]),
+            // Both moved: the earlier of all.
+            (vec![(2, Load), (5, Access)], vec![(1, Access), (6, Load)], [Some(5), Some(1)]),
             // There in one alone.
             (vec![(1, Stop), (2, Load)], vec![(1, Stop)], [Some(2), None]),
             (vec![(2, Load)], vec![(1, Stop), (2, Load)], [None, Some(1)]),

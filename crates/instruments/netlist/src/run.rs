@@ -45,7 +45,7 @@ pub enum RunError {
         reached: f64,
         /// Last instant of the circuit (s).
         end: f64,
-        /// Its first words.
+        /// What the program says first.
         said: String,
     },
 }
@@ -89,25 +89,4 @@ fn parsed(bytes: &[u8], nodes: usize) -> Option<Curves> {
     let column = |k: usize| numbers.iter().skip(k).step_by(variables).copied().collect::<Vec<f64>>();
     (variables == nodes + 1 && numbers.len() > variables)
         .then(|| Curves { times: column(0), values: (1..variables).map(column).collect() })
-}
-
-#[cfg(test)]
-mod tests {
-    use super::parsed;
-
-    /// A file of three points of a time and a node, and the same cut off anywhere: whole points stay, and nothing is made up.
-    #[test]
-    fn a_file_that_is_cut_off_has_its_whole_points() {
-        let mut file = b"Title: cut\nNo. Variables: 2\nNo. Points: 0\nBinary:\n".to_vec();
-        let header = file.len();
-        (0..6).for_each(|number| file.extend(f64::from(number).to_le_bytes()));
-        for length in header..=file.len() {
-            let points = (length - header) / 16;
-            let curves = parsed(&file[..length], 1);
-            assert_eq!(curves.is_some(), points > 0, "{length}");
-            let Some(curves) = curves else { continue };
-            assert_eq!((curves.times.len(), curves.values[0].len()), (points, points), "{length}");
-            assert_eq!((curves.times[0], curves.values[0][0]), (0.0, 1.0));
-        }
-    }
 }

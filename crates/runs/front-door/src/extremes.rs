@@ -12,10 +12,20 @@ const LEAST_MHZ: f64 = 1e-4;
 /// # Errors
 /// Every bandwidth below the least, and everything for which no machine can be built, with their places.
 pub fn expect_drawable(loaded: &LoadedModel) -> Result<(), ProblemList> {
+    expect_followable(&loaded.values)?;
     let problems = Problems::new();
-    slow_parts(&loaded.values).for_each(|problem| problems.push(problem));
     let refusals = loaded.model.refusals();
     refusals.map(|refusal| not_built(&loaded.values, &refusal)).for_each(|problem| problems.push(problem));
+    problems.into_result()
+}
+
+/// Refuses parts that nobody can follow.
+///
+/// # Errors
+/// Every bandwidth below the least, with its place.
+pub(crate) fn expect_followable(values: &[EffectiveValue]) -> Result<(), ProblemList> {
+    let problems = Problems::new();
+    slow_parts(values).for_each(|problem| problems.push(problem));
     problems.into_result()
 }
 
@@ -50,10 +60,9 @@ fn is_bandwidth(key: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use diagnostics::Problems;
     use hardware_model::{EffectiveValue, HardwareModel, ModelSource};
 
-    use super::{expect_drawable, slow_parts};
+    use super::{expect_drawable, expect_followable};
 
     #[test]
     fn bandwidths_below_the_least_are_refused_with_their_place() {
@@ -68,9 +77,7 @@ mod tests {
             value: value.into(),
             origin: "m.toml:7".into(),
         });
-        let problems = Problems::new();
-        slow_parts(&values).for_each(|problem| problems.push(problem));
-        let said = problems.into_result().expect_err("one is too slow");
+        let said = expect_followable(&values).expect_err("one is too slow");
         assert_eq!(said.len(), 1);
         let said = said.to_string();
         for word in ["m.toml:7", "`a.gain_bandwidth_mhz` is 0.000000001 MHz", "at least 0.0001 MHz"] {
@@ -86,13 +93,13 @@ mod tests {
         for (sets, words) in [
             (
                 vec![drum, ("buffer.words", "575")],
-                ["buffer.words = 575", "one record of 576", "buffer.words = 576 would do"],
+                ["575 words", "one record of 576", "buffer.words = 576 would do"],
             ),
             (
                 vec![drum, apart, ("feature_bank.buffer_words", "9"), ("feature_bank.record_words", "96")],
-                ["feature_bank.buffer_words = 9", "one record of 96", "buffer_words = 96 would do"],
+                ["9 words", "one record of 96", "buffer_words = 96 would do"],
             ),
-            (vec![apart], ["feature_bank.drums = \"apart\"", "there are none", "drum.rotation_ms is 0"]),
+            (vec![apart], ["[feature_bank]", "there are none", "drum.rotation_ms is 0"]),
         ] {
             let sets: Vec<_> = sets.iter().map(|(key, value)| (key.to_string(), value.to_string())).collect();
             let loaded = HardwareModel::load(&ModelSource::BuiltIn("ideal".into()), &[], &sets)

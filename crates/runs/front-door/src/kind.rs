@@ -9,7 +9,7 @@ use hardware_model::{Asked, HardwareModel, LoadedModel, ModelSource};
 use limits::Limit;
 use scenario::{Overrides, Scenario};
 
-use crate::expect_drawable;
+use crate::extremes::expect_followable;
 use crate::keys::of_scenario;
 use crate::{OpenError, Wishes};
 
@@ -169,7 +169,8 @@ fn as_toml(key: &str, value: &str) -> Result<String, OpenError> {
 /// Reads a hardware model, by name or path, with differences over it.
 ///
 /// # Errors
-/// Every fault of the files, or one error if a file is of another kind.
+/// Every fault of the files, parts that nobody can follow, or one error if a file is of another kind. Whether a machine can be built of the
+/// model [`expect_drawable`](crate::expect_drawable) says.
 pub fn read_model(
     asked: Asked<'_>,
     name: &str,
@@ -184,7 +185,7 @@ pub fn read_model(
         }
         Err(OpenError::from(faults))
     })?;
-    expect_drawable(&loaded)?;
+    expect_followable(&loaded.values)?;
     Ok(loaded)
 }
 

@@ -18,7 +18,7 @@ use crate::keys::{Decides, decides, drop_wish, of_scenario};
 use crate::kind::read_scenario_over;
 use crate::overlays;
 use crate::together::together;
-use crate::{OpenError, Opened, Wishes, read_model};
+use crate::{OpenError, Opened, Wishes, expect_drawable, read_model};
 
 /// The hardware model of a scenario whose `machine` is `named`: raster, range and laws under a generator that has no
 /// hardware model are over those of the ideal machine.
@@ -143,13 +143,10 @@ pub(crate) fn model(
     if let Some(row) = row {
         expect_no_parts(row, &of_model)?;
     }
-    read_model(
-        Asked { place, others: &registry::names() },
-        name,
-        folder,
-        &overlays::of_model(wishes)?,
-        &of_model,
-    )
+    let asked = Asked { place, others: &registry::names() };
+    let loaded = read_model(asked, name, folder, &overlays::of_model(wishes)?, &of_model)?;
+    expect_drawable(&loaded)?;
+    Ok(loaded)
 }
 
 fn is_parameter(row: &Row, key: &str) -> bool {

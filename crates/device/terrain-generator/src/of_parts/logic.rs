@@ -9,7 +9,7 @@ use crate::TerrainGenerator;
 /// Digital wires of an array, by where they are.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Logic {
-    /// What tells a fold: the accumulator, or a comparator on the ramp; and the line of words that it finds missing.
+    /// What tells a fold: the accumulator, or a comparator on the ramp.
     Stops,
     /// Flip-flops of the polarity.
     Polarity,
@@ -39,13 +39,6 @@ impl<S: Real> PartsArray<S> {
                 Logic::Registers => timing.of_strobe(step, generator, program).max(before),
             };
             before = told.time.0;
-        }
-        for miss in &mut told.misses {
-            let fold =
-                program.steps.iter().position(|step| step.time == miss.time && step.kind.fold().is_some());
-            if let Some(fold) = fold {
-                miss.time = told.steps[fold].time;
-            }
         }
         told
     }

@@ -115,3 +115,41 @@ fn models_and_overlays_are_listed_once() {
     assert_eq!(document["models"].as_array().unwrap().len(), 8);
     assert_eq!(document["overlays"].as_array().unwrap().len(), 25);
 }
+
+/// A digital memory of four bits keeps fifteenths of the white of the display, in whatever way the sweeps are drawn.
+#[test]
+fn a_digital_memory_keeps_words() {
+    let scene = Scene::new();
+    let cells = |more: &[&str]| {
+        let probe = [
+            "probe",
+            "tiny.toml",
+            "--frame",
+            "1",
+            "--sweep",
+            "all",
+            "--signals",
+            "sm.write",
+            "--out",
+            "w.csv",
+        ];
+        let model = ["--machine", "ideal", "--set", "sweep_memory.kind=digital-memory"];
+        scene.expect(0, &[&probe[..], &model, more].concat());
+        let text = std::fs::read_to_string(scene.join("w.csv")).unwrap();
+        let rows = text.lines().filter(|line| line.starts_with("1,"));
+        rows.map(|row| row.rsplit(',').next().unwrap().parse().unwrap()).collect::<Vec<f64>>()
+    };
+    for quality in [&[][..], &["--lossless"]] {
+        let whole = cells(quality);
+        let words = cells(&[&["--set", "sweep_memory.bits=4"], quality].concat());
+        let mut seen = std::collections::BTreeSet::new();
+        for (cell, word) in whole.iter().zip(&words) {
+            let number = (15.0 * word).round();
+            assert!((15.0 * word - number).abs() < 1e-6 && (15.0 * cell - number).abs() < 0.5 + 1e-5);
+            seen.insert(number as i64);
+        }
+        assert!(whole.len() == words.len() && words.len() > 1000 && seen.len() > 3, "{seen:?}");
+    }
+    let idle = ["model", "check", "ideal", "--set", "sweep_memory.bits=2"];
+    assert!(scene.expect(0, &idle).0.contains("the memory is a scan converter"));
+}

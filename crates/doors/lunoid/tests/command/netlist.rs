@@ -4,7 +4,7 @@ use std::process::Command;
 
 use serde_json::Value;
 
-use crate::scene::Scene;
+use crate::scene::{Scene, lunoid};
 
 /// Samples so near one another that what is straight between them for the machine is nearly straight in the circuit.
 const CHAIN: &[&str] =
@@ -37,6 +37,53 @@ fn a_chain_runs_in_ngspice_and_agrees() {
         assert!(signal["instants"].as_u64().unwrap() > 40, "{signal}");
         assert!(signal["norm"].as_f64().unwrap() <= 1.0, "{signal}");
     }
+}
+
+/// A converter that settles within the sample, with its pulses, its bow and its smoother: the ramp is that of the circuit. What it drives
+/// is told at samples.
+#[test]
+fn a_ramp_of_stairs_is_what_the_circuit_makes_of_it() {
+    let scene = Scene::new();
+    let stairs =
+        ["dac_bits=8", "settle_ns=6000", "smoother_ns=1500", "glitch_v_ns=2000", "nonlinearity_pct=0.5"];
+    let keys = stairs.map(|key| format!("sweep.{key}"));
+    let sets: Vec<&str> = keys.iter().flat_map(|key| ["--set", key]).collect();
+    if Command::new("ngspice").arg("--version").output().is_err() {
+        eprintln!("SKIPPED: ngspice is not installed; the stairs were not run");
+        return;
+    }
+    let told = scene.expect(1, &[CHAIN, SLOW, &sets, &["--check", "--json"]].concat()).0;
+    let told: Value = serde_json::from_str(&told).unwrap();
+    let ramps = told["signals"].as_array().unwrap().iter();
+    let ramps: Vec<&Value> =
+        ramps.filter(|signal| signal["signal"].as_str().unwrap().starts_with("sweep.")).collect();
+    assert_eq!(ramps.len(), 2, "{told}");
+    for ramp in ramps {
+        assert!(ramp["instants"].as_u64().unwrap() > 1000 && ramp["norm"].as_f64().unwrap() < 0.1, "{ramp}");
+    }
+}
+
+/// A simulator that gives up on its way is no comparison: the instant is told, and what it says.
+#[cfg(unix)]
+#[test]
+fn a_simulator_that_stops_is_told() {
+    use std::os::unix::fs::PermissionsExt;
+
+    let scene = Scene::new();
+    let folder = scene.join("tools");
+    std::fs::create_dir(&folder).unwrap();
+    let tool = folder.join("ngspice");
+    // Two points of a time and seven nodes, and half of another.
+    let script = "#!/bin/sh\necho 'Timestep too small' >&2\n\
+                  { printf 'No. Variables: 8\\nBinary:\\n'; head -c 160 /dev/zero; } >\"$3\"\nexit 1\n";
+    std::fs::write(&tool, script).unwrap();
+    std::fs::set_permissions(&tool, PermissionsExt::from_mode(0o755)).unwrap();
+    let path = format!("{}:{}", folder.display(), std::env::var("PATH").unwrap());
+    let asked = [CHAIN, SLOW, &["--check"]].concat();
+    let output = lunoid().current_dir(scene.path()).args(asked).env("PATH", path).output().unwrap();
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(3), "{said}");
+    assert!(said.contains("ngspice stopped at 0.000e0 of ") && said.contains("Timestep too small"), "{said}");
 }
 
 /// Parts of the light as slow, each with an error that is seen.

@@ -40,6 +40,17 @@ fn a_baseline_is_met_by_the_same_run_whatever_the_threads() {
     assert_eq!(fs::read(scene.join("base.json")).unwrap(), fs::read(scene.join("again.json")).unwrap());
 }
 
+/// Blocks that run without work, and bodies too small to be seen that are drawn all the same, change no event.
+#[test]
+fn what_is_drawn_beside_meets_the_baseline() {
+    let scene = recorded();
+    for option in ["--everything", "--lossless"] {
+        let check = with(&["timing", "check", "tiny.toml"], &["--baseline", "base.json", option]);
+        let (out, _) = scene.expect(0, &check);
+        assert_eq!(out, "baseline met: Tiny on pra-nominal, frames: 2\n", "{option}");
+    }
+}
+
 #[test]
 fn frames_that_are_not_asked_for_are_not_checked() {
     let scene = recorded();

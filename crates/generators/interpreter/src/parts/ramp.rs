@@ -91,7 +91,7 @@ impl RampCircuit {
     }
 
     fn smoothed(&mut self, input: [f64; 2]) -> f64 {
-        let Some(smoother) = &self.smoother else { return input[1] };
+        let Some(smoother) = &self.smoother else { return self.converted };
         self.smooth = smoother.step(self.smooth, input);
         self.smooth[0]
     }

@@ -143,12 +143,18 @@ impl<S: Real> Recorded<'_, S> {
     /// level.
     pub(super) fn logic(&self, name: &str, lane: usize) -> Changes {
         let level = usize::from(name.contains(".coarse."));
+        let swept = self.swept();
+        if name.ends_with(".late") {
+            // Told on the clock of the digital side, as in the trace: a fold is where the beam meets it.
+            return swept
+                .get(level)
+                .map_or_else(Changes::default, |swept| changes(name, &swept.programs[lane]));
+        }
         let logic = match name {
-            _ if name.contains(".fold.") || name.ends_with(".late") => Logic::Stops,
+            _ if name.contains(".fold.") => Logic::Stops,
             _ if name.contains(".polarity.") => Logic::Polarity,
             _ => Logic::Registers,
         };
-        let swept = self.swept();
         swept
             .get(level)
             .map_or_else(Changes::default, |swept| changes(name, &self.on_wires(swept, logic, lane)))
