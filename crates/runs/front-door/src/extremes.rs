@@ -48,7 +48,7 @@ fn not_built(values: &[EffectiveValue], Finding { keys, message, .. }: &Finding)
         keys.iter().filter_map(of).map(|value| format!("{} = {}", value.key, value.value)).collect();
     let problem = Problem::of_file(origin, format!("no machine can be built: {message}"));
     problem
-        .key(&keys.join(", "))
+        .key(keys.join(", "))
         .found(found.join(", "))
         .expected("keys that hold together; `lunoid model check` tells all that do not")
 }
