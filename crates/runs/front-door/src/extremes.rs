@@ -23,7 +23,7 @@ pub fn expect_drawable(loaded: &LoadedModel) -> Result<(), ProblemList> {
 ///
 /// # Errors
 /// Every bandwidth below the least, with its place.
-pub(crate) fn expect_followable(values: &[EffectiveValue]) -> Result<(), ProblemList> {
+pub fn expect_followable(values: &[EffectiveValue]) -> Result<(), ProblemList> {
     let problems = Problems::new();
     slow_parts(values).for_each(|problem| problems.push(problem));
     problems.into_result()

@@ -9,7 +9,7 @@ use hardware_model::{Asked, HardwareModel, LoadedModel, ModelSource};
 use limits::Limit;
 use scenario::{Overrides, Scenario};
 
-use crate::extremes::expect_followable;
+use crate::expect_followable;
 use crate::keys::of_scenario;
 use crate::{OpenError, Wishes};
 

@@ -33,7 +33,7 @@ mod wishes;
 mod written_keys;
 
 pub use error::{OpenError, StageError, path_problems};
-pub use extremes::expect_drawable;
+pub use extremes::{expect_drawable, expect_followable};
 pub use ground::landscape;
 pub use keys::{Decides, decides};
 pub use kind::{KNOWN, Kind, read_model, read_scenario};

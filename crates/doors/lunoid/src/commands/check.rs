@@ -6,7 +6,7 @@ use cartridge::{CartridgeError, of_file};
 use clap::Args;
 use diagnostics::{Problem, ProblemList, ProblemRecord};
 use files::FileError;
-use front_door::{KNOWN, Kind, OpenError, Wishes, expect_drawable, open, path_problems};
+use front_door::{KNOWN, Kind, OpenError, Wishes, expect_drawable, expect_followable, open, path_problems};
 use generator::Row;
 use hardware_model::{HardwareModel, ModelSource};
 use limits::Limit;
@@ -109,11 +109,12 @@ fn check_model(path: &Path) -> Checked {
     Ok(loaded.remarks.into_iter().chain(idle).collect::<Vec<_>>().into())
 }
 
-/// Differences have no faults by themselves: they are those of the ideal machine under them.
+/// Differences have no faults by themselves: they are those of the ideal machine under them. Whether a machine can be built under them
+/// depends on the model below.
 fn check_overlay(path: &Path) -> Checked {
     let ideal = ModelSource::BuiltIn("ideal".into());
     let loaded = HardwareModel::load(&ideal, &[path.to_owned()], &[])?;
-    expect_drawable(&loaded).map(|()| Sound::default())
+    expect_followable(&loaded.values).map(|()| Sound::default())
 }
 
 /// Reads a file of the generator of `row`.
