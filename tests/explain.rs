@@ -100,20 +100,26 @@ fn with_fault(scene: &Shipped, fault: &str) -> MachineStage {
 fn stale_registers_and_late_words_are_named() {
     let scene = Shipped::read("craters", Some(200));
     let stage = with_fault(&scene, "stale");
-    let (mut stale, mut in_force) = (0, 0);
+    let (mut stale, mut in_force, mut over) = (0, 0, 0);
     for told in told(&stage, &scene, 10, &pixels(&scene, 12, 60)) {
         let Some(ground) = &told.ground else { continue };
         let late: Vec<_> = told.late.iter().filter(|late| late.in_force).collect();
         let wrong: Vec<_> = ground.colours.iter().filter(|colour| colour.stale).collect();
         stale += wrong.len();
         in_force += late.len();
+        for read in &told.read {
+            let was_late = read.late.iter().any(|late| !late.in_force);
+            let place = format!("words of sweep {} that were late before it", read.sweep);
+            assert_eq!(told.because.iter().any(|reason| reason.starts_with(&place)), was_late, "{told:?}");
+            over += usize::from(was_late);
+        }
         for colour in wrong {
             let named = told.late.iter().any(|late| late.colour == colour.colour);
             assert!(named, "a register is stale, so words of it were late: {told:?}");
             assert!(told.because.iter().any(|reason| reason.contains(&format!("tg.{}.hold", colour.colour))));
         }
     }
-    assert!(stale > 0 && in_force > 0, "{stale} stale, {in_force} in force");
+    assert!(stale > 0 && in_force > 0 && over > 0, "{stale} stale, {in_force} in force, {over} over");
 }
 
 #[test]

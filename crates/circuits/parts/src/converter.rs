@@ -170,7 +170,7 @@ impl<S: Real> Converter<S> {
         [begin, state.level]
     }
 
-    /// Gives a group the words of `u`; the pulses of their carries, as shares of that of the major carry, with their signs.
+    /// Gives a group the words of `u`. Returns the pulse of each carry: a share of that of the major carry, with its sign.
     #[inline(always)]
     fn take(&self, state: &mut ConverterLanes<S>, u: Lanes<S>) -> Lanes<S> {
         let (top, lsb, major) = (self.words - 1.0, 1.0 / self.words, 2.0 / self.words);

@@ -73,8 +73,9 @@ impl SecondOrder {
         Free::new(h, self).driven([from, after.rise], [push_from, after.push])
     }
 
-    /// Step of `h` seconds for an input that goes from u0 to u1 by a lag of `tau` seconds, as that of a converter does. The damping is
-    /// below 1.
+    /// Step of `h` seconds for an input that goes from u0 to u1 by a lag of `tau` seconds, as that of a converter does.
+    ///
+    /// The damping is below 1: heavier poles may coincide with that of the lag.
     pub fn settling<S: Real>(&self, h: f64, tau: f64) -> SecondOrderStep<S> {
         if tau == 0.0 || self.natural == f64::INFINITY {
             return self.staircase(h, 0.0);

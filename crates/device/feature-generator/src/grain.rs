@@ -47,8 +47,7 @@ impl Footprint {
 }
 
 impl FeatureGenerator<'_> {
-    /// What the craters that sweeps pass add to the gain of texture at each sample; `added` by a crater of a type (1 to 3) in its
-    /// middle.
+    /// What the craters that sweeps pass add to the gain of texture at each sample. A crater of a type (1 to 3) adds `added` in its middle.
     pub fn grain<S: Real>(
         &self,
         features: &Features,

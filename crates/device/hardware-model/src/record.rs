@@ -169,8 +169,8 @@ pub struct MixingRecord {
 }
 
 impl MachineRecord {
-    /// The record of `settings`. What all generators are asked for stands in the record of the view; where shadow boundaries are kept
-    /// changes no picture.
+    /// The record of `settings`. What all generators are asked for stands in the record of the view. The place where shadow boundaries
+    /// are kept is left out: it changes no picture.
     pub fn of(settings: &Settings) -> Self {
         // Taken apart, so that no setting is forgotten.
         let Settings {

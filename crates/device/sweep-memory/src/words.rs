@@ -10,7 +10,7 @@ pub struct Words {
 }
 
 impl Words {
-    /// Words of `bits`, 1 to 24, whose greatest stands for the intensity `full_scale`.
+    /// Words of so many `bits`, 1 to 24. The greatest word is the intensity `full_scale`.
     pub fn new(bits: u32, full_scale: f64) -> Self {
         Self { full_scale: full_scale as f32, top: ((1_u32 << bits) - 1) as f32 }
     }

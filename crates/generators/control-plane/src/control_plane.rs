@@ -43,6 +43,12 @@ impl ControlPlane {
         }
     }
 
+    /// The same as its time is told: whatever else is drawn changes no event.
+    pub fn of_timing(mut stage: MachineStage) -> Self {
+        stage.settings.economy = stage.settings.economy.of_timing();
+        Self::new(stage)
+    }
+
     /// The drums that a kind of data lies on as the seed drew them, with the transfer of one of its records; none where all data
     /// are at hand.
     pub fn drums(&self, kind: DataKind) -> Vec<DrumUnit> {

@@ -191,7 +191,7 @@ pub struct DigitalEvent {
 
 impl DigitalEvent {
     /// An event of which no more is known.
-    pub(crate) fn new(tick: Tick, event: EventWord, unit: DigitalUnit) -> Self {
+    pub fn new(tick: Tick, event: EventWord, unit: DigitalUnit) -> Self {
         Self {
             tick,
             event,

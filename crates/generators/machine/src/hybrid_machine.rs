@@ -63,6 +63,6 @@ impl Generator for HybridMachine {
 
     fn timed(&self, stage: Stage) -> Result<Option<Box<dyn Timed>>, PrepareError> {
         let stage = MachineStage::new(stage, self.settings.clone())?;
-        Ok(Some(Box::new(ControlPlane::new(stage))))
+        Ok(Some(Box::new(ControlPlane::of_timing(stage))))
     }
 }

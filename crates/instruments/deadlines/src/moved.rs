@@ -71,32 +71,11 @@ fn same_event<'a>(events: &'a [DigitalEvent], event: &DigitalEvent) -> Option<&'
 mod tests {
     use machine::{DigitalEvent, DigitalUnit, EventWord};
     use quantities::Tick;
-    use sweep_program::WordMask;
 
     use super::differing;
 
     fn event(tick: u64, event: EventWord) -> DigitalEvent {
-        DigitalEvent {
-            tick: Tick(tick),
-            event,
-            unit: DigitalUnit::Cpu,
-            sweep: None,
-            level: None,
-            crossing: None,
-            fold: None,
-            colour: None,
-            register: None,
-            corner: None,
-            mask: WordMask(0),
-            words: 0,
-            slack: None,
-            cause: None,
-            comes: None,
-            other: None,
-            part: None,
-            crater: None,
-            range: None,
-        }
+        DigitalEvent::new(Tick(tick), event, DigitalUnit::Cpu)
     }
 
     /// One event is told with both of its ticks, whatever stands in its place in the other list.

@@ -42,9 +42,7 @@ impl Rehearsal {
     pub fn new(opened: Opened, pool: ThreadPool) -> Result<Self, DeadlineError> {
         let keys = opened.keys()?;
         let stage = pool.install(|| opened.machine_stage())?;
-        let economy = stage.settings.economy.of_timing();
-        let settings = Settings { economy, ..stage.settings.clone() };
-        let control = ControlPlane::new(MachineStage { settings, ..stage.clone() });
+        let control = ControlPlane::of_timing(stage.clone());
         let Opened { scenario, model, .. } = opened;
         Ok(Self { scenario, model, stage, control, pool, keys })
     }

@@ -39,8 +39,8 @@ fn a_chain_runs_in_ngspice_and_agrees() {
     }
 }
 
-/// A converter that settles within the sample, with its pulses, its bow and its smoother: the ramp is that of the circuit. What it drives
-/// is told at samples.
+/// A converter settles within the sample, and has pulses, a bow and a smoother. The ramp behind it agrees with the circuit. Function generators
+/// do not: they see the ramp at samples alone.
 #[test]
 fn a_ramp_of_stairs_is_what_the_circuit_makes_of_it() {
     let scene = Scene::new();
