@@ -25,13 +25,17 @@ struct Told {
 
 impl Told {
     fn new(scenario: &str, machine: &str, set: &[(&str, &str)]) -> Self {
+        Self::of(scenario, machine, set, 240)
+    }
+
+    fn of(scenario: &str, machine: &str, set: &[(&str, &str)], samples: u32) -> Self {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../../scenarios/{scenario}.toml"));
         let set = set.iter().map(|(key, value)| ((*key).to_owned(), (*value).to_owned())).collect();
         let wishes = Wishes {
             machine: Some(machine.into()),
             set,
             sweeps: Some(48),
-            samples: Some(240),
+            samples: Some(samples),
             scalar: Some(Scalar::F64),
             ..Wishes::default()
         };
@@ -75,7 +79,7 @@ impl Told {
 #[test]
 fn at_samples_the_values_are_the_machines_bits() {
     for machine in ["ideal", "pra-nominal", "modern-analog"] {
-        let told = Told::new("full-drive", machine, &[]);
+        let told = Told::of("full-drive", machine, &[], 80);
         let names = ["sweep.*", "tg.*", "mu.*", "dpp.*", "fg.*", "sm.*"];
         let (plain, fine) = (told.waves(&names, 1), told.waves(&names, 4));
         assert_eq!(plain.len(), fine.len());
@@ -126,7 +130,7 @@ fn an_instant_has_one_value() {
         ("reflectivity.root_bandwidth_mhz", "5"),
         ("reflectivity.divider_bandwidth_mhz", "3"),
     ];
-    let told = Told::new("full-drive", "pra-nominal", LIGHT);
+    let told = Told::of("full-drive", "pra-nominal", LIGHT, 120);
     let names = [
         "sweep.x",
         "tg.fn.cx.g1",

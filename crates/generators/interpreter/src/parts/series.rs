@@ -70,46 +70,34 @@ pub struct TwoPoleMap([[f64; 4]; 2]);
 impl TwoPoleMap {
     /// Of `y'' + 2 z w y' + w^2 y = w^2 u` over `time`; `1 / w` is `inverse`, in the unit of `time`.
     pub fn of(time: f64, inverse: f64, damping: f64) -> Self {
-        Self::driven([time / inverse, damping], time / inverse, |[u0, u1]| {
-            move |share: f64, length: f64, order| match order {
-                0 => u0 + (u1 - u0) * share,
-                1 => (u1 - u0) * length,
-                _ => 0.0,
-            }
-        })
+        let poles = [time / inverse, damping];
+        Self::by_columns(|state, [u0, u1]| two_poles(state, poles, u0, [u1 - u0, 0.0]))
     }
 
     /// The same for an input that goes from `u0` to `u1` by a lag of `tau`, in the unit of `time`.
     pub fn settling(time: f64, inverse: f64, damping: f64, tau: f64) -> Self {
-        let ratio = if tau == 0.0 { f64::INFINITY } else { time / tau };
-        if ratio == f64::INFINITY {
-            return Self::driven([time / inverse, damping], time / inverse, |[_, u1]| {
-                move |_, _, order| if order == 0 { u1 } else { 0.0 }
-            });
-        }
-        Self::driven([time / inverse, damping], (time / inverse).max(ratio), |[u0, u1]| {
-            move |share: f64, length: f64, order| {
-                let factorial: f64 = (1..=order).map(|k| k as f64).product();
-                let left = (u0 - u1) * libm::exp(-ratio * share);
-                let own = left * libm::pow(-ratio * length, order as f64) / factorial;
-                if order == 0 { u1 + own } else { own }
+        // The lag is followed over this share of the step; after it the input is `u1`.
+        let lagged = if time > 0.0 { (FORGOTTEN * tau / time).min(1.0) } else { 0.0 };
+        let angle = time / inverse;
+        let over = |share: f64, [y, rate]: [f64; 2], input: f64, drive: [f64; 2]| match share > 0.0 {
+            true => {
+                let [y, rate] = two_poles([y, rate * share], [angle * share, damping], input, drive);
+                [y, rate / share]
             }
+            false => [y, rate],
+        };
+        let fade = lagged * time / tau;
+        Self::by_columns(|state, [u0, u1]| {
+            over(1.0 - lagged, over(lagged, state, u0, [fade * u1, fade]), u1, [0.0; 2])
         })
     }
 
-    /// Of two poles of an angle and a damping. `speed` says how many time constants of the quickest part the step has; `input` makes
-    /// of both values the coefficients of the input over the piece that begins at a share of the step and has a length, by order.
-    fn driven<I: Fn(f64, f64, usize) -> f64>(
-        poles: [f64; 2],
-        speed: f64,
-        input: impl Fn([f64; 2]) -> I,
-    ) -> Self {
-        let pieces = (speed / PIECE).ceil().max(1.0);
-        let column = |k: usize| {
-            let unit = |n: usize| if n == k { 1.0 } else { 0.0 };
-            two_poles([unit(0), unit(1)], poles, pieces, input([unit(2), unit(3)]))
-        };
-        let columns = [0, 1, 2, 3].map(column);
+    /// Each column is what `step` makes of a one in its place: output, rate, and input at both ends.
+    fn by_columns(step: impl Fn([f64; 2], [f64; 2]) -> [f64; 2]) -> Self {
+        let columns = [0, 1, 2, 3].map(|one| {
+            let [y, rate, u0, u1] = [0, 1, 2, 3].map(|place| if place == one { 1.0 } else { 0.0 });
+            step([y, rate], [u0, u1])
+        });
         Self([0, 1].map(|row| columns.map(|column| column[row])))
     }
 
@@ -119,24 +107,29 @@ impl TwoPoleMap {
     }
 }
 
+/// Output and rate after a stretch, of two poles of an angle and a damping; both rates are by the stretch. `input` is what drives them as
+/// it begins, and by the stretch it changes as `climb - fade input`.
 fn two_poles(
     [mut y, rate]: [f64; 2],
     [angle, damping]: [f64; 2],
-    pieces: f64,
-    input: impl Fn(f64, f64, usize) -> f64,
+    mut input: f64,
+    [climb, fade]: [f64; 2],
 ) -> [f64; 2] {
-    let w = angle / pieces;
+    let pieces = (angle.max(fade) / PIECE).ceil().max(1.0);
+    let [w, climb, fade] = [angle, climb, fade].map(|whole| whole / pieces);
     let mut rate = rate / pieces;
-    for piece in 0..pieces as usize {
-        let mut coefficients = [y, rate];
+    for _ in 0..pieces as usize {
+        let (mut coefficients, mut driven) = ([y, rate], input);
         let mut sums = [y + rate, rate];
         for order in 0..ORDERS {
-            let driven = input(piece as f64 / pieces, 1.0 / pieces, order);
             let [below, last] = coefficients;
             let (first, second) = ((order + 1) as f64, (order + 2) as f64);
             let next = (w * w * (driven - below) - 2.0 * damping * w * first * last) / (first * second);
             coefficients = [last, next];
             sums = [sums[0] + next, sums[1] + second * next];
+            let constant = if order == 0 { climb } else { 0.0 };
+            driven = (constant - fade * driven) / first;
+            input += driven;
         }
         [y, rate] = sums;
     }
