@@ -148,8 +148,8 @@ fn expect_one_drive(minutes: u32) {
         bank_file::write(at("place.bank"), &ground).unwrap();
         let fine = poses(folder.path(), "drive.csv", minutes, &ground, 100);
         fs::write(at("drive.tum"), tum(&fine)).unwrap();
-        let [by_csv, by_gpx, by_tum] =
-            ["drive.csv", "drive.gpx", "drive.tum"].map(|file| poses(folder.path(), file, minutes, &ground, 10));
+        let [by_csv, by_gpx, by_tum] = ["drive.csv", "drive.gpx", "drive.tum"]
+            .map(|file| poses(folder.path(), file, minutes, &ground, 10));
         assert_eq!(by_csv.len(), 600 * minutes as usize);
         for (frame, pose) in by_csv.iter().enumerate() {
             let [x, y] = in_bank(drive(0.1 * frame as f64));

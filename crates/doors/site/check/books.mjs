@@ -1,21 +1,22 @@
-// The books of a site as a reader uses them: node books.mjs SITE RECORD [--write-stills]
+// The books of a site as a reader uses them: node books.mjs SITE RECORD [chromium|firefox|--write-stills]
 // Links, search, widths, and every living figure against its still. With --write-stills the stills are made instead, in docs/pictures/living.
 
 import { mkdir, readFile, writeFile } from "node:fs/promises";
 import { basename, dirname, join } from "node:path";
 import { Chromium } from "./chromium.mjs";
+import { Firefox } from "./firefox.mjs";
 import { links, pages } from "./links.mjs";
 import { serve } from "./server.mjs";
 import { tasks } from "./tasks.mjs";
 
-const [site, recordFile, flag] = process.argv.slice(2);
-const writes = flag === "--write-stills";
+const [site, recordFile, which = "chromium"] = process.argv.slice(2);
+const writes = which === "--write-stills";
 const PATH = "/some/where/";
 const ROOT = new URL("../../../../", import.meta.url).pathname;
 const STILLS = join(ROOT, "docs/pictures/living");
 const WAVES = join(ROOT, "crates/doors/site/books/figures.json");
 const FIGURES = 16;
-const shots = join(dirname(site), "books");
+const shots = join(dirname(site), `books-${which}`);
 const waves = writes ? {} : JSON.parse(await readFile(WAVES, "utf8"));
 const record = { figures: [] };
 const faults = [];
@@ -48,8 +49,8 @@ const HELP = `
   };`;
 
 /** Runs figure `at` of the page that is open. */
-function run(chromium, at) {
-  return chromium.script(
+function run(browser, at) {
+  return browser.script(
     `${HELP}
      const begun = performance.now();
      let planes = null;
@@ -92,9 +93,9 @@ function run(chromium, at) {
   );
 }
 
-async function figure(chromium, page, { at, src, caption }) {
+async function figure(browser, page, { at, src, caption }) {
   const name = basename(src, ".png");
-  const found = await run(chromium, at);
+  const found = await run(browser, at);
   if (found.values === undefined) return expect(false, `${name} of ${page}: ${found.says}`);
   const isWave = found.kind === "wave";
   if (writes) {
@@ -113,9 +114,9 @@ async function figure(chromium, page, { at, src, caption }) {
 }
 
 /** All figures of a page: nothing of the module is there before one runs. */
-async function living(chromium, host, page) {
-  await chromium.go(host.address + page);
-  const list = await chromium.script(`
+async function living(browser, host, page) {
+  await browser.go(host.address + page);
+  const list = await browser.script(`
     return [...document.querySelectorAll("figure.living")].map((figure, at) => ({
       at, src: figure.querySelector("img").src, caption: figure.querySelector("figcaption").textContent.trim(), buttons: figure.querySelectorAll("button").length,
     }));`);
@@ -123,42 +124,42 @@ async function living(chromium, host, page) {
   const before = loaded();
   for (const row of list) {
     if (row.at === 0) expect(before === loaded(), `${page} loads no module before a figure runs`);
-    await figure(chromium, page, row);
+    await figure(browser, page, row);
   }
 }
 
 /** On paper the still stands, though the figure runs; and without scripts, since it is in the page itself. */
-async function onPaper(chromium, host, page) {
-  await chromium.go(host.address + page);
-  await chromium.script(`${HELP} figure.querySelector("button").click(); await settled();`, 0);
-  await chromium.media("print");
-  const seen = await chromium.script(`${HELP} return ["img", "canvas", "button", "input"].filter((name) => figure.querySelector(name).checkVisibility());`, 0);
-  await chromium.media("screen");
+async function onPaper(browser, host, page) {
+  await browser.go(host.address + page);
+  await browser.script(`${HELP} figure.querySelector("button").click(); await settled();`, 0);
+  await browser.media("print");
+  const seen = await browser.script(`${HELP} return ["img", "canvas", "button", "input"].filter((name) => figure.querySelector(name).checkVisibility());`, 0);
+  await browser.media("screen");
   expect(seen.join() === "img", `on paper a figure that runs shows its still alone: ${seen}`);
 }
 
 /** Every page at two widths, and those with figures in the dark as well: nothing sticks out. Those with figures are kept as pictures. */
-async function widths(chromium, host, list, kept) {
+async function widths(browser, host, list, kept) {
   await mkdir(shots, { recursive: true });
   for (const width of [360, 1400]) {
     for (const scheme of ["light", "dark"]) {
-      await chromium.emulate(width, scheme);
+      await browser.emulate(width, scheme);
       for (const page of scheme === "light" ? list : kept) {
-        await chromium.go(host.address + page);
-        const out = await chromium.script(`
+        await browser.go(host.address + page);
+        const out = await browser.script(`
           document.querySelector("figure.living")?.scrollIntoView({ behavior: "instant" });
           return document.documentElement.scrollWidth - document.documentElement.clientWidth;`);
         if (out > 0) expect(false, `${page} at ${width} pixels, ${scheme}: ${out} pixels stick out`);
-        if (kept.has(page)) await writeFile(join(shots, `${page.replaceAll("/", "-")}-${width}-${scheme}.png`), await chromium.screenshot());
+        if (kept.has(page)) await writeFile(join(shots, `${page.replaceAll("/", "-")}-${width}-${scheme}.png`), await browser.screenshot());
       }
     }
   }
 }
 
 /** The search of the books, by their own field. */
-async function search(chromium, host) {
-  await chromium.go(`${host.address}book/index.html`);
-  const told = await chromium.script(`
+async function search(browser, host) {
+  await browser.go(`${host.address}book/index.html`);
+  const told = await browser.script(`
     const field = document.getElementById("mkdocs-search-query");
     const results = document.getElementById("mkdocs-search-results");
     for (let turn = 0; turn < 200 && !results.querySelector("a"); turn += 1) {
@@ -169,7 +170,7 @@ async function search(chromium, host) {
     return [...results.querySelectorAll("a")].map(({ href }) => href);`);
   record.found = told.length;
   expect(told.some((address) => address.includes("/book/trigger-and-trace.html")), `the search finds the late word: ${told.slice(0, 3)}`);
-  const status = await chromium.script(`return (await fetch(values[0])).status;`, told[0] ?? "");
+  const status = await browser.script(`return (await fetch(values[0])).status;`, told[0] ?? "");
   expect(status === 200, "what the search finds is there");
 }
 
@@ -177,30 +178,31 @@ const told = await links(site);
 Object.assign(record, { pages: told.pages, links: told.links });
 expect(told.faults.length === 0, `${told.links} links of ${told.pages} pages live: ${told.faults.slice(0, 5).join("; ")}`);
 const host = await serve(site, PATH);
-const chromium = await Chromium.open();
+const browser = await (which === "firefox" ? Firefox : Chromium).open();
 const list = (await pages(site)).filter((page) => page.startsWith("book/"));
 const texts = await Promise.all(list.map((page) => readFile(join(site, page), "utf8")));
 const stills = texts.map((text) => [...text.matchAll(/<figure class="living"[^>]*>\s*<p><img /g)].length).reduce((sum, count) => sum + count);
 const withFigures = list.filter((_, at) => texts[at].includes('<figure class="living"'));
 try {
-  await chromium.emulate(1100, "light");
-  for (const page of withFigures) await living(chromium, host, page);
-  await onPaper(chromium, host, "book/lessons/occlusion.html");
+  await browser.emulate(1100, "light");
+  for (const page of withFigures) await living(browser, host, page);
+  // WebDriver BiDi shows no page as on paper.
+  if (browser.media) await onPaper(browser, host, "book/lessons/occlusion.html");
   expect(record.figures.length >= FIGURES, `${record.figures.length} figures run`);
   expect(stills === record.figures.length, "every figure has its still in the page itself");
   if (!writes) {
-    await tasks(chromium, host, list.filter((_, at) => texts[at].includes('<section class="task"')), expect, record);
-    await search(chromium, host);
-    await widths(chromium, host, list, new Set([...withFigures, "book/index.html"]));
+    await tasks(browser, host, list.filter((_, at) => texts[at].includes('<section class="task"')), expect, record);
+    await search(browser, host);
+    await widths(browser, host, list, new Set([...withFigures, "book/index.html"]));
   }
-  const said = (await chromium.console()).filter(({ level }) => level !== "INFO");
+  const said = (await browser.console()).filter(({ level }) => level !== "INFO");
   expect(said.length === 0, `the console is empty: ${JSON.stringify(said.slice(0, 3))}`);
   expect(host.asked.every((name) => name.startsWith(PATH)), "nothing is asked for outside the folder");
 } finally {
-  await chromium.close();
+  await browser.close();
   host.close();
 }
 if (writes) await writeFile(WAVES, `${JSON.stringify(waves, null, 2)}\n`);
-else await writeFile(recordFile, `${JSON.stringify({ books: record }, null, 2)}\n`);
+else await writeFile(recordFile, `${JSON.stringify({ [which === "firefox" ? "firefox_books" : "books"]: record }, null, 2)}\n`);
 console.log(`${faults.length} faults`);
 process.exit(faults.length ? 1 : 0);

@@ -2,11 +2,9 @@
 
 import { spawn } from "node:child_process";
 import { createInterface } from "node:readline";
+import { KEYS } from "./keys.mjs";
 
 const ARGUMENTS = ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--window-size=1000,800"];
-
-/** Keys by their codes in WebDriver. */
-const KEYS = { Tab: "\ue004", Enter: "\ue007", Shift: "\ue008", Space: "\ue00d", Left: "\ue012", Up: "\ue013", Right: "\ue014", Down: "\ue015" };
 
 export class Chromium {
   static async open() {

@@ -38,8 +38,8 @@ async function run(scenario, frames, out) {
 }
 
 /** Waits in the page until `condition`, a body of a function, returns something. */
-function until(chromium, condition) {
-  return chromium.script(`
+function until(browser, condition) {
+  return browser.script(`
     for (let turn = 0; turn < 6000; turn++) {
       const found = (() => { ${condition} })();
       if (found) return found;
@@ -49,8 +49,8 @@ function until(chromium, condition) {
 }
 
 /** Clicks the middle of the picture, and waits until the page says what came of it. */
-function clicked(chromium) {
-  return chromium.script(`
+function clicked(browser) {
+  return browser.script(`
     const screen = document.getElementById("screen");
     screen.scrollIntoView();
     const box = screen.getBoundingClientRect();
@@ -66,59 +66,59 @@ function clicked(chromium) {
 }
 
 /** Pictures of the page at two widths, light and dark, for whoever looks. */
-async function photographed(chromium, name) {
+async function photographed(browser, name) {
   for (const width of [360, 1280]) {
     for (const scheme of ["light", "dark"]) {
-      await chromium.emulate(width, scheme);
-      await writeFile(join(folder, `${name}-${width}-${scheme}.png`), await chromium.screenshot());
+      await browser.emulate(width, scheme);
+      await writeFile(join(folder, `${name}-${width}-${scheme}.png`), await browser.screenshot());
     }
   }
 }
 
-async function followed(chromium) {
+async function followed(browser) {
   const { address, end } = await run(SCENARIO, "40..70", join(folder, "followed"));
-  await chromium.go(address);
-  await until(chromium, `return document.getElementById("frame")?.dataset.picture;`);
-  await photographed(chromium, "drawn");
-  const first = await chromium.script(`return [location.pathname, document.getElementById("frame").naturalWidth, document.getElementById("said").textContent];`);
+  await browser.go(address);
+  await until(browser, `return document.getElementById("frame")?.dataset.picture;`);
+  await photographed(browser, "drawn");
+  const first = await browser.script(`return [location.pathname, document.getElementById("frame").naturalWidth, document.getElementById("said").textContent];`);
   expect(first[0] === "/live.html" && first[1] > 0, `a picture stands while the run is drawn: ${first}`);
-  await until(chromium, `return location.pathname === "/index.html" && document.getElementById("look-text");`);
+  await until(browser, `return location.pathname === "/index.html" && document.getElementById("look-text");`);
   expect(true, "the page of the run takes its place");
-  const { says, colours, wires, title } = await clicked(chromium);
+  const { says, colours, wires, title } = await clicked(browser);
   expect(says.startsWith("Computed now.") && title.startsWith("Sweep "), `a click computes a sweep: ${title}: ${says}`);
   expect(colours > 10 && wires.includes("mu.height"), `its waveforms are drawn: ${wires}`);
-  await photographed(chromium, "computed");
+  await photographed(browser, "computed");
   const page = await readFile(join(folder, "followed", "index.html"), "utf8");
   expect(!page.includes("live-sweep.js"), "the folder has its own page");
-  const asked = await chromium.script(`return performance.getEntriesByType("resource").map(({ name }) => name);`);
+  const asked = await browser.script(`return performance.getEntriesByType("resource").map(({ name }) => name);`);
   const { origin } = new URL(address);
   expect(asked.every((name) => name.startsWith(origin) || name.startsWith("data:")), "the page loads from its program alone");
   expect((await end()) === 0, "Ctrl-C ends the command");
-  const log = await chromium.console();
+  const log = await browser.console();
   expect(log.length === 0, `the console is empty: ${log.map(({ message }) => message)}`);
 }
 
 /** A scenario that has changed since the run. */
-async function changed(chromium) {
+async function changed(browser) {
   const scenario = join(folder, "changed.toml");
   const text = await readFile(SCENARIO, "utf8");
   await writeFile(scenario, text);
   const { address, end } = await run(scenario, "60..61", join(folder, "changed"));
-  await chromium.go(address);
-  await until(chromium, `return location.pathname === "/index.html" && document.getElementById("look-text");`);
+  await browser.go(address);
+  await until(browser, `return location.pathname === "/index.html" && document.getElementById("look-text");`);
   await writeFile(scenario, text.replace(/elevation_deg = \d+/, "elevation_deg = 47"));
-  const { says, wires } = await clicked(chromium);
+  const { says, wires } = await clicked(browser);
   expect(says.includes("has the hash") && says.endsWith("The sweep is not shown.") && wires.length === 0, `another frame is not shown: ${says}`);
   await end();
 }
 
 await rm(folder, { recursive: true, force: true });
 await mkdir(folder, { recursive: true });
-const chromium = await Chromium.open();
+const browser = await Chromium.open();
 try {
-  await followed(chromium);
-  await changed(chromium);
+  await followed(browser);
+  await changed(browser);
 } finally {
-  await chromium.close();
+  await browser.close();
 }
 if (faults.length) process.exit(1);

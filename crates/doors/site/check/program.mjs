@@ -28,25 +28,25 @@ async function program(...words) {
   return { address, end: () => child.kill("SIGKILL") };
 }
 
-async function pictures(chromium, { origin }) {
-  await chromium.go(`${origin}/instrument.html#frame=60`);
-  await drawn(chromium);
-  expect((await hash(chromium)) === healed.hash, `the program draws the healed mountain: ${await text(chromium, "state")}`);
-  await chromium.go("about:blank");
-  await chromium.go(`${origin}/instrument.html#frame=60&set=loader.access_ns%3A90&column=500&line=200`);
-  await drawn(chromium);
-  expect((await hash(chromium)) === torn.hash, "a setting of the page reaches the program");
-  expect((await text(chromium, "pixel")).includes("late word: tg.green"), `a pixel tells its cause: ${await text(chromium, "pixel")}`);
-  const asked = await chromium.run(`return performance.getEntriesByType("resource").map(({ name }) => name);`);
+async function pictures(browser, { origin }) {
+  await browser.go(`${origin}/instrument.html#frame=60`);
+  await drawn(browser);
+  expect((await hash(browser)) === healed.hash, `the program draws the healed mountain: ${await text(browser, "state")}`);
+  await browser.go("about:blank");
+  await browser.go(`${origin}/instrument.html#frame=60&set=loader.access_ns%3A90&column=500&line=200`);
+  await drawn(browser);
+  expect((await hash(browser)) === torn.hash, "a setting of the page reaches the program");
+  expect((await text(browser, "pixel")).includes("late word: tg.green"), `a pixel tells its cause: ${await text(browser, "pixel")}`);
+  const asked = await browser.run(`return performance.getEntriesByType("resource").map(({ name }) => name);`);
   expect(asked.every((name) => name.startsWith(origin) && !name.endsWith(".wasm")), "the page loads from its program alone, and no module");
 }
 
 /** Frames driven from the page's own buttons, recorded, and drawn again by the command. */
-async function driven(chromium, { origin }) {
-  await chromium.go("about:blank");
-  await chromium.go(`${origin}/instrument.html#frame=0`);
-  await drawn(chromium);
-  const seen = await chromium.run(`
+async function driven(browser, { origin }) {
+  await browser.go("about:blank");
+  await browser.go(`${origin}/instrument.html#frame=0`);
+  await drawn(browser);
+  const seen = await browser.run(`
     const seen = [];
     const tube = document.getElementById("tube");
     const says = document.getElementById("driven");
@@ -68,11 +68,11 @@ async function driven(chromium, { origin }) {
 }
 
 /** Pictures a second in the page, every panel closed, against `lunoid replay` of the same frames. */
-async function rates(chromium, { origin }) {
-  await chromium.go("about:blank");
-  await chromium.go(`${origin}/instrument.html#frame=0&wires=`);
-  await drawn(chromium);
-  const [frames, milliseconds] = await chromium.run(`
+async function rates(browser, { origin }) {
+  await browser.go("about:blank");
+  await browser.go(`${origin}/instrument.html#frame=0&wires=`);
+  await drawn(browser);
+  const [frames, milliseconds] = await browser.run(`
     const machine = new lunoid.Lunoid(new lunoid.SocketHome());
     const { frames } = await machine.open(values[0]);
     await machine.frame(0);
@@ -100,12 +100,12 @@ async function strangers({ address, origin }) {
 }
 
 /** A page more than the program serves is told so, and comes in when another is closed. */
-async function full(chromium, { origin }) {
-  await open(chromium, { address: `${origin}/` }, "#frame=0");
-  await chromium.run(`
+async function full(browser, { origin }) {
+  await open(browser, { address: `${origin}/` }, "#frame=0");
+  await browser.run(`
     window.more = Array.from({ length: 7 }, () => new lunoid.Lunoid(new lunoid.SocketHome()));
     await Promise.all(window.more.map((machine) => machine.hello()));`);
-  const said = await chromium.run(`
+  const said = await browser.run(`
     const ninth = new lunoid.Lunoid(new lunoid.SocketHome());
     const said = await ninth.hello().then(() => "", (error) => error.message);
     window.more.forEach((machine) => machine.close());
@@ -116,28 +116,28 @@ async function full(chromium, { origin }) {
     }
     return [said, false];`);
   expect(said[0].includes("8 pages are open") && said[1], `the ninth page is told that eight are open, and comes in when one is closed: ${said}`);
-  await chromium.console();
+  await browser.console();
 }
 
 /** What the page offers is what a program does. */
-async function offers(chromium, { origin }) {
-  await open(chromium, { address: `${origin}/` }, "#frame=0");
-  const shown = await chromium.run(`return getComputedStyle(document.getElementById("own-files")).display;`);
+async function offers(browser, { origin }) {
+  await open(browser, { address: `${origin}/` }, "#frame=0");
+  const shown = await browser.run(`return getComputedStyle(document.getElementById("own-files")).display;`);
   expect(shown === "none", `files are not offered, since the program takes none: ${shown}`);
 }
 
 /** The program is killed while the page plays: the page stops and says so, and the number of the frame is that of the picture. */
-async function ended(chromium, served) {
-  await open(chromium, { address: `${served.origin}/` }, "#frame=3");
-  await chromium.run(`document.getElementById("play").click();`);
-  await until(chromium, `document.getElementById("frame-says").textContent > "frame 5"`);
+async function ended(browser, served) {
+  await open(browser, { address: `${served.origin}/` }, "#frame=3");
+  await browser.run(`document.getElementById("play").click();`);
+  await until(browser, `document.getElementById("frame-says").textContent > "frame 5"`);
   served.end();
-  expect(await until(chromium, `document.getElementById("play").getAttribute("aria-pressed") === "false"`), "playing stops when the program is killed");
-  await drawn(chromium);
-  const before = await text(chromium, "frame-says");
-  await chromium.run(`document.getElementById("on").click();`);
-  await drawn(chromium);
-  const [said, after] = [await text(chromium, "state"), await text(chromium, "frame-says")];
+  expect(await until(browser, `document.getElementById("play").getAttribute("aria-pressed") === "false"`), "playing stops when the program is killed");
+  await drawn(browser);
+  const before = await text(browser, "frame-says");
+  await browser.run(`document.getElementById("on").click();`);
+  await drawn(browser);
+  const [said, after] = [await text(browser, "state"), await text(browser, "frame-says")];
   expect(said.includes("the program has ended"), `the page says that its program has ended: ${said}`);
   expect(before === after, `the frame stays that of the picture: ${before}, ${after}`);
 }
@@ -145,22 +145,22 @@ async function ended(chromium, served) {
 await rm(join(folder, "record"), { recursive: true, force: true });
 const served = await program("--record", join(folder, "record"));
 served.origin = new URL(served.address).origin;
-const chromium = await Chromium.open();
+const browser = await Chromium.open();
 try {
-  await chromium.go(served.address);
-  await drawn(chromium);
-  expect((await chromium.run("return location.pathname;")) === "/instrument.html", "the address opens the instrument");
-  await pictures(chromium, served);
-  await driven(chromium, served);
-  await rates(chromium, served);
+  await browser.go(served.address);
+  await drawn(browser);
+  expect((await browser.run("return location.pathname;")) === "/instrument.html", "the address opens the instrument");
+  await pictures(browser, served);
+  await driven(browser, served);
+  await rates(browser, served);
   await strangers(served);
-  const console = await chromium.console();
+  const console = await browser.console();
   expect(console.length === 0, `the console is empty: ${JSON.stringify(console)}`);
-  await offers(chromium, served);
-  await full(chromium, served);
-  await ended(chromium, served);
+  await offers(browser, served);
+  await full(browser, served);
+  await ended(browser, served);
 } finally {
-  await chromium.close();
+  await browser.close();
   served.end();
 }
 if (faults.length) {

@@ -8,16 +8,16 @@ const ANSWERS = {
 };
 
 /** Solves the tasks of `pages`. */
-export async function tasks(chromium, host, pages, expect, record) {
+export async function tasks(browser, host, pages, expect, record) {
   record.tasks = 0;
   expect(pages.join() === Object.keys(ANSWERS).sort().join(), `the lessons are those that have answers here: ${pages}`);
   for (const page of pages) {
-    await chromium.go(host.address + page);
-    const count = await chromium.script(`return document.querySelectorAll(".task").length;`);
+    await browser.go(host.address + page);
+    const count = await browser.script(`return document.querySelectorAll(".task").length;`);
     expect(count === ANSWERS[page].length, `${page} has ${count} tasks`);
     for (const [at, { right, wrong }] of ANSWERS[page].entries()) {
       for (const answer of [...wrong, right]) {
-        const { state, says } = await answered(chromium, at, answer);
+        const { state, says } = await answered(browser, at, answer);
         expect(state === (answer === right ? "right" : "wrong") && says.length > 20, `${page}, task ${at + 1}, "${answer}": ${says}`);
       }
       record.tasks += 1;
@@ -25,8 +25,8 @@ export async function tasks(chromium, host, pages, expect, record) {
   }
 }
 
-function answered(chromium, at, answer) {
-  return chromium.script(
+function answered(browser, at, answer) {
+  return browser.script(
     `const task = document.querySelectorAll(".task")[values[0]];
      task.querySelector("input").value = values[1];
      task.querySelector("form").requestSubmit();

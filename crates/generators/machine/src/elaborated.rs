@@ -1,6 +1,7 @@
 //! A machine made ready for one stage.
 
 use std::ops::Range;
+use std::sync::OnceLock;
 
 use control_plane::{
     Blocks, Crossings, Delivery, Digital, DigitalFrame, Elaboration, FramePlan, MachineStage, Supply,
@@ -12,7 +13,7 @@ use light_point_generator::PointTable;
 use polyhedron_generator::NearTable;
 use remote_shadow::Footings;
 use scenario::Pose;
-use signal::{LANES, Real};
+use signal::{LANES, Real, Wire};
 use signal_plane::{Drawing, Group, Look, RealParts, Wanted, Workspace};
 use sweep_generator::RangeTable;
 
@@ -35,6 +36,8 @@ pub(crate) struct Elaborated<S> {
     pub footings: Footings,
     pub digital: Digital,
     pub parts: RealParts<S>,
+    /// Wires with their scales, found when somebody first asks for them.
+    pub wires: OnceLock<Vec<Wire>>,
     /// Stores of the last frames as they were written.
     pub stores_before: Recent<Written>,
     /// Pictures of the last frames as they were read.
@@ -72,6 +75,7 @@ impl<S: Real> Elaborated<S> {
             blocks,
             parts: RealParts::new(&stage, &list, table.ranges(), &WrittenRaster::new(settings)),
             list,
+            wires: OnceLock::new(),
             stores_before: Recent::default(),
             pictures: Recent::default(),
             beams: Recent::default(),

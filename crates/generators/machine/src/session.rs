@@ -123,7 +123,7 @@ impl<S: Real> Session for Elaborated<S> {
     }
 
     fn wires(&self) -> Vec<Wire> {
-        wires(&self.stage, &self.blocks, &self.raster)
+        self.wires.get_or_init(|| wires(&self.stage, &self.blocks, &self.raster)).clone()
     }
 
     fn lines(&self, frame: u64, pose: &Pose, lines: Range<u32>) -> Result<Vec<Waveform>, FrameError> {

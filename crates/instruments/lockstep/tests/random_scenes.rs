@@ -102,7 +102,7 @@ fn boundaries_of_shadow_on_drums() {
     };
     let mut came = 0;
     for (seed, place) in
-        (0..).filter(has_them).take(12).zip([BankPlace::Apart, BankPlace::Together].into_iter().cycle())
+        (0..).filter(has_them).take(6).zip([BankPlace::Apart, BankPlace::Together].into_iter().cycle())
     {
         let mut scene = random::machine(seed);
         scene.sun.elevation = 0.01;

@@ -1,5 +1,7 @@
 //! Which wires are looked at.
 
+use std::collections::HashMap;
+
 use signal::{Kind, Signal, Wire};
 
 use crate::ScopeError;
@@ -36,10 +38,11 @@ impl Choice {
         let (found, empty): (Vec<&String>, Vec<&String>) =
             patterns.iter().partition(|pattern| finds(pattern));
         let mut choice = Self { wires: Vec::new(), left_out: Vec::new() };
+        let there: HashMap<&str, &Wire> = there.iter().map(|wire| (wire.signal.name, wire)).collect();
         for signal in table {
             let is_of = |patterns: &[&String]| patterns.iter().any(|pattern| signal.matches(pattern));
-            match there.iter().find(|wire| wire.signal.name == signal.name) {
-                Some(wire) if is_of(&found) => choice.wires.push(*wire),
+            match there.get(signal.name) {
+                Some(wire) if is_of(&found) => choice.wires.push(**wire),
                 None if is_of(&empty) => {
                     choice.wires.push(absent(signal));
                     choice.left_out.push(signal.name);
