@@ -34,9 +34,11 @@ export class Firefox {
     });
     const { capabilities } = await firefox.ask("session.new", { capabilities: {} });
     firefox.version = capabilities.browserVersion;
-    const { contexts } = await firefox.ask("browsingContext.getTree", {});
-    firefox.context = contexts[0].context;
     await firefox.ask("session.subscribe", { events: ["log.entryAdded"] });
+    // Keys press buttons only in a window that has the focus, which the first one never gets.
+    const { context } = await firefox.ask("browsingContext.create", { type: "window" });
+    firefox.context = context;
+    await firefox.ask("browsingContext.activate", { context });
     await firefox.emulate(1000);
     return firefox;
   }
