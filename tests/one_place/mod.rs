@@ -1,7 +1,7 @@
 //! One drive in three files over one place in three: places, times and poses are the same to the millimetre.
 //!
-//! The drive takes ten minutes at 100 Hz, and its first minute alone is tried at every stop. It is written as CSV with times since 1970, as GPX and as TUM. The place is a cell
-//! of made heights, written as DTED, as PDS4 and as GeoTIFF.
+//! The drive takes ten minutes at 100 Hz. Every stop tries its first minute alone. The drive is written as CSV with times since 1970,
+//! as GPX and as TUM. The place is a cell of made heights, written as DTED, as PDS4 and as GeoTIFF.
 
 mod place;
 

@@ -170,7 +170,7 @@ impl<S: Real> Converter<S> {
         [begin, state.level]
     }
 
-    /// Gives a group the words of `u`. Returns the pulse of each carry: a share of that of the major carry, with its sign.
+    /// Converts `u` to words, lane by lane. Returns the pulse of each carry, with its sign, in units of the major carry's pulse.
     #[inline(always)]
     fn take(&self, state: &mut ConverterLanes<S>, u: Lanes<S>) -> Lanes<S> {
         let (top, lsb, major) = (self.words - 1.0, 1.0 / self.words, 2.0 / self.words);

@@ -15,7 +15,7 @@ import { serve } from "./server.mjs";
 import { vectors } from "./vectors.mjs";
 
 const [site, nativeFile, recordFile, which = "chromium"] = process.argv.slice(2);
-const Browser = { chromium: Chromium, firefox: Firefox }[which];
+const Chosen = { chromium: Chromium, firefox: Firefox }[which];
 const PATH = "/some/path/below/";
 const native = JSON.parse(await readFile(nativeFile, "utf8"));
 const rows = JSON.parse(await readFile(join(site, "scenarios.json"), "utf8")).scenarios;
@@ -262,8 +262,8 @@ async function policy(browser) {
 
 moduleAlone();
 const host = await serve(site, PATH);
-const browser = await Browser.open();
-record.browser = `${Browser.name} ${browser.version}`;
+const browser = await Chosen.open();
+record.browser = `${Chosen.name} ${browser.version}`;
 const pictured = join(dirname(site), which);
 await mkdir(pictured, { recursive: true });
 try {

@@ -2,11 +2,11 @@
 
 import { spawn } from "node:child_process";
 import { createInterface } from "node:readline";
-import { KEYS } from "./keys.mjs";
+import { Browser } from "./browser.mjs";
 
 const ARGUMENTS = ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage", "--window-size=1000,800"];
 
-export class Chromium {
+export class Chromium extends Browser {
   static async open() {
     const driver = spawn("chromedriver", ["--port=0"], { stdio: ["ignore", "pipe", "ignore"] });
     const chromium = new Chromium();
@@ -43,11 +43,6 @@ export class Chromium {
     return this.ask("POST", "/url", { url });
   }
 
-  /** What the body of an async function returns in the page; `lunoid` is the module of the site, for pages beside it. */
-  run(body, ...values) {
-    return this.script(`const lunoid = await import(new URL("lunoid.js", document.baseURI)); ${body}`, ...values);
-  }
-
   /** What the body of an async function returns in any page, with `values`. */
   async script(body, ...values) {
     const script = `
@@ -59,13 +54,8 @@ export class Chromium {
     return ok;
   }
 
-  /** Presses keys as a keyboard does, one after another: names of `KEYS` or letters, with `Shift+` before them. */
-  keys(...names) {
-    const actions = names.flatMap((name) => {
-      const keys = name.split("+").map((word) => KEYS[word] ?? word);
-      return [...keys.map((value) => ({ type: "keyDown", value })), ...keys.reverse().map((value) => ({ type: "keyUp", value }))];
-    });
-    return this.ask("POST", "/actions", { actions: [{ type: "key", id: "keyboard", actions }] });
+  act(actions) {
+    return this.ask("POST", "/actions", { actions });
   }
 
   /** What the console has had since the last look. */

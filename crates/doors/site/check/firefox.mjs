@@ -5,7 +5,7 @@ import { mkdtemp, rm, writeFile } from "node:fs/promises";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { createInterface } from "node:readline";
-import { KEYS } from "./keys.mjs";
+import { Browser } from "./browser.mjs";
 
 /** What a profile of its own has: no first page, no asking home, and times as fine as in Chromium. */
 const PREFERENCES = {
@@ -15,7 +15,7 @@ const PREFERENCES = {
   "privacy.reduceTimerPrecision": false,
 };
 
-export class Firefox {
+export class Firefox extends Browser {
   #asked = new Map();
   #messages = [];
   #count = 0;
@@ -81,11 +81,6 @@ export class Firefox {
     return this.ask("browsingContext.navigate", { context: this.context, url, wait: "complete" });
   }
 
-  /** What the body of an async function returns in the page; `lunoid` is the module of the site, for pages beside it. */
-  run(body, ...values) {
-    return this.script(`const lunoid = await import(new URL("lunoid.js", document.baseURI)); ${body}`, ...values);
-  }
-
   /** What the body of an async function returns in any page, with `values`. */
   async script(body, ...values) {
     const told = await this.ask("script.callFunction", {
@@ -99,13 +94,8 @@ export class Firefox {
     return JSON.parse(told.result.value);
   }
 
-  /** Presses keys as a keyboard does, one after another: names of `KEYS` or letters, with `Shift+` before them. */
-  keys(...names) {
-    const actions = names.flatMap((name) => {
-      const keys = name.split("+").map((word) => KEYS[word] ?? word);
-      return [...keys.map((value) => ({ type: "keyDown", value })), ...keys.reverse().map((value) => ({ type: "keyUp", value }))];
-    });
-    return this.ask("input.performActions", { context: this.context, actions: [{ type: "key", id: "keyboard", actions }] });
+  act(actions) {
+    return this.ask("input.performActions", { context: this.context, actions });
   }
 
   /** What the console has had since the last look. */

@@ -43,7 +43,7 @@ impl ControlPlane {
         }
     }
 
-    /// The same as its time is told: whatever else is drawn changes no event.
+    /// The control plane that timing uses. How much is drawn in vain changes none of its events.
     pub fn of_timing(mut stage: MachineStage) -> Self {
         stage.settings.economy = stage.settings.economy.of_timing();
         Self::new(stage)
