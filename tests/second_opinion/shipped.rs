@@ -85,6 +85,26 @@ macro_rules! scenarios {
     };
 }
 
+/// As the command compares them where nobody asks for a scalar.
+#[test]
+fn real_parts_agree_in_f32() {
+    let scenario = Scenario::read(folder().join("full-drive.toml")).unwrap_or_else(|e| panic!("{e}"));
+    let settings = |model: &str| {
+        let settings = front_door::settings(&scenario, &self::model(model)).unwrap_or_else(|e| panic!("{e}"));
+        Settings { shadows: None, scalar: Scalar::F32, ..settings }
+    };
+    let stage = front_door::build(&scenario, settings("ideal")).unwrap_or_else(|e| panic!("{e}"));
+    for model in ["pra-parts", "pra-nominal", "pra-frugal", "modern-analog"] {
+        let report = report(&stage, &scenario, settings(model));
+        for signal in ["tg.height", "tg.reflectivity", "mu.reflectivity", "dpp.hold", "sm.video"] {
+            assert!(report.signals[signal].samples > 0, "{model}: {signal} was not compared");
+        }
+        if let Some(difference) = report.first_difference() {
+            panic!("{model}: {difference}");
+        }
+    }
+}
+
 #[test]
 fn no_scenario_is_left_out() {
     let all: Vec<&str> = TERRAIN.into_iter().chain(FULL_LANDSCAPE).collect();

@@ -112,17 +112,18 @@ impl Sides<'_> {
         }
         let declared = self.declared(wave);
         let scale = self.full_scale(wave, declared, expected);
-        let (bound, doubts) = (self.bound(name), self.doubts(name));
-        let mut first = None;
+        let (bound, doubts, carried) = (self.bound(name), self.doubts(name), self.carried(name));
+        let (is_line, mut first) = (wave.signal.unit == Unit::Line, None);
         for (sample, (&machine, &interpreter)) in wave.values.iter().zip(expected).enumerate() {
             if doubts.has(sample) {
                 tally.doubtful += 1;
                 continue;
             }
             tally.samples += 1;
-            let scale =
-                if wave.signal.unit == Unit::Line { off_the_picture(declared, interpreter) } else { scale };
-            let allowed = if wave.signal.unit == Unit::Gate { 0.0 } else { bound * scale };
+            let scale = if is_line { off_the_picture(declared, interpreter) } else { scale };
+            let carried =
+                carried.get(sample).map_or(0.0, |carried| carried * if is_line { scale } else { 1.0 });
+            let allowed = if wave.signal.unit == Unit::Gate { 0.0 } else { bound * scale + carried };
             let off = (machine - interpreter).abs();
             if wave.signal.unit != Unit::Gate {
                 tally.worst = tally.worst.max(off / scale);
@@ -170,11 +171,7 @@ impl Sides<'_> {
 
     fn bound(&self, name: &str) -> f64 {
         let settings = self.scene.settings;
-        // Differences of neighbours: each of both may be off, that is one of a step, and a quarter of a microsecond has many.
-        let steps = match name {
-            "dpp.derivative" => 2.0 * (0.25e-6 * settings.timebase.sample_rate().hertz()).max(1.0),
-            _ => 1.0,
-        };
+        let steps = self.steps(name);
         let craters = match name {
             "fg.height" | "fg.slope.u" | "fg.slope.v" | "fg.reflectivity" | "mu.reflectivity"
             | "sm.video" => self.of_craters(),
@@ -183,10 +180,52 @@ impl Sides<'_> {
         let own = match name {
             // A rounding of 1/z shows in the farthest range by the ratio of both ends.
             "sweep.range" => 4.0 * f64::EPSILON * (settings.range.end / settings.range.start).max(16.0),
+            "mu.reflectivity" | "sm.video" if lies_behind_parts(name, &settings.analog) => {
+                bounds::of_edges_of_parts(settings.scalar)
+            }
+            "tg.reflectivity" | "fg.reflectivity" if lies_behind_parts(name, &settings.analog) => {
+                bounds::of_light_of_parts(settings.scalar)
+            }
             _ if lies_behind_parts(name, &settings.analog) => bounds::of_parts(settings.scalar),
             _ => bounds::of(settings.scalar),
         };
         own * steps + craters
+    }
+
+    /// Differences of neighbours: each of both may be off, that is one of a step, and a quarter of a microsecond has many.
+    fn steps(&self, name: &str) -> f64 {
+        match name {
+            "dpp.derivative" => 2.0 * (0.25e-6 * self.scene.settings.timebase.sample_rate().hertz()).max(1.0),
+            _ => 1.0,
+        }
+    }
+
+    /// What the heights of both sides, which are compared on a wire of their own, are apart, as the signals behind them have it at each
+    /// sample: an elevation is height over range, so that near the foot of the beam a rounding of the height counts most. Nothing in an
+    /// ideal chain, and nothing of other signals.
+    fn carried(&self, name: &str) -> Vec<f64> {
+        let is_elevation = name == "dpp.elevation";
+        if !(is_elevation || matches!(name, "dpp.hold" | "dpp.derivative" | "dpp.y"))
+            || !lies_behind_parts(name, &self.scene.settings.analog)
+        {
+            return Vec::new();
+        }
+        let height = self.machine.iter().find(|wave| wave.signal.name == "mu.height");
+        let (Some(machine), Some(interpreter)) = (height, self.record.signals.get("mu.height")) else {
+            return Vec::new();
+        };
+        // A line position goes by the share of full scale.
+        let elevation = self.wires.iter().find(|wire| wire.signal.name == "dpp.elevation");
+        let unit = elevation.filter(|_| name == "dpp.y").map_or(1.0, |wire| wire.full_scale);
+        let (steps, mut largest) = (self.steps(name), 0.0_f64);
+        let apart =
+            machine.values.iter().zip(interpreter).enumerate().map(|(sample, (machine, interpreter))| {
+                let here = steps * (machine - interpreter).abs() / self.range(sample) / unit;
+                largest = largest.max(here);
+                // The others remember elevations that have passed.
+                if is_elevation { here } else { largest }
+            });
+        apart.collect()
     }
 
     fn of_craters(&self) -> f64 {

@@ -24,13 +24,14 @@ use tell::Told;
 
 const AFTER: &str = "Examples:
   lunoid lockstep scenarios/first-light.toml
-  lunoid lockstep scenarios/craters.toml --frame 12 --sweep 500..508 --scalar f64
+  lunoid lockstep scenarios/craters.toml --frame 12 --sweep 500..508 --scalar f32
   lunoid lockstep scenarios/nominal-drive.toml --machine pra-nominal --ideal-parts --every 50
   lunoid lockstep --random 1000 --seed 7
   lunoid lockstep --random 1000 --shard 2/4
 
 The interpreter is a second engine in double precision that shares no code with the machine: docs/lockstep.md says what is
-compared, within which bounds, and what it does not model. Without --frame the first, the middle and the last frame run;
+compared, within which bounds, and what it does not model. The machine runs in f64 too; --scalar f32 has it run in what frames are
+drawn in. Without --frame the first, the middle and the last frame run;
 without --sweep or --every eight sweeps of each. The exit code is 1 if anything differs, and the first difference is told
 with signal, sweep, sample, tick and both values; of a random scene the smallest one that still differs is told too.";
 
@@ -106,6 +107,7 @@ impl LockstepCommand {
         };
         let mut opened = stage.load()?;
         expect_machine(&opened, "there is no interpreter of it")?;
+        opened.settings.scalar = self.scalar();
         if self.ideal_parts {
             opened.settings = Settings { analog: HardwareModel::ideal().analog, ..opened.settings };
         }
@@ -123,10 +125,7 @@ impl LockstepCommand {
                 u64::MAX - 1
             ))
         })?;
-        let scalar = match self.options.scalar {
-            Some(ScalarWord::F32) => Scalar::F32,
-            Some(ScalarWord::F64) | None => Scalar::F64,
-        };
+        let scalar = self.scalar();
         let shard = self.sharing.asked()?;
         let seeds = shard.map_or(Ok(seed..end), |shard| seeds(shard, &(seed..end)))?;
         let Trials { scenes, refused, report, faults } = pool.install(|| trials(seeds.clone(), scalar));
@@ -135,6 +134,14 @@ impl LockstepCommand {
             "{scenes} random scenes of seeds {start}..{end} in {scalar:?}; {refused} could not be drawn"
         );
         Ok(Told { what, frames: Vec::new(), report, faults })
+    }
+
+    /// That of the interpreter, if nobody asks for another.
+    fn scalar(&self) -> Scalar {
+        match self.options.scalar {
+            Some(ScalarWord::F32) => Scalar::F32,
+            Some(ScalarWord::F64) | None => Scalar::F64,
+        }
     }
 
     fn frames(&self, opened: &Opened) -> Result<Vec<u64>, Failure> {
