@@ -4,7 +4,9 @@ use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
-use crate::error::{Action, FileError, folder_of};
+#[cfg(unix)]
+use crate::error::folder_of;
+use crate::error::{Action, FileError};
 use crate::kind::Kind;
 use crate::open::{expect_output, open_stream};
 use crate::temporary::Temporary;

@@ -15,6 +15,9 @@ const PREFERENCES = {
   "privacy.reduceTimerPrecision": false,
 };
 
+/** What Firefox says of requests that end because their page is left. The walk through the books leaves figures that still load. */
+const LEFT = /^NS_BINDING_ABORTED: $/;
+
 export class Firefox extends Browser {
   #asked = new Map();
   #messages = [];
@@ -59,7 +62,8 @@ export class Firefox extends Browser {
 
   #hear({ id, type, error, message, result, method, params }) {
     if (method === "log.entryAdded") {
-      if (params.level === "error" || params.level === "warn") this.#messages.push({ level: params.level, message: params.text });
+      const isTold = params.level === "error" || params.level === "warn";
+      if (isTold && !LEFT.test(params.text)) this.#messages.push({ level: params.level, message: params.text });
       return;
     }
     const waiting = this.#asked.get(id);

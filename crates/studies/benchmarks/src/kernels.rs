@@ -153,6 +153,9 @@ pub const KERNELS: &[Kernel] = &[
     row("nominal-drive/probe-off", "the same, by the machine of a replay, probing nothing", || {
         frames::whole("nominal-drive", Prepare::prepare, Probe::off())
     }),
+    row("nominal-drive/probe-one", "the same, one signal of one sweep recorded", || {
+        frames::whole("nominal-drive", Prepare::prepare, Probe::new(vec!["tg.height".into()], 260..261))
+    }),
 ];
 
 const fn row(name: &'static str, about: &'static str, ready: fn() -> Work) -> Kernel {

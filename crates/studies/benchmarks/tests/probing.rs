@@ -1,4 +1,4 @@
-//! Probing nothing costs nothing.
+//! Probing nothing costs nothing, and probing one signal of one sweep next to nothing.
 
 use std::path::Path;
 
@@ -6,6 +6,8 @@ use benchmarks::instructions_of;
 
 /// Part of the instructions of a frame that probing nothing may take.
 const BOUND: f64 = 0.005;
+/// Part of them that one signal of one sweep may add.
+const ONE: f64 = 0.03;
 
 fn count(kernel: &str) -> Option<f64> {
     match instructions_of(Path::new(env!("CARGO_BIN_EXE_instructions")), kernel, &["--run", kernel]) {
@@ -18,14 +20,14 @@ fn count(kernel: &str) -> Option<f64> {
     }
 }
 
-/// What `scene` takes when nothing is probed, over what it takes without probes; none where they cannot be counted.
-fn ratio(scene: &str) -> Option<f64> {
-    let [off, without] = ["probe-off", "no-probe"].map(|how| count(&format!("{scene}/{how}")));
-    Some(off? / without?)
+/// What `scene` takes when it is probed as `how` says, over what it takes without probes; none where they cannot be counted.
+fn ratio(scene: &str, how: &str) -> Option<f64> {
+    let [probed, without] = [how, "no-probe"].map(|how| count(&format!("{scene}/{how}")));
+    Some(probed? / without?)
 }
 
 fn expect_nothing_for_nothing(scene: &str) {
-    let Some(ratio) = ratio(scene) else { return };
+    let Some(ratio) = ratio(scene, "probe-off") else { return };
     println!("{scene}: {ratio:.6}");
     assert!((ratio - 1.0).abs() < BOUND, "{scene}: {ratio}");
 }
@@ -37,6 +39,17 @@ fn expect_nothing_for_nothing(scene: &str) {
 )]
 fn probing_nothing_takes_the_instructions_of_a_machine_without_probes() {
     expect_nothing_for_nothing("first-light");
+}
+
+#[test]
+#[cfg_attr(
+    debug_assertions,
+    ignore = "instructions are those of a release build: cargo test --profile counted -p benchmarks"
+)]
+fn one_signal_of_one_sweep_takes_next_to_nothing() {
+    let Some(ratio) = ratio("nominal-drive", "probe-one") else { return };
+    println!("nominal-drive: {ratio:.6}");
+    assert!(ratio < 1.0 + ONE, "{ratio}");
 }
 
 #[test]

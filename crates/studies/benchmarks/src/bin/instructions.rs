@@ -32,7 +32,7 @@ struct Arguments {
     #[arg(long, value_name = "FILE", conflicts_with_all = ["list", "record"])]
     against: Option<PathBuf>,
     /// Per cent that a kernel may differ from the baseline.
-    #[arg(long, value_name = "PERCENT", default_value_t = 2.0)]
+    #[arg(long, value_name = "PERCENT", default_value_t = 1.0)]
     tolerance: f64,
     /// Write the counts to this file, for --against.
     #[arg(long, value_name = "FILE", conflicts_with = "list")]
