@@ -70,10 +70,11 @@ impl Scene {
 /// Families of which a waveform differs.
 pub fn moved(clean: &[Waveform], faulty: &[Waveform]) -> BTreeSet<String> {
     assert_eq!(clean.len(), faulty.len());
-    let bits = |values: &[f64]| values.iter().map(|value| value.to_bits()).collect::<Vec<_>>();
+    let are_alike =
+        |a: &[f64], b: &[f64]| a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits());
     let differs = |(a, b): &(&Waveform, &Waveform)| {
         assert_eq!((a.signal.name, a.sweep), (b.signal.name, b.sweep));
-        bits(&a.values) != bits(&b.values) || bits(&a.times) != bits(&b.times)
+        !are_alike(&a.values, &b.values) || !are_alike(&a.times, &b.times)
     };
     clean.iter().zip(faulty).filter(differs).map(|(a, _)| family(a.signal.name)).collect()
 }

@@ -1,9 +1,10 @@
 //! What people write and read: ranges of numbers ([`Span`]), tables in columns, numbers and places in words, bytes in base64, control characters made
-//! visible ([`visible`]).
+//! visible ([`visible`]), what an XML reader is not given ([`xml`]).
 
 mod base64;
 mod span;
 mod visible;
+pub mod xml;
 
 pub use base64::{base64, data_url};
 pub use span::Span;

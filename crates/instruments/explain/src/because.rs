@@ -75,11 +75,15 @@ fn light(ground: &GroundPoint) -> String {
         GroundPoint { features_shown: true, .. } => {
             format!("mu.vs1 shows a crater in the light ({value:.3})")
         }
-        &GroundPoint { terrain_slopes: [north, east], .. } if value <= DARK => {
-            format!("tg.reflectivity: the slope ({}) is turned from the sun ({value:.3})", sides(north, east))
-        }
-        &GroundPoint { terrain_slopes: [north, east], .. } => {
-            format!("tg.reflectivity: the slope ({}) is lit ({value:.3})", sides(north, east))
+        &GroundPoint { terrain_slopes: [north, east], terrain_reflectivity: own, .. } => {
+            let slope = sides(north, east);
+            let how = if own <= DARK { "is turned from the sun" } else { "is lit" };
+            let mixed = if (value - own).abs() > TELLING {
+                format!("; texture and fades make {value:.3} of it, mu.reflectivity")
+            } else {
+                String::new()
+            };
+            format!("tg.reflectivity: the slope ({slope}) {how} ({own:.3}){mixed}")
         }
     }
 }

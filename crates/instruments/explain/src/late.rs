@@ -112,11 +112,12 @@ fn told(miss: &Miss, level: usize, in_force: bool) -> Late {
     }
 }
 
-/// Whether nothing has put the hold register right since: neither the words themselves nor another transfer.
+/// Whether nothing has put the hold register right before the step to `sample`: neither the words themselves nor another transfer. What
+/// acts within that step comes too late for a part of what it draws.
 fn in_force(program: &SweepProgram, miss: &Miss, sample: usize) -> bool {
     let mut waiting = miss.words;
     let since = program.events().skip_while(|step| step.time.0 <= miss.time.0);
-    for step in since.take_while(|step| step.sample <= sample) {
+    for step in since.take_while(|step| step.sample < sample) {
         match step.kind {
             Event::Fold(fold) if fold.axis.takes(fold.stop, miss.colour) => return false,
             Event::Load(Load { colour, target: Target::Hold, words, .. }) if colour == miss.colour => {

@@ -49,7 +49,7 @@ pub(crate) fn no_late_word(
     let programs = sweeps.programs(sweep);
     let folds = programs[level].steps.iter().filter(|step| step.kind.fold().is_some()).count();
     let there = match crossing < folds as u32 {
-        true => "no word that this crossing wanted was late".to_owned(),
+        true => "no word was missing at this crossing (the key `loader.delay` names the one that asked for it, which is earlier)".to_owned(),
         false => format!("the {} level has crossings 0..{folds} in sweep {sweep}", LEVELS[level]),
     };
     let of_level = programs.iter().zip(LEVELS).map(|(program, level)| (program.late_crossings(), level));

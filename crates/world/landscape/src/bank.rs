@@ -53,6 +53,18 @@ pub enum BankError {
         /// Regions of the finest level.
         regions: [u32; 2],
     },
+    /// A number of the map that is out of its range.
+    #[error("{what} of the map: found {found}; expected {low} to {high} (m, rad)")]
+    Map {
+        /// Name of the number.
+        what: &'static str,
+        /// Value that was found.
+        found: f64,
+        /// Least value.
+        low: f64,
+        /// Largest value.
+        high: f64,
+    },
     /// A bank without levels.
     #[error("bank without levels: expected at least one")]
     NoLevels,

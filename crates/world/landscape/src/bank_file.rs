@@ -36,7 +36,7 @@ use std::path::Path;
 use files::{FileError, FilePieces, PiecesError};
 use limits::Limit;
 
-use crate::{Bank, MapFrame};
+use crate::{Bank, BankError, MapFrame};
 use decode::{decode_outline, decode_pieces};
 
 /// Writes `bank` to `path` and its description to [`sidecar_path`], each whole or not at all.
@@ -50,6 +50,14 @@ pub fn write(path: impl AsRef<Path>, bank: &Bank) -> Result<(), BankFileError> {
     let text = describe(bank);
     files::write_atomic(sidecar_path(path), |out: &mut dyn Write| out.write_all(text.as_bytes()))?;
     Ok(())
+}
+
+/// Whether a bank may have a map like this: a file with another one could not be read again.
+///
+/// # Errors
+/// If a number of it is out of its range.
+pub fn check_map(map: &MapFrame) -> Result<(), BankError> {
+    map::check(map)
 }
 
 /// Reads the bank in the file `path`; the sidecar is for people and is not read.

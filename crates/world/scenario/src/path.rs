@@ -1,6 +1,6 @@
 //! The way of a mission: waypoints, and where the vehicle is in between.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
 use quantities::wrap_heading;
@@ -82,6 +82,8 @@ pub struct Path {
     eye_height: Option<Curve>,
     pitch: Option<Curve>,
     roll: Option<Curve>,
+    /// Whether the rolls of all waypoints do, so that one beyond it is a way around.
+    rolls_within_half_a_turn: bool,
 }
 
 /// Why waypoints are no path; `index` counts from 0.
@@ -146,6 +148,7 @@ impl Path {
             pitch: whole(all(&waypoints, "pitch_deg", |w| w.pitch)?.map(unwrapped)),
             roll: whole(all(&waypoints, "roll_deg", |w| w.roll)?.map(unwrapped)),
             heading: curve(headings),
+            rolls_within_half_a_turn: waypoints.iter().all(|w| w.roll.is_none_or(|roll| roll.abs() <= PI)),
             height_over: HeightOver::Datum,
             moving,
             position,
@@ -178,6 +181,13 @@ impl Path {
         &self.waypoints
     }
 
+    /// Whether a waypoint lies at `time` (s), as closely as a file has it.
+    pub(crate) fn has_waypoint_at(&self, time: f64) -> bool {
+        const NEAR: f64 = 1e-6;
+        let next = self.waypoints.partition_point(|waypoint| waypoint.time < time - NEAR);
+        self.waypoints.get(next).is_some_and(|waypoint| waypoint.time <= time + NEAR)
+    }
+
     /// Where the path is at `time` (s).
     pub fn at(&self, time: f64) -> Station {
         let value = |curve: &Option<Curve>| curve.as_ref().map(|curve| curve.at(time));
@@ -189,8 +199,13 @@ impl Path {
             height_over: self.height_over,
             climb: self.eye_height.as_ref().map(|curve| curve.rate(time)),
             pitch: value(&self.pitch),
-            roll: value(&self.roll),
+            roll: value(&self.roll).map(|roll| self.rolled(roll)),
         }
+    }
+
+    /// A roll between two that lie within half a turn: the way around leads over its end.
+    fn rolled(&self, roll: f64) -> f64 {
+        if roll.abs() > PI && self.rolls_within_half_a_turn { roll - TAU.copysign(roll) } else { roll }
     }
 
     /// Heading, pitch and roll (rad) of a path that states them at `time` (s), with the whole turns that they have made.

@@ -29,6 +29,8 @@ pub enum PoseFault {
         /// Height of the ground (m).
         ground: f64,
     },
+    /// What a closed loop has driven has no pose at the time of the frame.
+    NotDriven,
     /// Pitch or roll that no vehicle has.
     Tilt {
         /// Name of the angle: "pitch" or "roll".
@@ -114,6 +116,16 @@ impl fmt::Display for PathProblem {
                     "no data under a wheel at x = {x:.2} m, y = {y:.2} m: the survey filled a hole there; "
                 )?;
                 write!(f, "lead the path around it")?;
+            }
+            PoseFault::NotDriven => {
+                write!(
+                    f,
+                    "no row of this time, expected one pose a frame, at its number over the update rate; "
+                )?;
+                write!(
+                    f,
+                    "shorten the mission or update at the rate of the rows; poses that lie apart belong into path.file"
+                )?;
             }
             PoseFault::EyeUnderGround { eye, ground } => {
                 write!(f, "eye under ground, z = {eye:.3} m where the ground is at {ground:.3} m; ")?;

@@ -65,7 +65,17 @@ impl PoseTable {
         let driver = Driver { path, vehicle, channel, landscape, update };
         let mut picture = Follower { yoke, driver: &driver, swing: Swing::default() };
         (0..frames.start).for_each(|frame| picture.pass(frame));
-        let found: Vec<_> = frames.map(|frame| (frame, picture.turn(frame, driver.row(frame)))).collect();
+        let row = |frame| {
+            let time = driver.time(frame);
+            match &scenario.driven {
+                Some(driven) if !driven.has_waypoint_at(time) => {
+                    let at = driven.at(time).at;
+                    Err(PathProblem { fault: PoseFault::NotDriven, frames: frame..frame + 1, time, at })
+                }
+                _ => driver.row(frame),
+            }
+        };
+        let found: Vec<_> = frames.map(|frame| (frame, picture.turn(frame, row(frame)))).collect();
         let faults = found.iter().filter_map(|(frame, row)| Some((*frame, row.as_ref().err()?.clone())));
         PathProblems::of(path, faults)?;
         let rows: Vec<PoseRow> = found.into_iter().filter_map(|(_, row)| row.ok()).collect();

@@ -118,3 +118,25 @@ fn a_vehicle_stands_on_the_ground_or_flies() {
     );
     assert!(driven.stand(&landscape, [-50.0, 250.0], 0.0, None).is_err());
 }
+
+/// A frame without a row of its own would stand still, or drive at another speed.
+#[test]
+fn what_was_driven_has_a_row_a_frame() {
+    let row = |time: f64| Waypoint {
+        time,
+        at: [100.0 + time, 100.0],
+        heading: Some(0.0),
+        eye_height: None,
+        pitch: None,
+        roll: None,
+    };
+    let resolve = |times: &[f64]| {
+        let driven = Path::new(times.iter().map(|time| row(*time)).collect()).unwrap();
+        let scenario = Scenario { driven: Some(driven), ..scenario() };
+        PoseTable::resolve(&scenario, &slope(), Rate::new(2, 1).unwrap(), None, 0..4)
+    };
+    assert_eq!(resolve(&[0.0, 0.5, 1.0, 1.5]).unwrap().rows().len(), 4);
+    let said = resolve(&[0.0, 0.5]).unwrap_err().to_string();
+    assert!(said.contains("no row of this time, expected one pose a frame"), "{said}");
+    assert_eq!(resolve(&[0.0, 1.0, 1.5]).unwrap_err().iter().next().unwrap().frames, 1..2);
+}

@@ -262,6 +262,17 @@ fn a_flyer_may_leave_the_area_and_roll() {
     assert!(problems.to_string().contains("eye under ground, z = -50.000 m"), "{problems}");
     let problems = resolve(flyer(100.0, 5.0, 181.0)).unwrap_err();
     assert!(problems.to_string().contains("roll of 181.0 deg, expected at most 180 deg"), "{problems}");
+    // Between two rolls the way may lead over half a turn.
+    let rolling = vec![flyer(100.0, 5.0, 170.0), Waypoint { time: 0.4, ..flyer(100.0, 5.0, -170.0) }];
+    let table = PoseTable::resolve(&scenario(rolling), &landscape, hz(10), None, 0..5).unwrap();
+    let rolls = table.rows().iter().map(|row| quantities::degrees(row.pose.attitude.roll));
+    let expected: [f64; 5] = [170.0, 175.0, 180.0, -175.0, -170.0];
+    for (roll, right) in rolls.zip(expected) {
+        assert!(
+            ((roll - right + 540.0).rem_euclid(360.0) - 180.0).abs() < 1e-9 && roll.abs() <= 180.0,
+            "{roll}"
+        );
+    }
     for grounded in [
         Waypoint { roll: None, ..flyer(600.0, 5.0, 0.0) },
         Waypoint { pitch: None, ..flyer(600.0, 5.0, 0.0) },

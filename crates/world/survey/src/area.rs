@@ -8,6 +8,7 @@ use quantities::degrees;
 use crate::elevation::{Elevation, Frame, Grid};
 use crate::error::SurveyError;
 use crate::patch::Patch;
+use crate::read::around;
 use landscape::projection::{Method, Projection, wrap};
 
 /// The ground to survey.
@@ -179,6 +180,7 @@ pub(crate) fn place(elevation: &Grid, area: Area) -> Result<Placed, SurveyError>
             Area::Centred { latitude, longitude, size, plane: Plane::Orthographic },
         ) => {
             let [a, b] = size.map(|length| 0.5 * length);
+            let longitude = around(longitude);
             let plane =
                 Projection { method: Method::Orthographic, latitude, longitude, radius, offset: [0.0; 2] };
             let area = [-a, -b, a, b];

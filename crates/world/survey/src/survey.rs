@@ -168,6 +168,7 @@ pub fn survey(
         shapes = options.shapes(size)?;
         Ok(options.reach(&shapes))
     })?;
+    landscape::bank_file::check_map(&cut.map)?;
     let places = choose(&cut.patch, options.held_out);
     let samples = places.iter().filter(|place| **place == Place::Used).count();
     if samples == 0 {

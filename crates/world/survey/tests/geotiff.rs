@@ -176,7 +176,7 @@ fn degrees_and_projections() {
 
 #[test]
 fn bands_are_listed_and_chosen() {
-    let metadata = "<Item name=\"DESCRIPTION\" sample=\"1\" role=\"description\">height</Item>";
+    let metadata = "<GDALMetadata><Item name=\"DESCRIPTION\" sample=\"1\" role=\"description\">height</Item></GDALMetadata>";
     let tags = Tags { metadata: Some(metadata.into()), ..Tags::default() };
     let data: Vec<f32> = (0..12).map(|index| index as f32).collect();
     let (_folder, path) = write::<RGB32Float>(2, 2, &data, &tags);
@@ -307,6 +307,22 @@ fn unusable_files_say_why() {
     assert!(refused(2, 2, &[1.0; 4], &Tags { keys: dangling, ..plain() }).contains("geo key 3078"));
     let turned = vec![2.0, 1.0, 0.0, 100.0, -1.0, -3.0, 0.0, 500.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0];
     assert!(refused(2, 2, &[1.0; 4], &Tags { matrix: Some(turned), ..plain() }).contains("gdalwarp"));
+    let with_row = |row: usize, numbers: [f64; 4]| {
+        let mut matrix =
+            vec![2.0, 0.0, 0.0, 100.0, 0.0, -3.0, 0.0, 500.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0];
+        matrix[4 * row..4 * row + 4].copy_from_slice(&numbers);
+        Tags { matrix: Some(matrix), scale: None, tie: None, ..plain() }
+    };
+    let said = |row, numbers| refused(2, 2, &[1.0; 4], &with_row(row, numbers));
+    assert!(said(2, [0.0, 0.0, 0.0, 700.0]).contains("--offset METRES"));
+    assert!(said(2, [0.0, 0.0, 2.0, 0.0]).contains("--scale METRES"));
+    assert!(said(2, [1.0, 0.0, 0.0, 0.0]).contains("heights that go by the place"));
+    assert!(said(3, [0.0, 0.0, 0.0, 2.0]).contains("a last row"));
+    let mut twice = PROJECTED.to_vec();
+    twice[3] += 3;
+    twice.extend([3075, 0, 1, 17, 3080, 34736, 1, 0, 3088, 34736, 1, 1]);
+    let twice = Tags { keys: twice, numbers: vec![40.0, 30.0], ..plain() };
+    assert!(refused(2, 2, &[1.0; 4], &twice).contains("both have one meaning"));
     let flat = Tags { scale: Some(vec![2.0, 0.0, 0.0]), ..plain() };
     assert!(refused(2, 2, &[1.0; 4], &flat).contains("place of the samples"));
     let unknown = Tags { scale: Some(vec![f64::NAN, 1.0, 0.0]), ..plain() };

@@ -49,6 +49,12 @@ pub fn stage_of(asked: &StageArgs) -> Result<StageArgs, Failure> {
         )));
     }
     let held = HeldRun::read(folder)?;
+    if !folder.join(BESIDE).is_file() {
+        return Err(Failure::input(format!(
+            "{shown}: the run has no {BESIDE}, which says how it was asked for, and which --no-page leaves out; give the scenario and its \
+             options"
+        )));
+    }
     let beside = Beside::read(folder, &held.fingerprint)?;
     let line = Line::try_parse_from(["lunoid".to_owned()].into_iter().chain(beside.stage));
     let line = line.map_err(|_| {

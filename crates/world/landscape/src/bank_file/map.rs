@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use crate::BankError;
 use crate::map_frame::{FileCoordinates, MapFrame};
 use crate::projection::{Method, Projection};
 
@@ -20,23 +21,44 @@ pub(super) struct MapFault {
 
 /// Bytes of the section.
 pub(super) fn payload(map: &MapFrame) -> Vec<u8> {
+    let (code, numbers) = words(map);
+    let coordinates: u32 = match map.coordinates {
+        FileCoordinates::Metres => 0,
+        FileCoordinates::Degrees => 1,
+    };
+    let codes = [code, coordinates].into_iter().flat_map(u32::to_le_bytes);
+    codes.chain(numbers.iter().flat_map(|value| value.to_le_bytes())).collect()
+}
+
+/// Whether a bank may have this map: what is wrong with the first number that is out of its range.
+pub(super) fn check(map: &MapFrame) -> Result<(), BankError> {
+    let (code, numbers) = words(map);
+    match out_of_range(code, &numbers) {
+        None => Ok(()),
+        Some((index, (low, high, what))) => Err(BankError::Map { what, found: numbers[index], low, high }),
+    }
+}
+
+/// Code of the projection, and the numbers of the section.
+fn words(map: &MapFrame) -> (u32, [f64; NUMBERS]) {
     let (code, parameter) = match map.projection.map(|projection| projection.method) {
         None => (0_u32, 0.0),
         Some(Method::Equirectangular { parallel }) => (1, parallel),
         Some(Method::PolarStereographic { scale }) => (2, scale),
         Some(Method::Orthographic) => (3, 0.0),
     };
-    let coordinates: u32 = match map.coordinates {
-        FileCoordinates::Metres => 0,
-        FileCoordinates::Degrees => 1,
-    };
     let [latitude, longitude, radius] =
         map.projection.map_or([0.0; 3], |p| [p.latitude, p.longitude, p.radius]);
     let offset = map.projection.map_or([0.0; 2], |projection| projection.offset);
     let pairs =
         [[radius, parameter], [latitude, longitude], offset, map.origin, map.first_sample, map.spacing];
-    let codes = [code, coordinates].into_iter().flat_map(u32::to_le_bytes);
-    codes.chain(pairs.as_flattened().iter().flat_map(|value| value.to_le_bytes())).collect()
+    (code, std::array::from_fn(|index| pairs[index / 2][index % 2]))
+}
+
+/// The first number that is out of its range, by its index, with that range.
+fn out_of_range(code: u32, numbers: &[f64; NUMBERS]) -> Option<(usize, Range)> {
+    let ranges = ranges(code).into_iter().enumerate();
+    ranges.into_iter().find(|&(index, (low, high, _))| !(low..=high).contains(&numbers[index]))
 }
 
 /// The frame in the bytes of the section.
@@ -57,10 +79,8 @@ pub(super) fn read(bytes: &[u8; LENGTH]) -> Result<MapFrame, MapFault> {
             "0 to 3: no projection, equirectangular, polar stereographic, orthographic".into(),
         ));
     }
-    for (index, (number, (low, high, what))) in numbers.iter().zip(ranges(known)).enumerate() {
-        if !(low..=high).contains(number) {
-            return Err(fault(8 + 8 * index, number, format!("{what} within {low} to {high}")));
-        }
+    if let Some((index, (low, high, what))) = out_of_range(known, &numbers) {
+        return Err(fault(8 + 8 * index, numbers[index], format!("{what} within {low} to {high}")));
     }
     let [radius, parameter, latitude, longitude, north, east, origin_north, origin_east, ..] = numbers;
     let method = match known {
@@ -83,8 +103,11 @@ fn fault(at: usize, found: impl ToString, expected: String) -> MapFault {
     MapFault { at, found: found.to_string(), expected }
 }
 
+/// Least and largest value of a number, and its name.
+type Range = (f64, f64, &'static str);
+
 /// Range and name of each number.
-fn ranges(projection: u32) -> [(f64, f64, &'static str); NUMBERS] {
+fn ranges(projection: u32) -> [Range; NUMBERS] {
     const FAR: f64 = 1e12;
     let radius = if projection == 0 { (0.0, 0.0, "no radius") } else { (1.0, 1e9, "radius") };
     let parameter = match projection {

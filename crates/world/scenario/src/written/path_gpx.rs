@@ -10,6 +10,7 @@ use diagnostics::{LongList, Place, Placed, Problem, Problems, Reader, Source};
 use quantities::radians;
 use roxmltree::{Document, Node, ParsingOptions};
 use tables::{Clock, Faulty, Time, read_text};
+use text::xml::{MOST_ATTRIBUTES, too_many_attributes};
 
 use super::coordinates::Coordinates;
 use super::gpx_names::{BESIDE_TRACKS, NAMESPACES, OF_POINT, OF_SEGMENT, OF_TRACK, VERSIONS};
@@ -56,6 +57,12 @@ impl TrackWishes {
 /// The points of a track.
 pub(super) fn read(path: &FilePath, wishes: &TrackWishes, problems: &Problems) -> Option<Points> {
     let source = read_text(path, problems)?;
+    if let Some(at) = too_many_attributes(&source.text) {
+        let place = Place { source: source.clone(), span: at..at + 1 };
+        let title = format!("an element with more than {MOST_ATTRIBUTES} attributes");
+        problems.push(Problem::at(&place, title).expected("a GPX file"));
+        return None;
+    }
     let options = ParsingOptions { allow_dtd: false, ..ParsingOptions::default() };
     let document = match Document::parse_with_options(&source.text, options) {
         Ok(document) => document,
@@ -220,13 +227,13 @@ impl Reading {
             self.fault(point, "a track point without a time".into(), "`time` in every point");
             return None;
         };
-        let text = time.text().unwrap_or_default().trim();
-        let counted = dates::read(text)
+        let text = value(&time);
+        let counted = dates::read(&text)
             .map_err(|error| error.expected())
             .and_then(|date| clock.count(Time::Date(date)));
         counted
             .map_err(|expected| {
-                self.fault(&time, format!("`time` must be {expected}, not {}", shown(text)), &expected);
+                self.fault(&time, format!("`time` must be {expected}, not {}", shown(&text)), &expected);
             })
             .ok()
     }
@@ -242,12 +249,12 @@ impl Reading {
             self.fault(point, "a track point without a height".into(), expected);
             return Err(Faulty);
         };
-        let text = height.text().unwrap_or_default().trim();
+        let text = value(&height);
         match text.parse().ok().filter(|number: &f64| number.abs() <= MAX_COORDINATE) {
             Some(number) => Ok(is_used.then_some(number)),
             None => {
                 let expected = format!("a number of metres from -{MAX_COORDINATE} to {MAX_COORDINATE}");
-                self.fault(&height, format!("`ele` must be {expected}, not {}", shown(text)), &expected);
+                self.fault(&height, format!("`ele` must be {expected}, not {}", shown(&text)), &expected);
                 Err(Faulty)
             }
         }
@@ -274,6 +281,12 @@ impl Reading {
         let found = shown(&self.source.text[place.span.clone()]);
         self.faults.push(Problem::at(&place, title).found(found).expected(expected));
     }
+}
+
+/// Text of an element without white space around it. A comment within it does not end it.
+fn value(node: &Node) -> String {
+    let texts = node.children().filter(Node::is_text).filter_map(|piece| piece.text());
+    texts.collect::<String>().trim().to_owned()
 }
 
 /// The first element of this name and of the node's own namespace.

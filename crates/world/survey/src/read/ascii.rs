@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use landscape::LUNOID_RADIUS;
 
+use super::bands;
 use super::beside::with_ending;
 use super::gate;
 use super::opened::{Opened, Samples};
@@ -56,6 +57,7 @@ pub fn is_grid(start: &[u8]) -> bool {
 
 /// Opens a grid: reads its header.
 pub fn open(path: &Path, options: &ReadOptions) -> Result<Opened, SurveyError> {
+    bands::of_raw(path, options, 1)?;
     options.expect_no_place()?;
     let (_, bytes) = gate::open(path)?;
     let mut decider = Decider::new(path, options);

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use quantities::radians;
 
+use super::bands;
 use super::earth;
 use super::gate;
 use super::opened::{Opened, Samples};
@@ -101,6 +102,7 @@ pub fn is_dted(start: &[u8]) -> bool {
 
 /// Opens a cell: three headers, then a record a meridian.
 pub fn open(path: &Path, options: &ReadOptions) -> Result<Opened, SurveyError> {
+    bands::of_raw(path, options, 1)?;
     options.expect_no_place()?;
     let (file, bytes) = gate::open(path)?;
     let mut file = BufReader::new(file);

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use quantities::radians;
 
+use super::bands;
 use super::earth;
 use super::gate;
 use super::kind::Kind;
@@ -28,6 +29,7 @@ pub fn is_tile(path: &Path) -> bool {
 
 /// Opens a tile: 16-bit integers, the highest byte first, the northernmost line first.
 pub fn open(path: &Path, options: &ReadOptions) -> Result<Opened, SurveyError> {
+    bands::of_raw(path, options, 1)?;
     options.expect_no_place()?;
     let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     let corner = corner(&name).ok_or_else(|| {

@@ -1,5 +1,7 @@
 //! Maps of a sphere as files describe them: name, centre, parallel, scale.
 
+use std::f64::consts::TAU;
+
 use quantities::radians;
 
 use landscape::projection::{Method, Projection};
@@ -68,8 +70,13 @@ impl Map {
             Kind::Orthographic => (Method::Orthographic, latitude),
         };
         let Self { longitude, radius, offset, .. } = *self;
-        Some(Projection { method, latitude, longitude, radius, offset })
+        Some(Projection { method, latitude, longitude: around(longitude), radius, offset })
     }
+}
+
+/// The same longitude within a turn (rad): files count on, and meridians are added to what they count.
+pub fn around(longitude: f64) -> f64 {
+    if longitude.abs() > TAU { longitude % TAU } else { longitude }
 }
 
 fn is_pole(latitude: f64) -> bool {
@@ -111,6 +118,24 @@ mod tests {
         assert_eq!(by_latitude, of(Some(radians(-90.0)), Some(radians(-70.0))));
         assert_eq!(by_latitude, of(None, Some(radians(-70.0))));
         assert_eq!(of(Some(radians(90.0)), None).method, Method::PolarStereographic { scale: 1.0 });
+    }
+
+    /// Meridians are added to longitudes that count to 360: a bank holds less than a turn either way.
+    #[test]
+    fn longitudes_beyond_a_turn_go_around() {
+        let of = |longitude: f64| {
+            let map = Map {
+                latitude: None,
+                longitude: radians(longitude),
+                parallel: None,
+                scale: 1.0,
+                radius: 1.0,
+                offset: [0.0; 2],
+            };
+            map.projection(Kind::Orthographic).unwrap().longitude
+        };
+        assert!((of(390.0) - radians(30.0)).abs() < 1e-12 && (of(-750.0) - radians(-30.0)).abs() < 1e-12);
+        assert_eq!(of(200.0), radians(200.0));
     }
 
     #[test]

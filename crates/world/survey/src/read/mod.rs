@@ -37,6 +37,7 @@ use crate::elevation::{Elevation, Frame, Grid};
 use crate::error::SurveyError;
 
 pub(crate) use self::doubts::listed;
+pub(crate) use self::map::around;
 pub use self::opened::Opened;
 pub use self::options::ReadOptions;
 pub use self::page::{VOCABULARIES, words_page};

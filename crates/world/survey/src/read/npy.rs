@@ -4,6 +4,7 @@ use std::path::Path;
 
 use files::npy_layout;
 
+use super::bands;
 use super::kind::Kind;
 use super::opened::Opened;
 use super::options::ReadOptions;
@@ -21,6 +22,7 @@ pub fn open(path: &Path, options: &ReadOptions) -> Result<Opened, SurveyError> {
         let advice = "save a 2-D array: heights, line by line";
         return Err(field(path, "shape", format!("{:?}", layout.shape), "[lines, columns]", advice));
     };
+    bands::of_raw(path, options, 1)?;
     check_raster(path, lines as u64, columns as u64)?;
     let affine = options.own_place(lines).ok_or_else(|| SurveyError::NoSpacing(path.to_path_buf()))?;
     let kind = Kind {

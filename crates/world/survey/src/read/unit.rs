@@ -24,6 +24,23 @@ pub fn length(name: &str) -> Option<f64> {
     })
 }
 
+/// Sizes of one unit are alike to this part: files round them.
+pub const ALIKE: f64 = 1e-6;
+
+/// Radians of a unit of angle; `None` if the name is not known. Capitals, `_` and `-` do not matter.
+pub fn angle(name: &str) -> Option<f64> {
+    let letters: String = name.chars().filter(char::is_ascii_alphabetic).collect();
+    let degree = std::f64::consts::PI / 180.0;
+    Some(match letters.to_ascii_lowercase().as_str() {
+        "degree" | "degrees" | "deg" | "decimaldegree" | "decimaldegrees" => degree,
+        "radian" | "radians" | "rad" => 1.0,
+        "grad" | "grads" | "gon" | "gons" => 0.9 * degree,
+        "arcminute" | "arcminutes" | "minute" | "minutes" => degree / 60.0,
+        "arcsecond" | "arcseconds" | "second" | "seconds" => degree / 3600.0,
+        _ => return None,
+    })
+}
+
 /// Metres of a unit of length by its EPSG code; `None` if the code is not known.
 pub fn length_of_code(code: u16) -> Option<f64> {
     Some(match code {

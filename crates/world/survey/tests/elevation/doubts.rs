@@ -3,9 +3,9 @@
 use std::fs::{self, File};
 use std::io::{Seek, SeekFrom, Write};
 
-use survey::{ReadOptions, Window, open, read};
+use survey::{Frame, ReadOptions, SurveyOptions, Window, open, read, survey};
 
-use crate::labels::{ENVI, HEAD, ISIS, PDS4, PRJ, cube, numbers, replaced};
+use crate::labels::{ENVI, HEAD, ISIS, PDS4, PRJ, ascii, cube, envi, numbers, pds4, replaced};
 use crate::made::{Directory, Field, LABEL, Made, SIDE, floats, heights, quarters, words};
 
 /// The made samples with two marks that nothing declares.
@@ -144,4 +144,52 @@ fn what_is_no_file_is_refused() {
     );
     assert!(said("made.xml").contains("made.dat: cannot read: this is a folder"), "{}", said("made.xml"));
     assert!(said("absent.tif").contains("absent.tif: no such file"), "{}", said("absent.tif"));
+}
+
+/// What two places of a file say of one thing must be the same, and text in pieces is no number.
+#[test]
+fn contradictions_are_refused() {
+    let said = |made: &Made, part: &str| {
+        let said = made.refusal();
+        assert!(said.contains(part), "{said}");
+    };
+    let units = |units: &str| envi(&ENVI.replace("10, 10}", &format!("10, 10, units={units}}}")));
+    assert!(units("Meters").read(&ReadOptions::default()).is_ok());
+    said(&units("Feet"), "the unit that coordinate system string has");
+    let split = PDS4.replace(">0.25<", ">0<!-- a comment -->.25<");
+    said(&pds4(&split), "a value in one piece");
+    let band = ReadOptions { band: Some(2), ..ReadOptions::default() };
+    assert!(ascii(HEAD, PRJ).read(&band).unwrap_err().contains("band 2"));
+}
+
+/// A header of a datum of the Earth has the Earth's radius, one of another body none that is known.
+#[test]
+fn bodies_of_headers_without_a_system() {
+    let degrees = |datum: &str| {
+        let info = format!("Geographic Lat/Lon, 1, 1, 30, 20, 0.001, 0.001, {datum}units=Degrees}}");
+        let lines = ENVI.lines().filter(|line| !line.starts_with("coordinate"));
+        let text: String = lines.map(|line| format!("{line}\n")).collect();
+        envi(&text.replace("Equirectangular, 1, 1, 10000, 20000, 10, 10}", &info))
+    };
+    let radius = |datum: &str| match degrees(datum).read(&ReadOptions::default()).unwrap().frame {
+        Frame::Geographic { radius } => radius,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(
+        [radius("WGS-84, "), radius("D_Moon_2000, "), radius("")],
+        [6_378_137.0, 1_737_400.0, 1_737_400.0]
+    );
+    assert!(degrees("Mars_2000, ").refusal().contains("another datum of the Earth"));
+}
+
+/// What no bank can hold is refused before anything is fitted, and before a file is written.
+#[test]
+fn maps_that_no_bank_can_hold() {
+    let refused = |from: &str, to: &str, part: &str| {
+        let made = ascii(HEAD, &PRJ.replace(from, to));
+        let read = made.read(&ReadOptions::default()).unwrap();
+        let said = survey(&read, &SurveyOptions::new(50.0), &mut |_| {}).unwrap_err().to_string();
+        assert!(said.contains(part), "{said}");
+    };
+    refused("1737400.0", "0.5", "radius of the map: found 0.5; expected 1");
 }

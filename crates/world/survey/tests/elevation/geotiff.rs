@@ -257,7 +257,7 @@ fn places_of_other_kinds_are_refused() {
     assert!(with(320, Field::Shorts(vec![0; 768])).contains("ColorMap"));
     assert!(with(262, Field::Shorts(vec![0])).contains("PhotometricInterpretation"));
     assert!(with(259, Field::Shorts(vec![34887])).contains("Compression"));
-    let rpc = "<Item name=\"LINE_OFF\" domain=\"RPC\">1</Item>";
+    let rpc = "<GDALMetadata><Item name=\"LINE_OFF\" domain=\"RPC\">1</Item></GDALMetadata>";
     assert!(with(42112, Field::Text(rpc.into())).contains("RPC"));
     let tie = |numbers: Vec<f64>| refusal(Directory::ground().with(33922, Field::Doubles(numbers)));
     let two = [[0.0, 0.0, 0.0, 10_000.0, 20_000.0, 0.0], [24.0, 0.0, 0.0, 10_250.0, 20_000.0, 0.0]].concat();

@@ -141,3 +141,10 @@ proptest! {
         survived(&[("made.prj", text(PRJ)), ("made.asc", grid)], at, to);
     }
 }
+
+/// A reader compares each attribute with all before it.
+#[test]
+fn labels_with_very_many_attributes() {
+    let attributes: String = (0..60_000).map(|k| format!(" a{k}=\"1\"")).collect();
+    refused(&pds4(&PDS4.replacen("<scaling_factor>", &format!("<scaling_factor{attributes}>"), 1)));
+}

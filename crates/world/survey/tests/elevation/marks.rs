@@ -197,7 +197,7 @@ fn alpha_bands_are_masks() {
         "{refusal}"
     );
     // Named by an item alone.
-    let named = "<Item name=\"COLORINTERP\" sample=\"1\" role=\"colorinterp\">Alpha</Item>";
+    let named = "<GDALMetadata><Item name=\"COLORINTERP\" sample=\"1\" role=\"colorinterp\">Alpha</Item></GDALMetadata>";
     assert_eq!(voids(&with_alpha(0, hole).with(42112, Field::Text(named.into())).made()), 16);
     // Chosen by the user, it is what is read; of no kind, it is one band of two.
     let second = ReadOptions { band: Some(2), ..ReadOptions::default() };

@@ -62,7 +62,7 @@ fn every_row_of_tags() {
             Field::Shorts(vec![3]),
             Field::Shorts(vec![77]),
             Field::Doubles(vec![77.0; 16]),
-            text("<Item name=\"SCALE\">3</Item>"),
+            text("<GDALMetadata><Item name=\"SCALE\">3</Item></GDALMetadata>"),
             text("50"),
         ];
         let fits = |value: &&Field| match tag {
@@ -115,13 +115,13 @@ fn every_row_of_items_and_domains() {
             [ground(), outcome(&made, &ReadOptions::default())]
         };
         // An alpha band is one of several.
-        let alpha = format!("<Item name=\"{name}\" sample=\"1\">Alpha</Item>");
+        let alpha = format!("<GDALMetadata><Item name=\"{name}\" sample=\"1\">Alpha</Item></GDALMetadata>");
         let options = ReadOptions { band: Some(1), ..ReadOptions::default() };
         let alpha = [second.clone(), second.clone().with(42112, Field::Text(alpha))];
         vec![with("2"), with("50"), alpha.map(|directory| outcome(&directory.made(), &options))]
     });
     every_row("domain of GDAL metadata", |_, name| {
-        let xml = format!("<Item name=\"N\" domain=\"{name}\">2</Item>");
+        let xml = format!("<GDALMetadata><Item name=\"N\" domain=\"{name}\">2</Item></GDALMetadata>");
         let made = Directory::ground().with(42112, Field::Text(xml)).made();
         vec![[ground(), outcome(&made, &ReadOptions::default())]]
     });
@@ -191,8 +191,8 @@ fn the_page_is_made_from_the_tables() {
 
 #[test]
 fn unknown_names_are_refused_and_can_be_ignored() {
-    let item = "<Item name=\"BIAS\">2</Item>";
-    let domain = "<Item name=\"N\" domain=\"CHARTS\">2</Item>";
+    let item = "<GDALMetadata><Item name=\"BIAS\">2</Item></GDALMetadata>";
+    let domain = "<GDALMetadata><Item name=\"N\" domain=\"CHARTS\">2</Item></GDALMetadata>";
     let label = |behind: &str, keyword: &str| {
         let [plane, _] = labels();
         let image = [vec![0; 48], words(&quarters()).repeat(2)].concat();

@@ -52,7 +52,12 @@ impl MergeCommand {
             return Ok(Verdict::No);
         }
         let line = |gap: &Range<u64>| {
-            format!("samples {}..{} are missing; this makes them:\n  {}\n", gap.start, gap.end, command(gap))
+            format!(
+                "samples {}..{} are missing; this makes them, in the folder of {plan}:\n  {}\n",
+                gap.start,
+                gap.end,
+                command(gap)
+            )
         };
         print(&gaps.iter().map(line).collect::<String>())?;
         Ok(Verdict::No)

@@ -5,6 +5,7 @@ use landscape::LUNOID_RADIUS;
 use super::header::Header;
 use crate::elevation::{Affine, Frame};
 use crate::error::SurveyError;
+use crate::read::earth;
 use crate::read::options::ReadOptions;
 use crate::read::unit;
 use crate::read::wkt::System;
@@ -41,13 +42,19 @@ pub fn place(
         if is_geographic != matches!(frame, Frame::Geographic { .. }) {
             return Err(header.wrong(MAP_INFO, "the kind of coordinates that coordinate system string has"));
         }
+        let own = system.unit_of_map()?;
+        if let (Some(unit), Some(own)) = (unit, own)
+            && (unit / own - 1.0).abs() > unit::ALIKE
+        {
+            return Err(header.wrong(MAP_INFO, "the unit that coordinate system string has"));
+        }
         return Ok((affine, frame));
     }
     if is_geographic {
-        notes.push(format!("the header does not name the radius of its body: {LUNOID_RADIUS} m is assumed"));
+        let radius = radius(header, &info, notes)?;
         let degree = |value: f64| quantities::radians(value);
         let affine = Affine { first: grid.first.map(degree), step: grid.step.map(degree) };
-        return Ok((affine, Frame::Geographic { radius: LUNOID_RADIUS }));
+        return Ok((affine, Frame::Geographic { radius }));
     }
     if unit.is_none() {
         notes.push("the header does not name the unit of its map: metres are assumed".into());
@@ -73,6 +80,24 @@ fn grid(header: &Header, info: &[&str]) -> Result<Affine, SurveyError> {
     }
     let step = [-north, east];
     Ok(Affine { first: [0, 1].map(|k| corner[k] + (1.5 - reference[k]) * step[k]), step })
+}
+
+/// Radius of the body (m): of the Earth for its data, as the word behind the numbers of `map info` names them; else of the Moon.
+fn radius(header: &Header, info: &[&str], notes: &mut Vec<String>) -> Result<f64, SurveyError> {
+    let datum = info.iter().skip(7).find(|word| !word.contains('=')).map_or("", |word| word.trim());
+    let letters: String = datum.chars().filter(char::is_ascii_alphabetic).collect();
+    let begins = |names: &[&str]| names.iter().any(|name| letters.to_ascii_lowercase().starts_with(name));
+    if begins(&["wgs", "nad", "northamerica", "etrs", "itrf", "european", "ed"]) {
+        notes.push(format!("{datum} is a datum of the Earth, not of the Moon"));
+        notes.push(earth::note());
+        return Ok(earth::RADIUS);
+    }
+    if !(datum.is_empty() || begins(&["moon", "dmoon", "lunar", "unknown", "arbitrary"])) {
+        let expected = "WGS-84 or another datum of the Earth, one of the Moon, or none, beside a coordinate system string";
+        return Err(header.wrong(MAP_INFO, expected));
+    }
+    notes.push(format!("the header does not name the radius of its body: {LUNOID_RADIUS} m is assumed"));
+    Ok(LUNOID_RADIUS)
 }
 
 /// Metres of the unit that stands behind the numbers of `map info`, if there is one; a rotation is refused.

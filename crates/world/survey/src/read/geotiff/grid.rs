@@ -57,7 +57,33 @@ impl GeoTags {
             let found = format!("{level} in the place of a height");
             return Err(field(path, tags::place(TIE_POINT), found, "0", "give --offset METRES"));
         }
-        Ok(())
+        match self.transformation.as_ref().and_then(|matrix| matrix.get(8..12)) {
+            Some(&[east, north, scale, level]) => {
+                let of_matrix = |found: String, expected: &str, advice: &str| {
+                    Err(field(path, tags::place(MATRIX), found, expected, advice))
+                };
+                if [east, north] != [0.0; 2] {
+                    let found = format!("heights that go by the place ({east}, {north})");
+                    return of_matrix(found, "0 and 0", "write it again with gdal_translate");
+                }
+                if ![0.0, 1.0].contains(&scale) && options.scale.is_none() {
+                    return of_matrix(
+                        format!("{scale} in the place of a scale"),
+                        "0 or 1",
+                        "give --scale METRES",
+                    );
+                }
+                if level != 0.0 && options.offset.is_none() {
+                    return of_matrix(
+                        format!("{level} in the place of a height"),
+                        "0",
+                        "give --offset METRES",
+                    );
+                }
+                Ok(())
+            }
+            _ => Ok(()),
+        }
     }
 }
 
@@ -131,6 +157,15 @@ fn from_matrix(path: &Path, m: &[f64]) -> Result<Affine, SurveyError> {
     if b.abs() > 1e-9 * a.abs() || e.abs() > 1e-9 * f.abs() {
         let found = format!("a rotated grid ({b} along lines, {e} along columns)");
         return Err(field(path, place, found, "lines along east", "turn it north up with gdalwarp"));
+    }
+    if let Some(last) = m.get(12..16).filter(|last| *last != [0.0, 0.0, 0.0, 1.0]) {
+        return Err(field(
+            path,
+            place,
+            format!("a last row of {last:?}"),
+            "0, 0, 0, 1",
+            "write the file again",
+        ));
     }
     Ok(Affine { first: [h, d], step: [f, a] })
 }

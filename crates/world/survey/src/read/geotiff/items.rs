@@ -3,11 +3,16 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
+use roxmltree::{Document, Node, ParsingOptions};
+use text::xml::{MOST_ATTRIBUTES, too_many_attributes};
+
 use crate::error::SurveyError;
 use crate::read::refusal::field;
 use crate::read::words::Fate::{Harmless, Only, Refused, Used, Void};
 use crate::read::words::{Decider, Met, Vocabulary, named};
 
+/// Most elements, texts and comments of the metadata; those of GDAL have some hundred.
+const MOST_NODES: u32 = 200_000;
 /// Text for names and history.
 const ORIGIN: &str = "origin of the file";
 /// Text for how the samples are stored, which the tags say.
@@ -144,44 +149,57 @@ impl Items {
 
 /// The items of a text in XML; the error is what stands in place of one.
 fn parse(xml: &str) -> Result<Vec<Item>, String> {
-    let mut items = Vec::new();
-    for rest in xml.split("<Item").skip(1) {
-        let unfinished = || format!("<Item{}", rest.chars().take(40).collect::<String>());
-        let (head, body) = rest.split_once('>').ok_or_else(unfinished)?;
-        let (head, text) = match head.strip_suffix('/') {
-            Some(head) => (head, ""),
-            None => (head, body.split_once("</Item>").ok_or_else(unfinished)?.0),
-        };
-        let attribute = |name| attribute(head, name);
-        let band = match attribute("sample") {
-            Some(band) => Some(band.parse().map_err(|_| unfinished())?),
-            None => None,
-        };
-        let name = attribute("name").ok_or_else(unfinished)?;
-        items.push(Item { name, band, domain: attribute("domain").unwrap_or_default(), text: plain(text) });
+    let xml = xml.trim_matches(['\0', ' ', '\n', '\r', '\t']);
+    if xml.is_empty() {
+        return Ok(Vec::new());
+    }
+    if too_many_attributes(xml).is_some() {
+        return Err(format!("an element with more than {MOST_ATTRIBUTES} attributes"));
+    }
+    let options = ParsingOptions { allow_dtd: false, nodes_limit: MOST_NODES, ..ParsingOptions::default() };
+    let document = Document::parse_with_options(xml, options).map_err(|error| error.to_string())?;
+    let root = document.root_element();
+    if root.tag_name().name() != "GDALMetadata" {
+        return Err(format!("<{}>", root.tag_name().name()));
+    }
+    let mut items: Vec<Item> = Vec::new();
+    for node in root.children().filter(Node::is_element) {
+        let item = item(node)?;
+        let is_same =
+            |other: &&Item| (&other.name, other.band, &other.domain) == (&item.name, item.band, &item.domain);
+        if let Some(other) = items.iter().find(is_same).filter(|other| other.text != item.text) {
+            return Err(format!("{} twice, {} and {}", item.name, other.text, item.text));
+        }
+        items.push(item);
     }
     Ok(items)
 }
 
-/// The value of an attribute in a tag of XML.
-fn attribute(head: &str, name: &str) -> Option<String> {
-    let mut rest = head;
-    while let Some((key, after)) = rest.split_once('=') {
-        let after = after.trim_start();
-        let quote = after.chars().next().filter(|quote| ['"', '\''].contains(quote))?;
-        let (value, next) = after[1..].split_once(quote)?;
-        if key.trim() == name {
-            return Some(plain(value));
-        }
-        rest = next;
+/// One item; the error is what is wrong with it.
+fn item(node: Node) -> Result<Item, String> {
+    let is_known = |name: &str| ["name", "sample", "role", "domain", "format"].contains(&name);
+    if node.tag_name().name() != "Item" {
+        return Err(format!("<{}>", node.tag_name().name()));
     }
-    None
-}
-
-/// Text without the escapes of XML.
-fn plain(text: &str) -> String {
-    let escapes = [("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&apos;", "'"), ("&amp;", "&")];
-    escapes.iter().fold(text.trim().to_owned(), |text, (escape, is)| text.replace(escape, is))
+    if let Some(other) = node.attributes().find(|attribute| !is_known(attribute.name())) {
+        return Err(format!("an <Item> with {}=\"{}\"", other.name(), other.value()));
+    }
+    if let Some(inside) = node.children().find(Node::is_element) {
+        return Err(format!("<{}> in an <Item>", inside.tag_name().name()));
+    }
+    let name = node.attribute("name").ok_or("an <Item> without a name")?.to_owned();
+    // GDAL goes by the role of these, and a file by another program may contradict it.
+    let goes_by_role = ["DESCRIPTION", "SCALE", "OFFSET", "UNITTYPE", "COLORINTERP"];
+    if let Some(role) = node.attribute("role").filter(|role| !role.eq_ignore_ascii_case(&name))
+        && goes_by_role.iter().any(|known| [&*name, role].iter().any(|said| said.eq_ignore_ascii_case(known)))
+    {
+        return Err(format!("{name} in the role of {role}"));
+    }
+    let sample = |band: &str| band.trim().parse().map_err(|_| format!("an <Item> with sample=\"{band}\""));
+    let band = node.attribute("sample").map(sample).transpose()?;
+    let domain = node.attribute("domain").unwrap_or_default().to_owned();
+    let texts = node.children().filter(Node::is_text).filter_map(|piece| piece.text());
+    Ok(Item { name, band, domain, text: texts.collect::<String>().trim().to_owned() })
 }
 
 #[cfg(test)]
@@ -195,7 +213,7 @@ mod tests {
     #[test]
     fn items_in_every_writing() {
         let xml = "<GDALMetadata>\n<Item name=\"SCALE\" sample=\"1\" role=\"scale\">0.5</Item>\n\
-                   <Item sample = '0' name='A &amp; B'> x &lt; 2 </Item><Item name=\"E\"/>\
+                   <Item sample = '0' name='A &amp; B'> x &lt; <!-- -->2 </Item><Item name=\"E\"/>\
                    <Item name=\"F\" domain=\"RPC\">1</Item></GDALMetadata>";
         let expected = [
             item("SCALE", Some(1), "", "0.5"),
@@ -208,11 +226,21 @@ mod tests {
 
     #[test]
     fn damage_is_shown() {
-        for xml in
-            ["<Item name=\"A\"", "<Item name=\"A\">b", "<Item>b</Item>", "<Item name='A' sample='x'>b</Item>"]
-        {
-            assert!(parse(xml).unwrap_err().starts_with("<Item"), "{xml}");
+        let said = |items: &str| parse(&format!("<GDALMetadata>{items}</GDALMetadata>")).unwrap_err();
+        assert!(said("<Item name='A' sample='x'>b</Item>").contains("sample=\"x\""));
+        assert!(said("<Item>b</Item>").contains("without a name"));
+        assert!(said("<Foo name='A'>1</Foo>").contains("<Foo>"));
+        assert!(said("<Item name='A' unit='m'>1</Item>").contains("unit"));
+        assert!(said("<Item name='A'><b/></Item>").contains("<b>"));
+        assert!(
+            said("<Item name='OFFSET' sample='0' role='scale'>2</Item>").contains("in the role of scale")
+        );
+        assert!(said("<Item name='Z' sample='0' role='scale'>2</Item>").contains("in the role of scale"));
+        assert!(said("<Item name='SCALE'>2</Item><Item name='SCALE'>3</Item>").contains("twice, 2 and 3"));
+        for xml in ["<Item name=\"A\"", "SCALE=2", "<GDALMetadata>", "<PAMDataset/>"] {
+            assert!(parse(xml).is_err(), "{xml}");
         }
-        assert_eq!(parse("no items"), Ok(vec![]));
+        let commented = "<GDALMetadata><!-- <Item name='SCALE'>2</Item> --></GDALMetadata>";
+        assert_eq!([parse(""), parse("\0"), parse(commented)], [(); 3].map(|()| Ok(vec![])));
     }
 }

@@ -177,9 +177,21 @@ impl Keys {
         self.0.get(&key).copied()
     }
 
-    /// The first of several keys that is there, with its number.
-    pub fn first(&self, keys: &[u16]) -> Option<f64> {
-        keys.iter().find_map(|&key| self.get(key))
+    /// The number of several keys of one meaning; `None` if none of them is there.
+    ///
+    /// # Errors
+    /// If two of them have different numbers.
+    pub fn one(&self, path: &Path, keys: &[u16]) -> Result<Option<f64>, SurveyError> {
+        let mut there = keys.iter().filter_map(|&key| self.get(key).map(|number| (key, number)));
+        let Some((first, number)) = there.next() else { return Ok(None) };
+        match there.find(|(_, other)| *other != number) {
+            None => Ok(Some(number)),
+            Some((second, other)) => {
+                let expected = format!("{number}, as {} has it: both have one meaning", place(first));
+                let advice = "write it again with gdal_translate, with one of them";
+                Err(field(path, place(second), other.to_string(), expected, advice))
+            }
+        }
     }
 
     /// The code of a key; `None` for one that is undefined or has its figures in other keys.

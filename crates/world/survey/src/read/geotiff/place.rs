@@ -181,7 +181,7 @@ impl Body<'_> {
 
     fn projection(&self, unit: f64) -> Result<Option<Projection>, SurveyError> {
         let angle = self.keys.unit_of_angles(self.path)?;
-        let first = |keys: &[u16]| self.keys.first(keys).unwrap_or(0.0);
+        let one = |keys: &[u16]| Ok::<_, SurveyError>(self.keys.one(self.path, keys)?.unwrap_or(0.0));
         let kind = match self.keys.get(METHOD).map(|number| number as u16) {
             Some(14) => map::Kind::Stereographic,
             Some(15) => map::Kind::Polar,
@@ -190,12 +190,12 @@ impl Body<'_> {
             _ => return Ok(None),
         };
         let map = Map {
-            latitude: Some(first(&LATITUDES) * angle),
-            longitude: first(&LONGITUDES) * angle + self.meridian()?,
+            latitude: Some(one(&LATITUDES)? * angle),
+            longitude: one(&LONGITUDES)? * angle + self.meridian()?,
             parallel: self.keys.get(PARALLEL).map(|parallel| parallel * angle),
-            scale: self.keys.first(&SCALES).unwrap_or(1.0),
+            scale: self.keys.one(self.path, &SCALES)?.unwrap_or(1.0),
             radius: self.radius()?,
-            offset: [first(&NORTHINGS), first(&EASTINGS)].map(|offset| offset * unit),
+            offset: [one(&NORTHINGS)? * unit, one(&EASTINGS)? * unit],
         };
         let projection = map.projection(kind);
         if let Some(projection) = projection {

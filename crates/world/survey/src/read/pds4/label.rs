@@ -4,6 +4,8 @@ use std::path::Path;
 
 use roxmltree::{Document, Node, ParsingOptions};
 
+use text::xml::{MOST_ATTRIBUTES, too_many_attributes};
+
 use super::words::{ARRAY, CARTOGRAPHY, DISPLAY, SECTIONS};
 use crate::error::SurveyError;
 use crate::read::refusal::field;
@@ -22,6 +24,11 @@ const ARRAYS: [&str; 5] = ["Array_2D", "Array_2D_Image", "Array_2D_Map", "Array_
 /// # Errors
 /// If the text is no XML, or has too many elements.
 pub fn parse<'a>(path: &Path, text: &'a str) -> Result<Document<'a>, SurveyError> {
+    if let Some(at) = too_many_attributes(text) {
+        let place = format!("label line {}", text[..at].matches('\n').count() + 1);
+        let expected = format!("at most {MOST_ATTRIBUTES} attributes of an element");
+        return Err(field(path, place, "more attributes", expected, "the label is damaged: fetch it again"));
+    }
     let options = ParsingOptions { allow_dtd: false, nodes_limit: MOST_NODES, ..ParsingOptions::default() };
     Document::parse_with_options(text, options).map_err(|error| {
         let place = format!("label line {}, column {}", error.pos().row, error.pos().col);
@@ -93,6 +100,13 @@ impl<'a> Label<'a> {
             let decided = decider.decide(Met { of: table, word, place: &place, name, value })?;
             if !matches!(decided, Some(Fate::Used(_) | Fate::Void(_))) {
                 continue;
+            }
+            if node.children().filter(Node::is_text).count() > 1
+                && !node.children().any(|child| child.is_element())
+            {
+                return Err(
+                    self.wrong(node, "a value in one piece, without a comment or an instruction within it")
+                );
             }
             met.push(node);
             let inner = self.table_inside(name, table);

@@ -9,13 +9,23 @@ use self::element::{Element, parse};
 use self::words::{ELEMENTS, PARAMETERS};
 use super::map::{self, Kind, Map};
 use super::refusal::field;
+use super::unit;
 use super::words::Fate::Used;
 use super::words::{Decider, Met, seen};
 use crate::elevation::{Affine, Frame};
 use crate::error::SurveyError;
 
+/// Directions of axes that would mirror the ground.
+const TURNED: [&str; 3] = ["WEST", "SOUTH", "DOWN"];
 /// Most bytes of a text; those of coordinate systems have some thousand.
 const MOST_BYTES: usize = 1 << 16;
+
+/// What a unit measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum UnitKind {
+    Length,
+    Angle,
+}
 
 /// A coordinate system as written.
 #[derive(Debug)]
@@ -68,6 +78,11 @@ impl<'a> System<'a> {
             let word = PARAMETERS.of_name(&name);
             decider.decide(Met { of: &PARAMETERS, word, place: &place, name: &name, value: &value })?;
         }
+        if keyword == "AXIS"
+            && let Some(turned) = element.inside.iter().find(|child| TURNED.contains(&&*child.keyword))
+        {
+            return Err(self.wrong("AXIS", &turned.keyword, "EAST, NORTH or UP"));
+        }
         match fate {
             Some(Used(_)) => element.inside.iter().try_for_each(|child| self.decide(child, decider)),
             _ => Ok(()),
@@ -85,11 +100,35 @@ impl<'a> System<'a> {
         number.ok_or_else(|| self.wrong(&element.keyword, element.name(), "a finite number behind its name"))
     }
 
-    /// Size of the unit directly inside an element; `usual` where it has none.
-    fn unit(&self, element: &Element, usual: f64) -> Result<f64, SurveyError> {
+    /// Size of the unit directly inside an element; `usual` where it has none. A name that is known must be of a unit of this kind and of
+    /// this size; another name is as good as its number.
+    fn unit(&self, element: &Element, usual: f64, kind: UnitKind) -> Result<f64, SurveyError> {
         let Some(unit) = element.child("UNIT") else { return Ok(usual) };
         let size = self.number(unit, 0)?;
-        Some(size).filter(|size| *size > 0.0).ok_or_else(|| self.wrong("UNIT", &size.to_string(), "above 0"))
+        if size <= 0.0 {
+            return Err(self.wrong("UNIT", &size.to_string(), "above 0"));
+        }
+        let [length, angle] = [unit::length(unit.name()), unit::angle(unit.name())];
+        let (own, other, expected) = match kind {
+            UnitKind::Length => (length, angle, "a unit of length, of which this is the number of metres"),
+            UnitKind::Angle => (angle, length, "a unit of angles, of which this is the number of radians"),
+        };
+        let is_another = own.is_some_and(|own| (size / own - 1.0).abs() > unit::ALIKE);
+        if is_another || (own.is_none() && other.is_some()) {
+            return Err(self.wrong("UNIT", &format!("{} of {size}", unit.name()), expected));
+        }
+        Ok(size)
+    }
+
+    /// Metres of the unit of the map; none of a system of angles.
+    ///
+    /// # Errors
+    /// If the unit cannot be used.
+    pub fn unit_of_map(&self) -> Result<Option<f64>, SurveyError> {
+        if self.root.keyword == "GEOGCS" {
+            return Ok(None);
+        }
+        self.unit(&self.root, 1.0, UnitKind::Length).map(Some)
     }
 
     /// The place of samples on a grid in units of the system, and its frame. Notes tell of an ellipsoid and of a map that
@@ -107,7 +146,7 @@ impl<'a> System<'a> {
         }
         let inverse = spheroid.numbers.get(1).copied().filter(|inverse| *inverse != 0.0);
         notes.extend(inverse.and_then(|inverse| map::flattened(radius, radius * (1.0 - inverse.recip()))));
-        let angle = self.unit(body, quantities::radians(1.0))?;
+        let angle = self.unit(body, quantities::radians(1.0), UnitKind::Angle)?;
         let meridian = body.child("PRIMEM").map_or(Ok(0.0), |meridian| self.number(meridian, 0))? * angle;
         let in_units = |unit: f64| Affine {
             first: grid.first.map(|value| value * unit),
@@ -118,7 +157,7 @@ impl<'a> System<'a> {
             affine.first[1] += meridian;
             return Ok((affine, Frame::Geographic { radius }));
         }
-        let unit = self.unit(&self.root, 1.0)?;
+        let unit = self.unit(&self.root, 1.0, UnitKind::Length)?;
         let name = self.root.child("PROJECTION").map_or("", Element::name);
         let map = Kind::named(name)
             .map(|kind| Ok::<_, SurveyError>((self.map(kind, unit, angle, radius, meridian)?, kind)));
@@ -246,6 +285,20 @@ mod tests {
         unknown("PROJCS[\"m\",UNIT[\"u\",1]]", "a body");
         unknown(&map("Orthographic", "", 0.0), "above 0");
         unknown(&BODY.replace("1737400.0", "-1"), "a radius above 0");
+        let named = |unit: &str| map("Orthographic", "", 1.0).replace("UNIT[\"u\", 1]", unit);
+        unknown(&named("UNIT[\"Degree\",0.0174532925199433]"), "a unit of length");
+        unknown(&named("UNIT[\"Foot_US\",1.0]"), "a unit of length");
+        assert!(placed(&named("UNIT[\"Foot_US\",0.304800609601219]")).is_ok());
+        unknown(
+            &BODY.replace("UNIT[\"Degree\",0.0174532925199433]", "UNIT[\"Meter\",1]"),
+            "a unit of angles",
+        );
+        unknown(
+            &BODY.replace("UNIT[\"Degree\",0.0174532925199433]", "UNIT[\"Degree\",1]"),
+            "a unit of angles",
+        );
+        unknown(&map("Orthographic", "AXIS[\"x\",WEST],", 1.0), "EAST, NORTH or UP");
+        assert!(placed(&map("Orthographic", "AXIS[\"x\",EAST],", 1.0)).is_ok());
     }
 
     #[test]

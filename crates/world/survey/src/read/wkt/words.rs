@@ -21,7 +21,12 @@ pub const ELEMENTS: Vocabulary = Vocabulary {
         ),
         named("PARAMETER", Used("a figure of the map, decided by its own table")),
         named("AUTHORITY", Harmless("a code of the same system")),
-        named("AXIS", Harmless("names of the axes; the order is that of the file's format")),
+        named(
+            "AXIS",
+            Harmless(
+                "names of the axes, whose order is that of the file's format; directions west, south and down are refused",
+            ),
+        ),
         named("EXTENSION", Harmless("the same system in another language")),
         named("METADATA", Harmless("text")),
         named("TOWGS84", Harmless("a shift to another system of the Earth")),
