@@ -67,6 +67,28 @@ fn ground_is_where_exact_sees_it() {
     assert!(same * 10 >= seen * 9, "{same} of {seen}: edges may fall between samples");
 }
 
+/// The tour's single word of 400 ns: it comes after the stroke that draws the pixel, and a transfer puts the register right within that stroke.
+#[test]
+fn a_word_is_in_force_in_the_stroke_that_draws() {
+    let scene = Shipped::read("first-light", None);
+    let folder = tempfile::tempdir().unwrap();
+    let overlay = folder.path().join("late-word.toml");
+    let late = |ticks: u32| {
+        let delay = format!(
+            "format = 1\n[[loader.delay]]\nsweep = 500\ncrossing = 152\ncolour = \"yellow\"\nregister = \"y-first\"\nword = [0, 0]\nticks = {ticks}\n"
+        );
+        std::fs::write(&overlay, delay).unwrap();
+        let ideal = ModelSource::BuiltIn("ideal".into());
+        let model = HardwareModel::load(&ideal, std::slice::from_ref(&overlay), &[]).unwrap().model;
+        let settings = front_door::settings(&scene.scenario, &model).unwrap();
+        let stage = front_door::build(&scene.scenario, settings).unwrap();
+        let told = told(&stage, &scene, 60, &[[500, 191]]).remove(0);
+        let stale = told.ground.as_ref().unwrap().colours.iter().filter(|colour| colour.stale).count();
+        (told.late.iter().map(|late| late.in_force).collect::<Vec<_>>(), stale)
+    };
+    assert_eq!([late(100), late(180), late(400)], [(vec![false], 0), (vec![true], 1), (vec![true], 1)]);
+}
+
 #[test]
 fn sky_and_bodies_are_told_as_such() {
     let scene = Shipped::read("landing-site", Some(120));

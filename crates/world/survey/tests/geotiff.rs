@@ -323,6 +323,8 @@ fn unusable_files_say_why() {
     twice.extend([3075, 0, 1, 17, 3080, 34736, 1, 0, 3088, 34736, 1, 1]);
     let twice = Tags { keys: twice, numbers: vec![40.0, 30.0], ..plain() };
     assert!(refused(2, 2, &[1.0; 4], &twice).contains("both have one meaning"));
+    let upside_down = Tags { scale: Some(vec![2.0, -3.0, 0.0]), ..plain() };
+    assert!(refused(2, 2, &[1.0; 4], &upside_down).contains("two lengths above 0"));
     let flat = Tags { scale: Some(vec![2.0, 0.0, 0.0]), ..plain() };
     assert!(refused(2, 2, &[1.0; 4], &flat).contains("place of the samples"));
     let unknown = Tags { scale: Some(vec![f64::NAN, 1.0, 0.0]), ..plain() };

@@ -133,6 +133,17 @@ fn from_scale(path: &Path, geo: &GeoTags) -> Result<Option<Affine>, SurveyError>
             Err(tie_points(found, "ModelPixelScaleTag"))
         };
     };
+    if scale[0] < 0.0 || scale[1] < 0.0 {
+        // Some programs mean lines that go south all the same, by their own custom.
+        let found = format!("{} and {}", scale[0], scale[1]);
+        return Err(field(
+            path,
+            tags::place(SCALE),
+            found,
+            "two lengths above 0",
+            "write it again with gdal_translate",
+        ));
+    }
     let at = |tie: &[f64]| [tie[4] + tie[1] * scale[1], tie[3] - tie[0] * scale[0]];
     let mut all = ties.chunks_exact(6).map(|tie| Affine { first: at(tie), step: [-scale[1], scale[0]] });
     let Some(first) = all.next() else {
