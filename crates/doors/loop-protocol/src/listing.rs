@@ -82,7 +82,14 @@ fn plane(row: &Value) -> Result<Listed, Fault> {
     let dtype = of("dtype").as_str().and_then(Dtype::of_name).ok_or_else(|| {
         ("dtype", "no type of numbers", kind(of("dtype")), "one of u8, u16, u32, i32, f32, f64")
     })?;
-    let no_shape = || ("shape", "no shape", of("shape").to_string(), "at most 8 whole numbers");
+    let no_shape = || {
+        (
+            "shape",
+            "no shape",
+            of("shape").to_string(),
+            "at most 8 whole numbers, of values that can be counted",
+        )
+    };
     let axes = of("shape").as_array().filter(|axes| axes.len() <= MOST_AXES).ok_or_else(no_shape)?;
     let axis = |axis: &Value| axis.as_u64().and_then(|axis| usize::try_from(axis).ok());
     let shape: Vec<usize> = axes.iter().map(axis).collect::<Option<_>>().ok_or_else(no_shape)?;

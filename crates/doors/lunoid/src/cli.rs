@@ -16,7 +16,8 @@ const AFTER: &str = "Example:
   lunoid replay scenarios/first-light.toml
   lunoid replay --help
 
-Exit codes: 0 done; 1 the answer is no; 2 wrong usage; 3 bad input; 4 output failed; 130 interrupted.";
+Exit codes: 0 done; 1 the answer is no; 2 wrong usage; 3 bad input; 4 output failed; 130
+interrupted.";
 
 /// Emulates the hybrid television image generator of a lunar rover simulator (PRA, 1970).
 #[derive(Debug, Parser)]

@@ -189,7 +189,7 @@ pub enum ReplayError {
     },
     /// A file of a run that is not what its record says.
     #[error(
-        "{path}: its bytes are not those that the record of its run lists; the same replay into that folder makes the          file anew"
+        "{path}: its bytes are not those that the record of its run lists; the same replay into that folder makes the file anew"
     )]
     Changed {
         /// Path of the file.

@@ -17,7 +17,8 @@ const AFTER: &str = "Examples:
   lunoid beam scenarios/night-landing.toml --frame 70 --out runs/points.csv
   lunoid beam scenarios/night-landing.toml --frame 70 --out runs/points.json
 
-The points stand in the order of drawing, and after them those that the beam has no time for. Only generators with a beam have such a list.";
+The points stand in the order of drawing, and after them those that the beam has no time for.
+Only generators with a beam have such a list.";
 
 /// List the light points of a frame that a beam draws.
 #[derive(Debug, Args)]

@@ -20,10 +20,10 @@ use crate::{Failure, Verdict};
 const AFTER: &str = "Example:
   lunoid check scenarios/*.toml hardware-models/*.toml
 
-A scenario is read with its machine, its ground is made and its path driven over it; nothing is drawn. A file of
-differences, with neither `name` nor `base`, is read as an overlay over the ideal machine. What the program of a
-generator ran on and cartridges are read too, and a landscape of `lunoid terrain` is built. Exit code 3 if there is
-any fault.";
+A scenario is read with its machine, its ground is made and its path driven over it; nothing is
+drawn. A file of differences, with neither `name` nor `base`, is read as an overlay over the
+ideal machine. What the program of a generator ran on and cartridges are read too, and a
+landscape of `lunoid terrain` is built. Exit code 3 if there is any fault.";
 
 /// Read scenarios, hardware models and whatever else is written in TOML, and list every fault.
 #[derive(Debug, Args)]

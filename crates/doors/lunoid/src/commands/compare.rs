@@ -14,11 +14,13 @@ use crate::{Failure, Verdict, values};
 const AFTER: &str = "Examples:
   lunoid compare runs/first-light runs/exact
   lunoid compare a.png b.png --out difference.png --tolerance 2 --share 0.5
-  lunoid compare runs/first-light runs/exact --edges scenarios/first-light.toml --tolerance 2 --share 0.5
+  lunoid compare runs/first-light runs/exact --edges scenarios/first-light.toml \\
+    --tolerance 2 --share 0.5
 
-Two pictures (PNG, JPEG, TIFF), or two run folders frame by frame. Exit code 1 when a tolerance is given and not met. RMSE is of grey
-0 to 1 as displayed; linear is the RMSE of reflectivity, which runs say how to recover from their codes; the worst
-pixel is the one that differs most. Pictures in colour are compared by luminance, and channel by channel if both are.";
+Two pictures (PNG, JPEG, TIFF), or two run folders frame by frame. Exit code 1 when a tolerance
+is given and not met. RMSE is of grey 0 to 1 as displayed; linear is the RMSE of reflectivity,
+which runs say how to recover from their codes; the worst pixel is the one that differs most.
+Pictures in colour are compared by luminance, and channel by channel if both are.";
 
 /// Say how far one picture, or one run, is from another.
 #[derive(Debug, Args)]

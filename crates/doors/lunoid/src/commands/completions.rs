@@ -9,8 +9,8 @@ use crate::{Failure, Verdict};
 const AFTER: &str = "Example:
   lunoid completions bash > ~/.local/share/bash-completion/completions/lunoid
 
-zsh: a file _lunoid in a folder of $fpath. fish: ~/.config/fish/completions/lunoid.fish. elvish, powershell: a file that the profile of the
-shell reads.";
+zsh: a file _lunoid in a folder of $fpath. fish: ~/.config/fish/completions/lunoid.fish. elvish,
+powershell: a file that the profile of the shell reads.";
 
 /// Print the completions of the command line for a shell.
 #[derive(Debug, Args)]

@@ -13,8 +13,9 @@ const AFTER: &str = "Examples:
   lunoid drive scenarios/first-light.toml
   lunoid drive scenarios/nominal-drive.toml --machine pra-nominal --record runs/driven --no-open
 
-The page has a tube, a scope, a fault board, time and the controls of the vehicle (docs/browser.md). This program draws, with all its threads.
-Only this computer reaches it: the address has a token, which the first browser spends. Ctrl-C ends the command.";
+The page has a tube, a scope, a fault board, time and the controls of the vehicle
+(docs/browser.md). This program draws, with all its threads. Only this computer reaches it: the
+address has a token, which the first browser spends. Ctrl-C ends the command.";
 
 /// Files of a site that need its module and its scenarios.
 const OF_A_SITE: [&str; 2] = ["index.html", "first.js"];

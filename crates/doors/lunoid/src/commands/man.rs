@@ -13,7 +13,8 @@ const AFTER: &str = "Example:
   lunoid man --out runs/man
   man runs/man/lunoid-replay.1
 
-The pages say what --help says. They are lunoid.1 and, for each command, one such as lunoid-replay.1.";
+The pages say what --help says. They are lunoid.1 and, for each command, one such as
+lunoid-replay.1.";
 
 /// How the head of every page begins.
 const HEAD: &[u8] = b".TH lunoid";
@@ -86,5 +87,13 @@ fn page(of: &clap::Command, name: &str) -> Result<Vec<u8>, Failure> {
     let mut text = Vec::new();
     let rendered: io::Result<()> = Man::new(shown).render(&mut text);
     rendered.map_err(|error| Failure::output(format!("{name}.1: {error}")))?;
-    Ok(text)
+    Ok(as_written(&String::from_utf8_lossy(&text)).into_bytes())
+}
+
+/// A page whose examples, and what is said below them, stand line by line as they are written.
+fn as_written(page: &str) -> String {
+    const EXTRA: &str = ".SH EXTRA\n";
+    let Some((head, rest)) = page.split_once(EXTRA) else { return page.to_owned() };
+    let (examples, tail) = rest.split_at(rest.find("\n.SH ").map_or(rest.len(), |at| at + 1));
+    format!("{head}.SH EXAMPLES\n.nf\n{examples}.fi\n{tail}")
 }

@@ -20,13 +20,16 @@ use crate::output::{Place, expect_outputs, print, print_json};
 use crate::{Failure, Verdict, values};
 
 const AFTER: &str = "Examples:
-  lunoid netlist scenarios/first-light.toml --machine pra-nominal --frame 10 --sweep 200 --out chain.cir
-  lunoid netlist scenarios/nominal-drive.toml --machine pra-nominal --frame 10 --sweep 200 --block coarse --out far.cir --check
+  lunoid netlist scenarios/first-light.toml --machine pra-nominal --frame 10 --sweep 200 \\
+    --out chain.cir
+  lunoid netlist scenarios/nominal-drive.toml --machine pra-nominal --frame 10 --sweep 200 \\
+    --block coarse --out far.cir --check
 
-The circuit runs as it stands: ngspice -b -r chain.raw chain.cir. --check runs it, and compares the ramps, two function generators and
-the three sums with the machine's, at eight instants of every sample, by the waveform norm (1e-3 of the value and 1e-4 of full scale).
-With --block light it compares the wires of the stage that makes light of slopes, which is given the machine's slopes. The exit code is
-1 if a signal is farther off.";
+The circuit runs as it stands: ngspice -b -r chain.raw chain.cir. --check runs it, and compares
+the ramps, two function generators and the three sums with the machine's, at eight instants of
+every sample, by the waveform norm (1e-3 of the value and 1e-4 of full scale). With --block
+light it compares the wires of the stage that makes light of slopes, which is given the
+machine's slopes. The exit code is 1 if a signal is farther off.";
 
 /// Write the terrain generator's chain of one sweep as a circuit that ngspice runs.
 #[derive(Debug, Args)]

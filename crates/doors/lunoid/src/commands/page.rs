@@ -13,8 +13,9 @@ use crate::{Failure, Verdict};
 const AFTER: &str = "Example:
   lunoid page runs/first-light
 
-A replay writes the page by itself. This writes it again, from run.json, poses.csv, page.json and the frames, after an
-update of the program or where index.html was lost. Sweeps are recorded by `lunoid replay --probe 60:500`.";
+A replay writes the page by itself. This writes it again, from run.json, poses.csv, page.json
+and the frames, after an update of the program or where index.html was lost. Sweeps are recorded
+by `lunoid replay --probe 60:500`.";
 
 /// Write the page of a run again, from its folder.
 #[derive(Debug, Args)]

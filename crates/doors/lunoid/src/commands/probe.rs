@@ -43,15 +43,23 @@ const EVERY: Duration = Duration::from_secs(5);
 const MOST_BETWEEN: u32 = 64;
 
 const AFTER: &str = "Examples:
-  lunoid probe scenarios/first-light.toml --frame 12 --sweep 500..502 --signals 'tg.*,dpp.y' --out tg.npz
-  lunoid probe runs/first-light --frame 12 --sweep all --signals 'sweep.x,sweep.y,tg.*.hold,tg.height' --out tg.fst
-  lunoid probe scenarios/first-light.toml --frame 60 --sweep 500 --signals 'sweep.x,tg.fn.x.*,tg.*height,dpp.blank' --out tg.png
-  lunoid probe scenarios/full-drive.toml --machine pra-nominal --frame 60 --sweep 200 --signals 'sweep.*,tg.product.00' --between 8 --out fine.csv
-  lunoid probe scenarios/full-drive.toml --machine pra-nominal --frame 60 --line 100..102 --signals tube.video --out video.vcd
+  lunoid probe scenarios/first-light.toml --frame 12 --sweep 500..502 \\
+    --signals 'tg.*,dpp.y' --out tg.npz
+  lunoid probe runs/first-light --frame 12 --sweep all \\
+    --signals 'sweep.x,sweep.y,tg.*.hold,tg.height' --out tg.fst
+  lunoid probe scenarios/first-light.toml --frame 60 --sweep 500 \\
+    --signals 'sweep.x,tg.fn.x.*,tg.*height,dpp.blank' --out tg.png
+  lunoid probe scenarios/full-drive.toml --machine pra-nominal --frame 60 --sweep 200 \\
+    --signals 'sweep.*,tg.product.00' --between 8 --out fine.csv
+  lunoid probe scenarios/full-drive.toml --machine pra-nominal --frame 60 --line 100..102 \\
+    --signals tube.video --out video.vcd
 
-A run folder stands for the scenario and the options with which it was drawn. The file is what its name says, or --format. FST and VCD open in GTKWave (`gtkwave tg.fst.gtkw` draws curves at once), FST in
-Surfer, NPZ in numpy, raw in ngspice, sr in PulseView; docs/waveform-files.md says what each holds. PNG and SVG are a
-page of the scope, of one sweep; of several sweeps a PNG shows one signal of the display, sm.write, a column a sweep. About how large the file will be is said before it is written.";
+A run folder stands for the scenario and the options with which it was drawn. The file is what
+its name says, or --format. FST and VCD open in GTKWave (`gtkwave tg.fst.gtkw` draws curves at
+once), FST in Surfer, NPZ in numpy, raw in ngspice, sr in PulseView; docs/waveform-files.md says
+what each holds. PNG and SVG are a page of the scope, of one sweep; of several sweeps a PNG
+shows one signal of the display, sm.write, a column a sweep. About how large the file will be is
+said before it is written.";
 
 /// Record waveforms of some signals of some sweeps.
 #[derive(Debug, Args)]

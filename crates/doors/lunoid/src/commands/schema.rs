@@ -8,10 +8,12 @@ use crate::{Failure, Verdict};
 const AFTER: &str = "Example:
   lunoid schema scenario > scenario.schema.json
 
-An editor with a TOML language server checks a file as you write it, and shows what a key means, if the first line of the file is
+An editor with a TOML language server checks a file as you write it, and shows what a key means,
+if the first line of the file is
   #:schema scenario.schema.json
 
-A schema knows every key, its type, its bounds and its words. Rules that span several keys are those of `lunoid check`.";
+A schema knows every key, its type, its bounds and its words. Rules that span several keys are
+those of `lunoid check`.";
 
 /// Print the JSON Schema of a kind of file, for editors.
 #[derive(Debug, Args)]

@@ -15,13 +15,16 @@ use crate::{Failure, Verdict};
 
 const AFTER: &str = "Examples:
   lunoid serve scenarios/first-light.toml
-  lunoid serve scenarios/nominal-drive.toml --machine pra-nominal --socket runs/loop.sock --record runs/driven
+  lunoid serve scenarios/nominal-drive.toml --machine pra-nominal --socket runs/loop.sock \\
+    --record runs/driven
   lunoid serve scenarios/first-light.toml --tcp 7070
 
-A client writes a request, reads its reply, and only then sends the next one (docs/loop-protocol.md). On standard input and output there
-is one client, and the command ends with it. On a socket one client is served after another: each finds the scenario as it is opened here,
-and nothing that another has driven. Bytes that are no message end a client with one error. On TCP the first request is a `hello` with the
-token that the command says, or with that of LUNOID_TOKEN. Ctrl-C ends the command.";
+A client writes a request, reads its reply, and only then sends the next one
+(docs/loop-protocol.md). On standard input and output there is one client, and the command ends
+with it. On a socket one client is served after another: each finds the scenario as it is opened
+here, and nothing that another has driven. Bytes that are no message end a client with one
+error. On TCP the first request is a `hello` with the token that the command says, or with that
+of LUNOID_TOKEN. Ctrl-C ends the command.";
 
 /// Answer requests of another program: pictures of poses, signals, explanations, one step after another.
 #[derive(Debug, Args)]

@@ -19,10 +19,11 @@ const AFTER: &str = "Examples:
   lunoid survey pole.tif --region-size-m 40 -o pole.bank --picture pole.png
   lunoid survey global.lbl --centre 20.19,30.77 --size-m 20000,20000 -o valley.bank
 
-Reads GeoTIFF (also BigTIFF and cloud-optimised), PDS3 images and PDS4 arrays (data or label), ISIS cubes, ENVI rasters
-(samples or header), Arc ASCII grids, DTED cells, SRTM tiles (.hgt) and .npy arrays.
-Coordinates of --area are metres of the file's own projection. With --area or --centre only the blocks of the file are
-read that the area needs, so the file may be larger than memory.";
+Reads GeoTIFF (also BigTIFF and cloud-optimised), PDS3 images and PDS4 arrays (data or label),
+ISIS cubes, ENVI rasters (samples or header), Arc ASCII grids, DTED cells, SRTM tiles (.hgt) and
+.npy arrays. Coordinates of --area are metres of the file's own projection. With --area or
+--centre only the blocks of the file are read that the area needs, so the file may be larger
+than memory.";
 
 /// Fit a bank to an elevation file.
 #[derive(Debug, Args)]

@@ -18,11 +18,13 @@ use crate::{Failure, Verdict, values};
 const AFTER: &str = "Examples:
   lunoid trace scenarios/first-light.toml --frame 60 --sweep 500
   lunoid trace scenarios/nominal-drive.toml --frame 45 --event late,cancelled --csv
-  lunoid trace scenarios/nominal-drive.toml --frame 45 --unit loader.red --from 30056000 --limit 40
+  lunoid trace scenarios/nominal-drive.toml --frame 45 --unit loader.red --from 30056000 \\
+    --limit 40
   lunoid trace scenarios/first-light.toml --frame 60 --at 500:412
   lunoid trace runs/first-light --frame 60 --sweep 500
 
-A run folder stands for the scenario and the options with which it was drawn. Ticks are those of the master clock since the start of the mission.";
+A run folder stands for the scenario and the options with which it was drawn. Ticks are those of
+the master clock since the start of the mission.";
 
 /// List the digital events of a frame in the order of their ticks, or show all registers at one of them.
 #[derive(Debug, Args)]
@@ -55,7 +57,7 @@ impl Trace {
     pub fn run(&self) -> Result<Verdict, Failure> {
         let mut sweeps = 0..0;
         let number = self.chosen.frame;
-        let filter = self.filter.filter();
+        let filter = self.filter.filter()?;
         let opened = self.chosen.load(&self.chosen.stage()?)?;
         let rehearsal = self.chosen.rehearse(opened, |opened| {
             sweeps = self.sweeps(opened.settings.raster.sweeps)?;
@@ -131,15 +133,22 @@ struct FilterArgs {
 }
 
 impl FilterArgs {
-    fn filter(&self) -> Filter {
+    fn filter(&self) -> Result<Filter, Failure> {
         let Self { unit, event, colour, level, from, to } = self;
-        Filter {
+        if let (Some(from), Some(to)) = (from, to)
+            && to <= from
+        {
+            return Err(Failure::usage(format!(
+                "--from {from} --to {to}: expected an end behind the first tick"
+            )));
+        }
+        Ok(Filter {
             unit: unit.clone(),
             event: event.clone(),
             colour: colour.clone(),
             level: level.clone(),
             from: *from,
             to: *to,
-        }
+        })
     }
 }

@@ -23,6 +23,10 @@ fn every_command_has_help_with_an_example() {
     while let Some(command) = commands.pop() {
         let text = help(&command);
         assert!(text.contains("Example") && text.contains("  lunoid "), "{command:?}:\n{text}");
+        // Lines that are too long are broken, and cannot be pasted.
+        let examples = text.lines().skip_while(|line| !line.starts_with("Example")).skip(1);
+        let broken = examples.take_while(|line| !line.is_empty()).find(|line| !line.starts_with("  "));
+        assert_eq!(broken, None, "{command:?}: an example goes on at the margin");
         let below = |name| command.iter().cloned().chain([name]).collect();
         commands.extend(listed(&text).into_iter().map(below));
         seen += 1;

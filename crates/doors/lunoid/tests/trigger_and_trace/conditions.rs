@@ -63,6 +63,7 @@ fn traces_that_cannot_be() {
         (&["--frame", "0", "--at", "3:80"], "samples 0..80"),
         (&["--frame", "0", "--at", "3.5"], "expected a tick, or sweep and sample"),
         (&["--frame", "0", "--at", "3:5", "--csv"], "cannot be used with"),
+        (&["--frame", "0", "--from", "9", "--to", "3"], "an end behind the first tick"),
     ] {
         let (out, err) = scene.expect(2, &[&["trace", "tiny.toml"], more].concat());
         assert!(out.is_empty() && err.contains(words), "{more:?}: {err}");

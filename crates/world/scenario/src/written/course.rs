@@ -6,7 +6,7 @@ use diagnostics::{LongList, Place, Placed, Problem, Problems, Reader};
 use quantities::radians;
 
 use super::coordinates::{Coordinates, Ground, in_bank};
-use super::doubts::heading_across;
+use super::doubts::{heading_across, turns_by_angles};
 use super::path_gpx::{self, TrackWishes};
 use super::path_table;
 use super::points::{PlacedWaypoint, Points};
@@ -200,7 +200,7 @@ fn join(points: Points, start: &Place, help: &str, problems: &Problems) -> Optio
     }
     faults.finish((), problems)?;
     let waypoints: Vec<Waypoint> = waypoints.into_iter().map(|waypoint| waypoint.value).collect();
-    if let Some(doubt) = heading_across(&waypoints) {
+    for doubt in [heading_across(&waypoints), turns_by_angles(&waypoints)].into_iter().flatten() {
         problems.note(format!("{name}: {doubt}"));
     }
     let path = Path::new(waypoints).map_err(|error| problems.push(Problem::at(start, error.to_string())));

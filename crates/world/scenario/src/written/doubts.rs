@@ -2,6 +2,7 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI};
 
+use landscape::Attitude;
 use quantities::{degrees, radians};
 
 use crate::Waypoint;
@@ -85,6 +86,50 @@ pub(super) fn hidden_roll(waypoints: &[Waypoint]) -> Option<String> {
     })
 }
 
+/// Says so if a vehicle turns much further between two rows than from the one to the other: each of its angles goes the shortest way, and
+/// near straight up or down that is no short way around.
+pub(super) fn turns_by_angles(waypoints: &[Waypoint]) -> Option<String> {
+    const STEPS: u32 = 8;
+    const SMALL: f64 = 10.0 * PI / 180.0;
+    let far = waypoints.windows(2).find(|pair| {
+        let ends = [0, 1].map(|end| attitude(&pair[end]));
+        let [Some(from), Some(to)] = ends else { return false };
+        let turn = [
+            shortest_turn(from.heading, to.heading),
+            shortest_turn(from.pitch, to.pitch),
+            shortest_turn(from.roll, to.roll),
+        ];
+        if turn.iter().all(|turn| turn.abs() < SMALL) {
+            return false;
+        }
+        let at = |step: u32| {
+            let share = f64::from(step) / f64::from(STEPS);
+            let [heading, pitch, roll] = turn.map(|turn| share * turn);
+            Attitude { heading: from.heading + heading, pitch: from.pitch + pitch, roll: from.roll + roll }
+        };
+        let way: f64 = (0..STEPS).map(|step| between(at(step), at(step + 1))).sum();
+        way > 2.0 * between(from, to) + SMALL
+    })?;
+    Some(format!(
+        "from {} to {} s heading, pitch and roll go their own shortest ways, and the camera turns more than twice as far as it must; give more \
+         rows there",
+        far[0].time, far[1].time
+    ))
+}
+
+/// Attitude of a waypoint that states all of it.
+fn attitude(waypoint: &Waypoint) -> Option<Attitude> {
+    let Waypoint { heading, pitch, roll, .. } = *waypoint;
+    Some(Attitude { heading: heading?, pitch: pitch?, roll: roll? })
+}
+
+/// Angle of the turn from one attitude to another (rad).
+fn between(from: Attitude, to: Attitude) -> f64 {
+    let (from, to) = (from.to_terrain().to_cols_array(), to.to_terrain().to_cols_array());
+    let trace: f64 = from.iter().zip(to).map(|(a, b)| a * b).sum();
+    libm::acos((0.5 * (trace - 1.0)).clamp(-1.0, 1.0))
+}
+
 /// Says so if the headings of a path lie across its way from its beginning to its end.
 pub(super) fn heading_across(waypoints: &[Waypoint]) -> Option<String> {
     let bearing = Bearing::of(waypoints.iter(), |heading| heading)?;
@@ -103,4 +148,34 @@ pub(super) fn heading_across(waypoints: &[Waypoint]) -> Option<String> {
             degrees(bearing.turn)
         )
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use quantities::radians;
+
+    use super::turns_by_angles;
+    use crate::Waypoint;
+
+    fn told(attitudes: [[f64; 3]; 2]) -> Option<String> {
+        let row = |time: f64, [heading, pitch, roll]: [f64; 3]| Waypoint {
+            time,
+            at: [0.0; 2],
+            heading: Some(radians(heading)),
+            eye_height: Some(100.0),
+            pitch: Some(radians(pitch)),
+            roll: Some(radians(roll)),
+        };
+        turns_by_angles(&[row(0.0, attitudes[0]), row(8.0, attitudes[1])])
+    }
+
+    /// 20 degrees over the nadir: heading and roll go half around.
+    #[test]
+    fn a_way_over_the_nadir_is_told() {
+        let said = told([[0.0, -80.0, 0.0], [180.0, -80.0, 180.0]]).unwrap();
+        assert!(said.starts_with("from 0 to 8 s"), "{said}");
+        assert_eq!(told([[0.0, -90.0, 0.0], [90.0, -90.0, 0.0]]), None);
+        assert_eq!(told([[350.0, 10.0, -5.0], [40.0, -30.0, 60.0]]), None);
+        assert_eq!(told([[0.0, 0.0, 170.0], [0.0, 0.0, -170.0]]), None);
+    }
 }

@@ -32,14 +32,19 @@ const CAMERA: &str = "camera.json";
 const FLAT: &str = "flat";
 
 const AFTER: &str = "Examples:
-  lunoid augment runs/tracks/frames runs/tracks/poses.csv --vehicle rover --sun 268,19 --out shadowed
-  lunoid augment FRAMES POSES --vehicle rover --sun 268,19 --out shadowed --method scan-converter --penumbra
-  lunoid augment FRAMES POSES --vehicle rover --ground scenarios/tracks.toml --tracks --out shadowed
-  lunoid augment FRAMES POSES --vehicle rover --sun 268,19 --out shadowed --baseline augment-timing.json
-  lunoid augment FRAMES POSES --vehicle rover --sun 268,19 --out shadowed --probe 33:400..402 --waveforms lines.csv
+  lunoid augment runs/tracks/frames runs/tracks/poses.csv --vehicle rover --sun 268,19 \\
+    --out shadowed
+  lunoid augment FRAMES POSES --vehicle rover --sun 268,19 --out shadowed \\
+    --method scan-converter --penumbra
+  lunoid augment FRAMES POSES --vehicle rover --ground scenarios/tracks.toml --tracks \\
+    --out shadowed
+  lunoid augment FRAMES POSES --vehicle rover --sun 268,19 --out shadowed \\
+    --baseline augment-timing.json
+  lunoid augment FRAMES POSES --vehicle rover --sun 268,19 --out shadowed \\
+    --probe 33:400..402 --waveforms lines.csv
 
-`lunoid signals 'vs.*'` lists what can be probed: a line of a picture stands for a sweep, a column for a sample.
-docs/blocks/vehicle-shadow.md has the formats of poses and camera.";
+`lunoid signals 'vs.*'` lists what can be probed: a line of a picture stands for a sweep, a
+column for a sample. docs/blocks/vehicle-shadow.md has the formats of poses and camera.";
 
 /// Put the vehicle's shadow, and its tracks, into an existing picture sequence.
 #[derive(Debug, Args)]

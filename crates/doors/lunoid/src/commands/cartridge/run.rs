@@ -19,8 +19,8 @@ const AFTER: &str = "Examples:
   lunoid cartridge run 'one-coefficient*' --junit cartridges.xml
   lunoid cartridge run --shard 2/4 --junit runs/2-of-4.xml
 
-An answer uses its tolerance up to 1. An overlay is a change of the scene under which an answer must not come out.
-The exit code is 1 if an answer is wrong or an overlay is not noticed.";
+An answer uses its tolerance up to 1. An overlay is a change of the scene under which an answer
+must not come out. The exit code is 1 if an answer is wrong or an overlay is not noticed.";
 
 /// Run cartridges, and see that each notices its overlays.
 #[derive(Debug, Args)]

@@ -25,8 +25,9 @@ const AFTER: &str = "Examples:
   lunoid dataset scenarios/datasets/first-look.toml --only 7
   lunoid dataset scenarios/datasets/first-look.toml --shard 2/7
 
-Every sample is a function of the plan and its number, so any part can be made alone, on any machine. The same command again goes on where
-it was interrupted. `lunoid merge` joins shards into the folder of one machine, byte for byte. docs/dataset-plan.md has the plan.";
+Every sample is a function of the plan and its number, so any part can be made alone, on any
+machine. The same command again goes on where it was interrupted. `lunoid merge` joins shards
+into the folder of one machine, byte for byte. docs/dataset-plan.md has the plan.";
 
 /// Make labelled frames for learning: samples drawn by a plan, their truth, splits, manifest and data card.
 #[derive(Debug, Args)]

@@ -26,14 +26,18 @@ const AFTER: &str = "Examples:
   lunoid explain runs/first-light --frame 60 --pixel 500,300
   lunoid explain scenarios/lunsim-landing.toml --machine exact --frame 3 --pixel 100,200
   lunoid explain scenarios/dust-curtain.toml --frame 40 --sample 500,300,2
-  lunoid explain scenarios/nominal-drive.toml --machine pra-overloaded --frame 17 --late 500:12 --level coarse --pictures changed
+  lunoid explain scenarios/nominal-drive.toml --machine pra-overloaded --frame 17 \\
+    --late 500:12 --level coarse --pictures changed
 
-A run folder stands for the scenario and the options with which it was drawn. Of the hybrid machine the first lines say why, and the table has every signal at the sample. The last lines are commands that go on
-from there: the sweep on a page of the scope, the registers at the sample, the digital events of the sweep. Another generator has a
-table alone: what it knows of the pixel.
+A run folder stands for the scenario and the options with which it was drawn. Of the hybrid
+machine the first lines say why, and the table has every signal at the sample. The last lines
+are commands that go on from there: the sweep on a page of the scope, the registers at the
+sample, the digital events of the sweep. Another generator has a table alone: what it knows of
+the pixel.
 
---late goes the other way: from words that were late to the pixels that they changed, in the frame and in every later one that can
-differ. The machine is drawn as it is, and again with these words on time and nothing else changed.";
+--late goes the other way: from words that were late to the pixels that they changed, in the
+frame and in every later one that can differ. The machine is drawn as it is, and again with
+these words on time and nothing else changed.";
 
 /// Explain a pixel: the sweep and sample that made it, and every block there. Or late words: the pixels that they changed.
 #[derive(Debug, Args)]

@@ -18,8 +18,9 @@ const AFTER: &str = "Examples:
   lunoid farm status data/full-drive-farm --watch
   lunoid farm status data/full-drive-farm --json
 
-A shard is a folder whose name ends in shard-K-of-N. States: done; running, a process draws into the folder; stale, begun and no process
-draws; failed, set aside or damaged; waiting, no folder yet. The same replay goes on in a stale folder. Exit code 1 if a shard has failed.";
+A shard is a folder whose name ends in shard-K-of-N. States: done; running, a process draws into
+the folder; stale, begun and no process draws; failed, set aside or damaged; waiting, no folder
+yet. The same replay goes on in a stale folder. Exit code 1 if a shard has failed.";
 
 /// Time between two looks.
 const EVERY: Duration = Duration::from_secs(2);

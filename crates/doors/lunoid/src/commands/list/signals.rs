@@ -17,9 +17,10 @@ const AFTER: &str = "Examples:
   lunoid signals 'tg.*'
   lunoid signals scenarios/first-light.toml --machine pra-nominal 'tg.*,dpp.*'
 
-Without a scenario, all signals that a machine can have, and those of `lunoid augment` (vs.*). With one (a file, or a name that ends in .toml), the wires of the
-machine that it is elaborated to, with the value and the voltage at full scale, and what is not there because its block is left out.
-Wires of one kind share a line; --json lists each.";
+Without a scenario, all signals that a machine can have, and those of `lunoid augment` (vs.*).
+With one (a file, or a name that ends in .toml), the wires of the machine that it is elaborated
+to, with the value and the voltage at full scale, and what is not there because its block is
+left out. Wires of one kind share a line; --json lists each.";
 
 /// List the signals that can be probed.
 #[derive(Debug, Args)]

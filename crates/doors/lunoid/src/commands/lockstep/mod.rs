@@ -29,11 +29,12 @@ const AFTER: &str = "Examples:
   lunoid lockstep --random 1000 --seed 7
   lunoid lockstep --random 1000 --shard 2/4
 
-The interpreter is a second engine in double precision that shares no code with the machine: docs/lockstep.md says what is
-compared, within which bounds, and what it does not model. The machine runs in f64 too; --scalar f32 has it run in what frames are
-drawn in. Without --frame the first, the middle and the last frame run;
-without --sweep or --every eight sweeps of each. The exit code is 1 if anything differs, and the first difference is told
-with signal, sweep, sample, tick and both values; of a random scene the smallest one that still differs is told too.";
+The interpreter is a second engine in double precision that shares no code with the machine:
+docs/lockstep.md says what is compared, within which bounds, and what it does not model. The
+machine runs in f64 too; --scalar f32 has it run in what frames are drawn in. Without --frame
+the first, the middle and the last frame run; without --sweep or --every eight sweeps of each.
+The exit code is 1 if anything differs, and the first difference is told with signal, sweep,
+sample, tick and both values; of a random scene the smallest one that still differs is told too.";
 
 /// Run machine and interpreter side by side and compare every signal and every event.
 #[derive(Debug, Args)]

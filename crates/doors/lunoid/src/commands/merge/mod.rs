@@ -26,12 +26,14 @@ use page::Page;
 
 const AFTER: &str = "Examples:
   lunoid merge runs/first-light-shard-1-of-2 runs/first-light-shard-2-of-2 --out runs/first-light
-  lunoid merge runs/1-of-4.json runs/2-of-4.json runs/3-of-4.json runs/4-of-4.json --out runs/timing.json
+  lunoid merge runs/1-of-4.json runs/2-of-4.json runs/3-of-4.json runs/4-of-4.json \\
+    --out runs/timing.json
 
-The folders may be given in any order. They must be of one run; frames that several of them have must agree. For each gap the
-command that fills it is printed, and nothing is written. The joined folder is that of one machine, byte for byte, but for
-performance.json, which holds wall times. The same command again goes on where it was interrupted. Files are timing
-records, which are joined alike, and so are the folders of a data set. docs/shards.md has the laws.";
+The folders may be given in any order. They must be of one run; frames that several of them have
+must agree. For each gap the command that fills it is printed, and nothing is written. The
+joined folder is that of one machine, byte for byte, but for performance.json, which holds wall
+times. The same command again goes on where it was interrupted. Files are timing records, which
+are joined alike, and so are the folders of a data set. docs/shards.md has the laws.";
 
 /// Join the shards of a run into the run of one machine.
 #[derive(Debug, Args)]

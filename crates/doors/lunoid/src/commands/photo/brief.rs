@@ -18,8 +18,10 @@ const AFTER: &str = "Examples:
   lunoid replay scenarios/photo-flight.toml --out runs/photo-flight
   lunoid photo brief runs/photo-flight --out runs/briefing.png
 
-The run is one with a page, which has the words that make it again. The film is an animated PNG, which every browser plays. Its map has north up: the photographs of the scenario over its ground, or, without
-photographs, the ground under its sun. The line is the course, bright where it is flown; the rays are the edges of the view.";
+The run is one with a page, which has the words that make it again. The film is an animated PNG,
+which every browser plays. Its map has north up: the photographs of the scenario over its
+ground, or, without photographs, the ground under its sun. The line is the course, bright where
+it is flown; the rays are the edges of the view.";
 
 /// Put the map beside each frame of a run: the course, the eye's place and the angle of view.
 #[derive(Debug, Args)]

@@ -20,11 +20,15 @@ use crate::output::{Place, expect_outputs, print, print_json};
 use crate::{Failure, Verdict, values};
 
 const AFTER: &str = "Examples:
-  lunoid photo check runs/photo/photo.png --camera runs/photo/camera.json --ground runs/photo/elevation.asc --points runs/photo/points.csv --at-most 0.5
-  lunoid photo check runs/photo/photo.png --camera runs/photo/camera.json --ground runs/photo/elevation.asc --page runs/check.html --lines runs/check.svg
-  lunoid photo check runs/photo/photo.png --camera runs/photo/camera.json --ground runs/photo/elevation.asc --find-sun
+  lunoid photo check runs/photo/photo.png --camera runs/photo/camera.json \\
+    --ground runs/photo/elevation.asc --points runs/photo/points.csv --at-most 0.5
+  lunoid photo check runs/photo/photo.png --camera runs/photo/camera.json \\
+    --ground runs/photo/elevation.asc --page runs/check.html --lines runs/check.svg
+  lunoid photo check runs/photo/photo.png --camera runs/photo/camera.json \\
+    --ground runs/photo/elevation.asc --find-sun
 
-Exit code 1: the root mean square of the control points is above --at-most. docs/photo.md describes the files and the tables.";
+Exit code 1: the root mean square of the control points is above --at-most. docs/photo.md
+describes the files and the tables.";
 
 /// Say how well a photograph and an elevation file agree.
 #[derive(Debug, Args)]

@@ -16,11 +16,13 @@ use crate::output::{Place, expect_outputs, print, print_json, tell};
 use crate::{Failure, Verdict, values};
 
 const AFTER: &str = "Examples:
-  lunoid photo drape scenarios/first-light.toml --photo runs/photo/photo.png --camera runs/photo/camera.json --out runs/albedo.png
+  lunoid photo drape scenarios/first-light.toml --photo runs/photo/photo.png \\
+    --camera runs/photo/camera.json --out runs/albedo.png
   lunoid photo drape scenarios/photo-drape.toml --spacing-m 4 --choice blend --out runs/albedo.png
 
-The map is a picture of 16 bits. The command prints the table that lays it over a scenario's ground:
-copy the picture into the scenario's folder, and the table into the scenario. docs/photo.md describes the rules.";
+The map is a picture of 16 bits. The command prints the table that lays it over a scenario's
+ground: copy the picture into the scenario's folder, and the table into the scenario.
+docs/photo.md describes the rules.";
 
 /// Make a map of the ground's albedo out of photographs with their sun.
 #[derive(Debug, Args)]

@@ -15,8 +15,9 @@ const AFTER: &str = "Examples:
   lunoid photo import image.tif --out runs/image
   lunoid photo import image.tif --white 400 --sun 341,5 --out runs/image
 
-Reads every raster that `lunoid survey` reads, values of 32 or 64 bits among them. The folder gets photo.png, 16 bits, and camera.json, its
-map file. Lines and columns without a value at the edges are left out. docs/photo.md describes the files.";
+Reads every raster that `lunoid survey` reads, values of 32 or 64 bits among them. The folder
+gets photo.png, 16 bits, and camera.json, its map file. Lines and columns without a value at the
+edges are left out. docs/photo.md describes the files.";
 
 /// Make a photograph with its map file out of a georeferenced raster of light.
 #[derive(Debug, Args)]

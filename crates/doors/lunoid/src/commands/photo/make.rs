@@ -16,11 +16,14 @@ use crate::{Failure, Verdict, values};
 
 const AFTER: &str = "Examples:
   lunoid photo make scenarios/first-light.toml --out runs/photo
-  lunoid photo make scenarios/craters.toml --ground-sample-m 0.5 --height-m 2000 --bits 16 --out runs/photo
-  lunoid photo make scenarios/craters.toml --heading-deg 30 --pitch-deg -40 --noise 0.01 --out runs/oblique
+  lunoid photo make scenarios/craters.toml --ground-sample-m 0.5 --height-m 2000 --bits 16 \\
+    --out runs/photo
+  lunoid photo make scenarios/craters.toml --heading-deg 30 --pitch-deg -40 --noise 0.01 \\
+    --out runs/oblique
 
-The generator `exact` draws the photograph. The folder gets photo.png, camera.json, ground.npy (east, north, up of each pixel),
-elevation.asc, points.csv (control points) and photo.json. docs/photo.md describes them.";
+The generator `exact` draws the photograph. The folder gets photo.png, camera.json, ground.npy
+(east, north, up of each pixel), elevation.asc, points.csv (control points) and photo.json.
+docs/photo.md describes them.";
 
 /// Draw a vertical or oblique photograph of a landscape, with its camera file, its truth and its elevations.
 #[derive(Debug, Args)]

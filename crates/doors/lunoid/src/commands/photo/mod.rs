@@ -13,8 +13,10 @@ use crate::{Failure, Verdict};
 const AFTER: &str = "Examples:
   lunoid photo make scenarios/first-light.toml --out runs/photo
   lunoid photo import image.tif --out runs/image
-  lunoid photo check runs/photo/photo.png --camera runs/photo/camera.json --ground runs/photo/elevation.asc
-  lunoid photo drape scenarios/first-light.toml --photo runs/photo/photo.png --camera runs/photo/camera.json --out runs/albedo.png
+  lunoid photo check runs/photo/photo.png --camera runs/photo/camera.json \\
+    --ground runs/photo/elevation.asc
+  lunoid photo drape scenarios/first-light.toml --photo runs/photo/photo.png \\
+    --camera runs/photo/camera.json --out runs/albedo.png
   lunoid photo brief runs/photo-flight --out runs/briefing.png
 
 docs/photo.md describes the files.";

@@ -51,9 +51,10 @@ const AFTER: &str = "Examples:
   lunoid replay scenarios/first-light.toml --live
   lunoid replay scenarios/first-light.toml --shard 2/7
 
-The same command again goes on where it was interrupted. Open index.html in the folder to look at the run.
-Several machines draw into sub-folders of one folder, exact among them, and one page holds them against it.
-The channels of a scenario draw into sub-folders too, unless --channel names one of them.";
+The same command again goes on where it was interrupted. Open index.html in the folder to look
+at the run. Several machines draw into sub-folders of one folder, exact among them, and one page
+holds them against it. The channels of a scenario draw into sub-folders too, unless --channel
+names one of them.";
 
 /// Draw a scenario into a folder of frames.
 #[derive(Debug, Args)]

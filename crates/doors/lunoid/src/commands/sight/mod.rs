@@ -26,13 +26,15 @@ use crate::{Failure, Verdict, values};
 
 const AFTER: &str = "Examples:
   lunoid sight first-light --from 1000,1000 --to 2500,1800 --out runs/sight-line.png
-  lunoid sight scenarios/own-ground/site.asc --from 612200,0 --out runs/sight.tif --out runs/sight.png
+  lunoid sight scenarios/own-ground/site.asc --from 612200,0 --out runs/sight.tif \\
+    --out runs/sight.png
   lunoid sight lod-landing --surface shown --frame 20 --from 2500,2500 --out runs/sight-shown.png
 
-Between two points (--to), from the observer to the places of a path (--path), or over an area (--area, or all of the
-ground). GROUND is a scenario, a bank, or an elevation file that `lunoid survey` reads. Places are metres north and east:
-of the bank's axes for scenarios and banks, of the map for elevation files. A path is a CSV file with the columns north_m,
-east_m and, where wanted, height_m. Ground that only touches the line does not hide the target.";
+Between two points (--to), from the observer to the places of a path (--path), or over an area
+(--area, or all of the ground). GROUND is a scenario, a bank, or an elevation file that `lunoid
+survey` reads. Places are metres north and east: of the bank's axes for scenarios and banks, of
+the map for elevation files. A path is a CSV file with the columns north_m, east_m and, where
+wanted, height_m. Ground that only touches the line does not hide the target.";
 
 /// Say what ground hides from an observer.
 #[derive(Debug, Args)]

@@ -21,8 +21,9 @@ const AFTER: &str = "Examples:
   lunoid state load there.state --frames 3 --out after
   lunoid state load there.state moved/nominal-drive.toml --machine pra-overloaded --out frame.png
 
-What the file holds is used, and not drawn again: rows of the frame, earlier stores, earlier pictures. The pictures are those of
-`lunoid replay`, to the byte. Without --out the state is read and told.";
+What the file holds is used, and not drawn again: rows of the frame, earlier stores, earlier
+pictures. The pictures are those of `lunoid replay`, to the byte. Without --out the state is
+read and told.";
 
 /// Read the machine from a file and draw the rest of its frame, and frames after it.
 #[derive(Debug, Args)]

@@ -15,10 +15,12 @@ use crate::{Failure, Verdict, values};
 
 const AFTER: &str = "Examples:
   lunoid state save scenarios/first-light.toml --frame 60 --sweep 500 --out there.state
-  lunoid state save scenarios/nominal-drive.toml --machine pra-overloaded --frame 40 --sweep 0 --out there.state --json
+  lunoid state save scenarios/nominal-drive.toml --machine pra-overloaded --frame 40 \\
+    --sweep 0 --out there.state --json
 
-The file has the rows of the sweep memory that the frame has written, the earlier stores that a storage tube still holds, the earlier
-pictures that the picture tube still shows, and the digital side. docs/state-format.md describes it.";
+The file has the rows of the sweep memory that the frame has written, the earlier stores that a
+storage tube still holds, the earlier pictures that the picture tube still shows, and the
+digital side. docs/state-format.md describes it.";
 
 /// Write the machine at the start of a sweep into a file.
 #[derive(Debug, Args)]

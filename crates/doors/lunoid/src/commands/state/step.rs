@@ -15,8 +15,9 @@ const AFTER: &str = "Examples:
   lunoid state step there.state --by sample --count 400
   lunoid state step there.state --by sweep --count -10 --out before.state
 
-A step leads to the next place of its kind. A sweep's start is a place of every kind: its first tick, its first sample, and an event.
-So N steps and N steps back lead to the same place, and --out writes the same file again.";
+A step leads to the next place of its kind. A sweep's start is a place of every kind: its first
+tick, its first sample, and an event. So N steps and N steps back lead to the same place, and
+--out writes the same file again.";
 
 /// Move a machine that stands in a file, forwards or backwards, and show what is there.
 #[derive(Debug, Args)]

@@ -19,8 +19,9 @@ const AFTER: &str = "Examples:
   lunoid study economy scenarios/first-light.toml --quick
   lunoid study economy scenarios/showpiece.toml --frame 0 --frame 150 --out studies/economy
 
---out gets economy.json, economy.csv, economy.md, a plot, and shadows/, where boundaries are kept for the next
-study. The exit status is 1 if a machine that claims to draw the same bits does not. docs/economy.md says how to read it.";
+--out gets economy.json, economy.csv, economy.md, a plot, and shadows/, where boundaries are
+kept for the next study. The exit status is 1 if a machine that claims to draw the same bits
+does not. docs/economy.md says how to read it.";
 
 /// What the scenario does not need: left out, saved, and still wasted.
 #[derive(Debug, Args)]

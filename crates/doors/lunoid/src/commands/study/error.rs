@@ -38,10 +38,10 @@ const AFTER: &str = "Examples:
   lunoid study error scenarios/lunsim-roving.toml --only grid
   lunoid study error scenarios/dust-curtain.toml --quick --only sampling --only stack
 
---out gets error.json, error.csv, error.md, a plot of error against time of all ladders and of every ladder by itself,
-exact/ and shadows/, where pictures of exact and boundaries of shadow are kept: the next study of the same ground takes
-them from there.
-docs/error-and-time.md says how to read them.";
+--out gets error.json, error.csv, error.md, a plot of error against time of all ladders and of
+every ladder by itself, exact/ and shadows/, where pictures of exact and boundaries of shadow
+are kept: the next study of the same ground takes them from there. docs/error-and-time.md says
+how to read them.";
 
 /// Error against run time: ladders of one factor about the settings of the scenario, and of some pairs.
 #[derive(Debug, Args)]

@@ -17,9 +17,10 @@ const AFTER: &str = "Examples:
   lunoid study judge scenarios/lod-descent.toml --every 10 --out studies/judge
   lunoid study judge scenarios/first-light.toml --machine sampled --frames 0..30 --json
 
-The generator of the scenario and exact draw each frame from the same pose. Distances are compared where both show something, light in every
-pixel, in grey levels of 255. A pixel with sky in one picture alone counts as outline.
---out gets judge.json, judge.csv, judge.md and a plot.";
+The generator of the scenario and exact draw each frame from the same pose. Distances are
+compared where both show something, light in every pixel, in grey levels of 255. A pixel with
+sky in one picture alone counts as outline. --out gets judge.json, judge.csv, judge.md and a
+plot.";
 
 /// Pictures of a generator against those of exact, frame by frame: distance and light.
 #[derive(Debug, Args)]

@@ -25,10 +25,12 @@ const AFTER: &str = "Examples:
   lunoid study levels scenarios/lod-descent.toml --count 5 --only tolerance --out studies/levels
   lunoid study levels scenarios/lod-descent.toml --frames 600..1200 --only one-level --json
 
-Ladders are those of the generator that are held against its finest ground alone. The error of a rung is that of the drawn ground at the
-posts of the finest mesh inside the picture: in metres, in pixels across the line of sight (height x focal length / distance), and as what
-places are moved by in the picture. Times are of one thread of this computer; triangles do not depend on it.
---out gets levels.json, levels.csv, levels.md and two plots: error against time and against triangles, each with its Pareto front.";
+Ladders are those of the generator that are held against its finest ground alone. The error of a
+rung is that of the drawn ground at the posts of the finest mesh inside the picture: in metres,
+in pixels across the line of sight (height x focal length / distance), and as what places are
+moved by in the picture. Times are of one thread of this computer; triangles do not depend on
+it. --out gets levels.json, levels.csv, levels.md and two plots: error against time and against
+triangles, each with its Pareto front.";
 
 /// Levels of detail against what is lost: triangles, error, time, and what nothing beats.
 #[derive(Debug, Args)]

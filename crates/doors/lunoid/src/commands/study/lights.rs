@@ -22,9 +22,10 @@ const AFTER: &str = "Examples:
   lunoid study lights scenarios/night-landing.toml --light runway-west --frames 0..20 --json
   lunoid study lights scenarios/lamp-row.toml --machine exact --frames 0..5
 
-The light of a lamp in a frame is the picture with it less the picture without, added up over all pixels. It is held against the closed
-form of its disc with nothing in front. A generator that has several ways to draw lamps, as sampled has, draws each of them.
---out gets lights.json, lights.csv with every frame, lights.md and a plot.";
+The light of a lamp in a frame is the picture with it less the picture without, added up over
+all pixels. It is held against the closed form of its disc with nothing in front. A generator
+that has several ways to draw lamps, as sampled has, draws each of them. --out gets lights.json,
+lights.csv with every frame, lights.md and a plot.";
 
 /// The light of a lamp over a mission, in each way of drawing it.
 #[derive(Debug, Args)]

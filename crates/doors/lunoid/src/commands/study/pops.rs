@@ -17,16 +17,19 @@ use text::Span;
 
 const AFTER: &str = "Examples:
   lunoid study pops scenarios/lod-descent.toml
-  lunoid study pops scenarios/lod-descent.toml --frames 0..300 --out studies/pops --set lod.morph_percent=[20]
+  lunoid study pops scenarios/lod-descent.toml --frames 0..300 --out studies/pops \\
+    --set lod.morph_percent=[20]
   lunoid study pops scenarios/lod-landing.toml --at-most 1e-9 --json
   lunoid study pops scenarios/lod-descent.toml --out studies/pops --pictures 24
   lunoid study pops scenarios/lod-descent.toml --machine sampled --frames 0..30
 
-A curve is the distance along the view axis to the ground as it is drawn, frame by frame. A pop is what it changes by for a camera that
-stands while the levels of detail go on to the next frame. Curves are held against the finest ground alone; those of a generator without
-levels against exact, and they have no pops.
---out gets pops.json, pops.csv with every frame, pops.md and a plot. With --pictures it gets a page too, index.html: all ways but the
-first side by side, curves below. A click on a jump leads to the tiles that made it, a click on the ground to its place.";
+A curve is the distance along the view axis to the ground as it is drawn, frame by frame. A pop
+is what it changes by for a camera that stands while the levels of detail go on to the next
+frame. Curves are held against the finest ground alone; those of a generator without levels
+against exact, and they have no pops. --out gets pops.json, pops.csv with every frame, pops.md
+and a plot. With --pictures it gets a page too, index.html: all ways but the first side by side,
+curves below. A click on a jump leads to the tiles that made it, a click on the ground to its
+place.";
 
 /// Distances frame by frame, and what levels of detail do to them.
 #[derive(Debug, Args)]

@@ -17,9 +17,10 @@ const AFTER: &str = "Examples:
   lunoid study sea scenarios/sea-waves.toml --every 15 --out studies/sea
   lunoid study sea scenarios/sea-waves.toml --frames 0..300 --every 10 --columns 4 --json
 
-The machine of the scenario draws its sea of false normals, and exact draws the waves of [sea] waves. Pixels that show the sea in both
-are compared: contrast, spread, and the spectrum of their light over time. Neither is an error of the other.
---out gets sea.json, sea.csv with the spectra, sea.md and a plot.";
+The machine of the scenario draws its sea of false normals, and exact draws the waves of [sea]
+waves. Pixels that show the sea in both are compared: contrast, spread, and the spectrum of
+their light over time. Neither is an error of the other. --out gets sea.json, sea.csv with the
+spectra, sea.md and a plot.";
 
 /// Frames without which a spectrum says nothing.
 const LEAST_FRAMES: usize = 8;

@@ -30,12 +30,14 @@ const AFTER: &str = "Examples:
   lunoid study shadow scenarios/showpiece.toml --places 200 --azimuths 24 --out studies/shadow
   lunoid study shadow scenarios/vehicle-shadow.toml --vehicle rover --laws --frame 33
 
-Row `own` is the scenario's sun at each frame's time; each --sun stands at every azimuth. `off formula` is the largest
-difference between the measured error and the report's formula with the height z that was found.
---laws draws pictures by every law and method of `lunoid augment`, against true ground without rounding: how much is
-dark, which part of the pixels is off by more than half their light, and the time.
---out gets shadow.json, shadow.csv with every edge, shadow.md and a plot of error over height, with --laws one of error over time. The exit status is 1 if
-an error differs from the formula by more than 1e-9 rad. docs/blocks/vehicle-shadow.md has the law.";
+Row `own` is the scenario's sun at each frame's time; each --sun stands at every azimuth. `off
+formula` is the largest difference between the measured error and the report's formula with the
+height z that was found. --laws draws pictures by every law and method of `lunoid augment`,
+against true ground without rounding: how much is dark, which part of the pixels is off by more
+than half their light, and the time. --out gets shadow.json, shadow.csv with every edge,
+shadow.md and a plot of error over height, with --laws one of error over time. The exit status
+is 1 if an error differs from the formula by more than 1e-9 rad. docs/blocks/vehicle-shadow.md
+has the law.";
 
 /// The vehicle's shadow: where flat ground has its edge, and where true ground has it.
 #[derive(Debug, Args)]

@@ -22,10 +22,11 @@ const AFTER: &str = "Examples:
   lunoid study stability --only eye --pairs
   lunoid study stability --mixtures 1000 --seed 7
 
-Without a scenario a small one that the program carries is pushed to its limits; of a scenario it is the ground of the
-finest level, the eye and the light of its first frame. --out gets stability.json, stability.csv, stability.md, and the
-matrix as a picture, matrix.svg and matrix.png.
-The exit code is 1 if a method of the machine has a cell that does not hold. docs/stability.md says how to read it.";
+Without a scenario a small one that the program carries is pushed to its limits; of a scenario
+it is the ground of the finest level, the eye and the light of its first frame. --out gets
+stability.json, stability.csv, stability.md, and the matrix as a picture, matrix.svg and
+matrix.png. The exit code is 1 if a method of the machine has a cell that does not hold.
+docs/stability.md says how to read it.";
 
 /// The models of the matrix: ideal parts and real ones.
 const MODELS: [&str; 2] = ["ideal", "pra-nominal"];

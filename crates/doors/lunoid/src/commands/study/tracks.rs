@@ -25,10 +25,12 @@ const AFTER: &str = "Examples:
   lunoid study tracks scenarios/lod-descent.toml --frames 840..940 --out studies/tracks
   lunoid study tracks scenarios/lod-descent.toml --set lod.tolerance_px=8 --only tolerance --json
 
-Corners of the first picture are followed from frame to frame, in each way that the generator has for levels of detail. First the camera
-stands at the middle frame and levels go on: a corner should stay. Then the camera flies: a corner should be where the distance of the finest
-ground and the poses put it. At last each rung of the ladders of levels is flown. A jump is a step of more than 0.1 pixel off the true one.
---out gets tracks.json, tracks.csv with every frame, tracks.md and a plot.";
+Corners of the first picture are followed from frame to frame, in each way that the generator
+has for levels of detail. First the camera stands at the middle frame and levels go on: a corner
+should stay. Then the camera flies: a corner should be where the distance of the finest ground
+and the poses put it. At last each rung of the ladders of levels is flown. A jump is a step of
+more than 0.1 pixel off the true one. --out gets tracks.json, tracks.csv with every frame,
+tracks.md and a plot.";
 
 /// Corners that are followed over frames while levels of detail change: a stand-in for navigation by camera.
 #[derive(Debug, Args)]

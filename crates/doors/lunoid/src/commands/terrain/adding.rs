@@ -12,13 +12,14 @@ use crate::commands::terrain::{Landscape, textures};
 use crate::{Failure, values};
 
 const AFTER: &str = "Examples:
-  lunoid terrain add runs/ground.toml --id west --crater 3.03,26.05,400 --wall-percent 4 --depth-percent 20
+  lunoid terrain add runs/ground.toml --id west --crater 3.03,26.05,400 --wall-percent 4 \\
+    --depth-percent 20
   lunoid terrain add runs/ground.toml --id stone --boulder 3.05,26.05,4 --shape rock
   lunoid terrain add runs/ground.toml --id soil --texture soil.png
   lunoid terrain add runs/ground.toml --block field.toml
 
-A block is a file with one or more [[feature]] tables: craters, growth from control points, boulders, distributions,
-roughness, textures (docs/terrain.md).";
+A block is a file with one or more [[feature]] tables: craters, growth from control points,
+boulders, distributions, roughness, textures (docs/terrain.md).";
 
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]

@@ -15,9 +15,10 @@ use crate::{Failure, values};
 const AFTER: &str = "Example:
   lunoid terrain export runs/ground.toml --out runs/ground
 
-Writes terrain.lod (terrain database), ground.bank and residuals.npy (fit of the ground without the listed craters),
-craters.csv, boulders/ (shape files), light.npy (with [light]), albedo.png (with textures), scenario.toml, and export.json with the error of every
-crater and region. An earlier export in the folder is replaced whole.";
+Writes terrain.lod (terrain database), ground.bank and residuals.npy (fit of the ground without
+the listed craters), craters.csv, boulders/ (shape files), light.npy (with [light]), albedo.png
+(with textures), scenario.toml, and export.json with the error of every crater and region. An
+earlier export in the folder is replaced whole.";
 
 #[derive(Debug, Args)]
 #[command(after_help = AFTER)]

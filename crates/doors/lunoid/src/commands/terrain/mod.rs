@@ -14,8 +14,10 @@ use crate::output::{Place, expect_outputs};
 use crate::{Failure, Verdict};
 
 const AFTER: &str = "Example:
-  lunoid terrain new runs/ground.toml --longitude-deg 3.0,3.1 --latitude-deg 26.0,26.1 --resolution-m 50
-  lunoid terrain add runs/ground.toml --id west --crater 3.03,26.05,400 --wall-percent 4 --depth-percent 20
+  lunoid terrain new runs/ground.toml --longitude-deg 3.0,3.1 --latitude-deg 26.0,26.1 \\
+    --resolution-m 50
+  lunoid terrain add runs/ground.toml --id west --crater 3.03,26.05,400 --wall-percent 4 \\
+    --depth-percent 20
   lunoid terrain show runs/ground.toml --plot runs/ground.png
   lunoid terrain export runs/ground.toml --out runs/ground";
 

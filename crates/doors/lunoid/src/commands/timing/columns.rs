@@ -13,10 +13,12 @@ use crate::rehearsing::{record, rehearse_opened};
 use crate::{Failure, Verdict, values};
 
 const AFTER: &str = "Example:
-  lunoid timing columns scenarios/far-mountains.toml --machine pra-frugal --frame 3 --out columns.png
+  lunoid timing columns scenarios/far-mountains.toml --machine pra-frugal --frame 3 \\
+    --out columns.png
 
-The ideal machine keeps the raster, the clocks, the range programme, the laws and the seed of the run. Exit code 0 if
-every column that differs is traced to lines of the timing record or is the work of the parts alone, 1 if not.";
+The ideal machine keeps the raster, the clocks, the range programme, the laws and the seed of
+the run. Exit code 0 if every column that differs is traced to lines of the timing record or is
+the work of the parts alone, 1 if not.";
 
 /// Trace every column that differs from the ideal machine to lines of the timing record.
 #[derive(Debug, Args)]

@@ -10,7 +10,8 @@ use crate::{Failure, Verdict};
 
 const AFTER: &str = "Examples:
   lunoid timing show scenarios/first-light.toml --machine pra-nominal --frames 0..4
-  lunoid timing record scenarios/first-light.toml --machine pra-nominal --frames 0..2 --out first-light.json
+  lunoid timing record scenarios/first-light.toml --machine pra-nominal --frames 0..2 \\
+    --out first-light.json
   lunoid timing check scenarios/first-light.toml --machine pra-nominal --baseline first-light.json";
 
 /// Show the timing of the digital side, record it, and hold it to a record.

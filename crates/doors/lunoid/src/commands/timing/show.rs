@@ -25,8 +25,10 @@ const USUAL_FRAMES: u64 = 8;
 
 const AFTER: &str = "Examples:
   lunoid timing show scenarios/first-light.toml --machine pra-nominal --frames 0..4
-  lunoid timing show scenarios/first-light.toml --machine pra-nominal --frame 12 --sweep 500 --out timeline.png
-  lunoid timing show scenarios/first-light.toml --machine pra-nominal --utilisation use.png --slack slack.png";
+  lunoid timing show scenarios/first-light.toml --machine pra-nominal --frame 12 \\
+    --sweep 500 --out timeline.png
+  lunoid timing show scenarios/first-light.toml --machine pra-nominal --utilisation use.png \\
+    --slack slack.png";
 
 /// Show deadlines, use of units, misses and the critical path.
 #[derive(Debug, Args)]
