@@ -77,6 +77,7 @@ pub(crate) fn reason(why: &Unplaced) -> Refusal {
         Unplaced::Pose(PoseFault::EyeUnderGround { eye, ground }) => {
             ("under-ground", format!("the eye is at {eye} m and the ground at {ground} m"))
         }
+        Unplaced::Pose(PoseFault::NotDriven) => ("not-driven", "no row of this time was driven".into()),
         Unplaced::Pose(PoseFault::Tilt { what, .. }) => ("tilt", format!("a {what} that no vehicle has")),
         Unplaced::Steep { found_deg, most_deg } => {
             ("steep", format!("ground of {found_deg:.1} degrees, the vehicle climbs {most_deg:.1}"))
