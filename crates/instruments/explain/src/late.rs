@@ -83,10 +83,10 @@ fn cause_name(cause: MissCause) -> &'static str {
 /// Names of the levels of terrain, the finest first.
 pub(crate) const LEVELS: [&str; 2] = ["fine", "coarse"];
 
-/// The misses of the program of a level up to `sample`.
-pub fn late(program: &SweepProgram, level: usize, sample: usize) -> Vec<Late> {
-    let missed = program.misses.iter().filter(|miss| miss.time.0 <= sample as f64);
-    missed.map(|miss| told(miss, level, in_force(program, miss, sample))).collect()
+/// The misses of the program of a level up to the sample `last`, and whether each is in force at `drawn`.
+pub fn late(program: &SweepProgram, level: usize, [drawn, last]: [usize; 2]) -> Vec<Late> {
+    let missed = program.misses.iter().filter(|miss| miss.time.0 <= last as f64);
+    missed.map(|miss| told(miss, level, in_force(program, miss, drawn))).collect()
 }
 
 /// The words that fold `crossing` of a level found missing, as they are at the end of the sweep.
@@ -112,12 +112,11 @@ fn told(miss: &Miss, level: usize, in_force: bool) -> Late {
     }
 }
 
-/// Whether nothing has put the hold register right before the step to `sample`: neither the words themselves nor another transfer. What
-/// acts within that step comes too late for a part of what it draws.
+/// Whether nothing has put the hold register right up to `sample`: neither the words themselves nor another transfer.
 fn in_force(program: &SweepProgram, miss: &Miss, sample: usize) -> bool {
     let mut waiting = miss.words;
     let since = program.events().skip_while(|step| step.time.0 <= miss.time.0);
-    for step in since.take_while(|step| step.sample < sample) {
+    for step in since.take_while(|step| step.sample <= sample) {
         match step.kind {
             Event::Fold(fold) if fold.axis.takes(fold.stop, miss.colour) => return false,
             Event::Load(Load { colour, target: Target::Hold, words, .. }) if colour == miss.colour => {

@@ -205,7 +205,7 @@ impl<'a> Inquiry<'a> {
             lights: self.session.explain(frame, pose, [x, y])?,
             ground,
             highest: column.highest().map(|(line, sample)| (line, column.at("sweep.range", sample))),
-            late: missed(&sweeps, place.sweep, column.last_in(place.cell)),
+            late: missed(&sweeps, place.sweep, &column, place.cell),
             place,
             read,
             has_tube: !self.stage.settings.analog.tubes_are_ideal(),
@@ -233,7 +233,7 @@ impl<'a> Inquiry<'a> {
     ) -> Result<Vec<ReadSweep>, FrameError> {
         let beside = beside(place.between_sweeps, self.stage.settings.raster.sweeps);
         let told = |sweep, weight, column: &SweepColumn| {
-            let late = missed(sweeps, sweep, column.last_in(place.cell));
+            let late = missed(sweeps, sweep, column, place.cell);
             ReadSweep { sweep, weight, left: column.at("sm.write", place.cell), late }
         };
         let read = |(sweep, weight): (u32, f64)| {
@@ -302,10 +302,13 @@ impl<'a> Inquiry<'a> {
     }
 }
 
-/// Words of a sweep that were late up to a sample.
-fn missed(sweeps: &FrameSweeps<'_>, sweep: u32, sample: usize) -> Vec<Late> {
+/// Words of a sweep that were late up to the last sample that has a say in a cell. Whether they are in force is told of the sample that drew
+/// it, as the registers are; what comes later in the stroke comes too late for it.
+fn missed(sweeps: &FrameSweeps<'_>, sweep: u32, column: &SweepColumn, cell: usize) -> Vec<Late> {
     let programs = sweeps.programs(sweep);
-    let of_level = |(level, program): (usize, &SweepProgram)| late(program, level, sample);
+    let last = column.last_in(cell);
+    let drawn = column.stroke_across(cell).unwrap_or(last);
+    let of_level = |(level, program): (usize, &SweepProgram)| late(program, level, [drawn, last]);
     programs.iter().enumerate().flat_map(of_level).collect()
 }
 
