@@ -60,9 +60,9 @@ pub enum BankError {
         what: &'static str,
         /// Value that was found.
         found: f64,
-        /// Least value.
+        /// Least value that a bank may have.
         low: f64,
-        /// Largest value.
+        /// Largest value that a bank may have.
         high: f64,
     },
     /// A bank without levels.
