@@ -265,7 +265,7 @@ fn a_flyer_may_leave_the_area_and_roll() {
     // Between two rolls the way may lead over half a turn.
     let rolling = vec![flyer(100.0, 5.0, 170.0), Waypoint { time: 0.4, ..flyer(100.0, 5.0, -170.0) }];
     let table = PoseTable::resolve(&scenario(rolling), &landscape, hz(10), None, 0..5).unwrap();
-    let rolls = table.rows().iter().map(|row| quantities::degrees(row.pose.attitude.roll));
+    let rolls = table.rows().iter().map(|row| degrees(row.pose.attitude.roll));
     let expected: [f64; 5] = [170.0, 175.0, 180.0, -175.0, -170.0];
     for (roll, right) in rolls.zip(expected) {
         assert!(
