@@ -5,14 +5,27 @@ pub const MOST_ATTRIBUTES: usize = 1000;
 
 /// Byte of a text in XML at which an element begins that has more than [`MOST_ATTRIBUTES`], if there is one.
 ///
-/// A sign of equality counts as an attribute wherever it stands between the beginnings of two tags.
+/// A sign of equality within a tag counts as an attribute, but for those in its values.
 pub fn too_many_attributes(xml: &str) -> Option<usize> {
-    let signs = |tag: &str| tag.bytes().filter(|byte| *byte == b'=').count();
     let tags = xml.split('<').scan(0, |at, tag| {
         let begins = *at;
         *at += tag.len() + 1;
         Some((begins, tag))
     });
+    let signs = |tag: &str| {
+        let mut quote = None;
+        let open = tag.bytes().filter(|&byte| match quote {
+            Some(mark) => {
+                quote = Some(mark).filter(|mark| *mark != byte);
+                false
+            }
+            None => {
+                quote = Some(byte).filter(|byte| b"\"'".contains(byte));
+                quote.is_none()
+            }
+        });
+        open.take_while(|byte| *byte != b'>').filter(|byte| *byte == b'=').count()
+    };
     tags.skip(1).find(|(_, tag)| signs(tag) > MOST_ATTRIBUTES).map(|(begins, _)| begins - 1)
 }
 
@@ -29,5 +42,8 @@ mod tests {
         assert_eq!(too_many_attributes(&with(MOST_ATTRIBUTES)), None);
         assert_eq!(too_many_attributes(&with(MOST_ATTRIBUTES + 1)), Some(4));
         assert_eq!(too_many_attributes(""), None);
+        let signs = "=".repeat(MOST_ATTRIBUTES + 1);
+        assert_eq!(too_many_attributes(&format!("<e a=\"{signs}\" b='>'>{signs}</e>")), None);
+        assert_eq!(too_many_attributes(&format!("<e a='>' {signs}/>")), Some(0));
     }
 }

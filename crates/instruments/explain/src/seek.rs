@@ -302,8 +302,8 @@ impl<'a> Inquiry<'a> {
     }
 }
 
-/// Words of a sweep that were late up to the last sample that has a say in a cell. Whether they are in force is told of the sample that drew
-/// it, as the registers are; what comes later in the stroke comes too late for it.
+/// Late words of a sweep that have a say in a cell: all that were missed up to the last sample whose stroke leaves anything there. A word is
+/// in force if the registers lack it at the sample that drew the middle of the cell.
 fn missed(sweeps: &FrameSweeps<'_>, sweep: u32, column: &SweepColumn, cell: usize) -> Vec<Late> {
     let programs = sweeps.programs(sweep);
     let last = column.last_in(cell);

@@ -38,6 +38,10 @@ fn the_manual_has_a_page_for_each_command() {
     assert!(replay.contains(".TH lunoid\\-replay 1") || replay.contains(".TH lunoid-replay 1"), "{replay}");
     assert!(replay.contains("\\-\\-frames"), "{replay}");
     let (first, _) = scene.expect(0, &["man"]);
+    assert!(
+        first.contains(".SH EXAMPLES\n.nf\n") && first.contains("\n.fi\n"),
+        "examples stand line by line: {first}"
+    );
     assert_eq!(first, std::fs::read_to_string(scene.join("man/lunoid.1")).unwrap());
     scene.write("file", "");
     let (_, err) = scene.expect(4, &["man", "--out", "file"]);

@@ -326,3 +326,18 @@ fn shown(text: &str) -> String {
         Some((end, _)) => format!("{}...", &text[..end]),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use roxmltree::Document;
+
+    use super::value;
+
+    #[test]
+    fn a_comment_does_not_end_a_value() {
+        let of = |text: &str| value(&Document::parse(text).unwrap().root_element());
+        assert_eq!(of("<ele> -24<!-- metres -->00 </ele>"), "-2400");
+        assert_eq!(of("<time>2026-11-30<?x y?>T22:00:04.5Z</time>"), "2026-11-30T22:00:04.5Z");
+        assert_eq!(of("<ele/>"), "");
+    }
+}

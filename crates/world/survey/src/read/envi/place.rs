@@ -92,7 +92,7 @@ fn radius(header: &Header, info: &[&str], notes: &mut Vec<String>) -> Result<f64
         notes.push(earth::note());
         return Ok(earth::RADIUS);
     }
-    if !(datum.is_empty() || begins(&["moon", "dmoon", "lunar", "unknown", "arbitrary"])) {
+    if !(datum.is_empty() || begins(&["moon", "dmoon", "lunar", "unknown", "dunknown", "arbitrary"])) {
         let expected = "WGS-84 or another datum of the Earth, one of the Moon, or none, beside a coordinate system string";
         return Err(header.wrong(MAP_INFO, expected));
     }

@@ -1,6 +1,6 @@
 //! Items of GDAL's metadata in a TIFF (tag 42112, XML), and what becomes of each.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use roxmltree::{Document, Node, ParsingOptions};
@@ -162,15 +162,13 @@ fn parse(xml: &str) -> Result<Vec<Item>, String> {
     if root.tag_name().name() != "GDALMetadata" {
         return Err(format!("<{}>", root.tag_name().name()));
     }
-    let mut items: Vec<Item> = Vec::new();
-    for node in root.children().filter(Node::is_element) {
-        let item = item(node)?;
-        let is_same =
-            |other: &&Item| (&other.name, other.band, &other.domain) == (&item.name, item.band, &item.domain);
-        if let Some(other) = items.iter().find(is_same).filter(|other| other.text != item.text) {
-            return Err(format!("{} twice, {} and {}", item.name, other.text, item.text));
+    let items: Vec<Item> = root.children().filter(Node::is_element).map(item).collect::<Result<_, _>>()?;
+    let mut texts = BTreeMap::new();
+    for Item { name, band, domain, text } in &items {
+        let other = *texts.entry((name, band, domain)).or_insert(text);
+        if other != text {
+            return Err(format!("{name} twice, {other} and {text}"));
         }
-        items.push(item);
     }
     Ok(items)
 }

@@ -79,6 +79,7 @@ impl<'a> System<'a> {
             decider.decide(Met { of: &PARAMETERS, word, place: &place, name: &name, value: &value })?;
         }
         if keyword == "AXIS"
+            && !self.is_around_a_pole()
             && let Some(turned) = element.inside.iter().find(|child| TURNED.contains(&&*child.keyword))
         {
             return Err(self.wrong("AXIS", &turned.keyword, "EAST, NORTH or UP"));
@@ -87,6 +88,12 @@ impl<'a> System<'a> {
             Some(Used(_)) => element.inside.iter().try_for_each(|child| self.decide(child, decider)),
             _ => Ok(()),
         }
+    }
+
+    /// Whether both axes of the map lie along meridians, so that their directions are south or north both.
+    fn is_around_a_pole(&self) -> bool {
+        let kind = self.root.child("PROJECTION").and_then(|projection| Kind::named(projection.name()));
+        matches!(kind, Some(Kind::Polar | Kind::Stereographic))
     }
 
     fn wrong(&self, what: &str, found: &str, expected: &str) -> SurveyError {
@@ -299,6 +306,8 @@ mod tests {
         );
         unknown(&map("Orthographic", "AXIS[\"x\",WEST],", 1.0), "EAST, NORTH or UP");
         assert!(placed(&map("Orthographic", "AXIS[\"x\",EAST],", 1.0)).is_ok());
+        let polar = "PARAMETER[\"latitude_of_origin\",90],AXIS[\"Easting\",SOUTH],AXIS[\"Northing\",SOUTH],";
+        assert!(placed(&map("Polar_Stereographic", polar, 1.0)).is_ok(), "as GDAL writes it");
     }
 
     #[test]

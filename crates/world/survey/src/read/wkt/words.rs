@@ -24,7 +24,7 @@ pub const ELEMENTS: Vocabulary = Vocabulary {
         named(
             "AXIS",
             Harmless(
-                "names of the axes, whose order is that of the file's format; directions west, south and down are refused",
+                "names of the axes, whose order is that of the file's format; directions west, south and down are refused, but around a pole",
             ),
         ),
         named("EXTENSION", Harmless("the same system in another language")),
