@@ -303,7 +303,8 @@ impl Table {
         self.fault(at, title, &expected, help);
     }
 
-    /// A comment in front of a table without a header may name its columns; it must name them in the order of the form.
+    /// A comment in front of a table without a header may name its columns; it must name them in the order of the form. A quaternion
+    /// may be named by its parts alone, `w x y z`: its scalar stands last.
     fn check_comments(&mut self) {
         let mut at = 0;
         let source = self.source.clone();
@@ -312,11 +313,16 @@ impl Table {
             line.is_empty() || line.starts_with('#')
         }) {
             let is_part = |letter: char| letter.is_alphanumeric() || letter == '_';
-            let words = line.split(|letter| !is_part(letter));
+            let words: Vec<&str> =
+                line.split(|letter| !is_part(letter)).filter(|word| !word.is_empty()).collect();
             let named: Vec<usize> =
-                words.filter_map(|word| self.form.find(word)).map(|found| found.0).collect();
+                words.iter().filter_map(|word| self.form.find(word)).map(|found| found.0).collect();
+            let is_scalar_first = |four: &[&str]| four.concat().eq_ignore_ascii_case("wxyz");
+            let has_quaternion = self.form.find("qw").is_some();
             // A sentence may hold one or two of the names by chance.
-            if named.len() >= 4 && !named.is_sorted() {
+            if (named.len() >= 4 && !named.is_sorted())
+                || (has_quaternion && words.windows(4).any(is_scalar_first))
+            {
                 let expected = self.form.names().join(" ");
                 let end = at + line.trim_end().len();
                 self.fault(

@@ -1,14 +1,21 @@
 //! What people write and read: ranges of numbers ([`Span`]), tables in columns, numbers and places in words, bytes in base64, control characters made
-//! visible ([`visible`]), what an XML reader is not given ([`xml`]).
+//! visible ([`visible`]), what an XML reader is not given ([`xml`]), JSON of other people ([`read_json`]).
 
 mod base64;
+mod json;
 mod span;
 mod visible;
 pub mod xml;
 
 pub use base64::{base64, data_url};
+pub use json::read_json;
 pub use span::Span;
 pub use visible::{visible, visible_json, visible_line};
+
+/// Bytes of a text without the byte order mark of UTF-8, which some programs write in front.
+pub fn without_byte_order_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
+}
 
 /// A rate with two digits at least, so that a slow one is no zero.
 pub fn rate(value: f64) -> String {

@@ -80,10 +80,14 @@ impl Comparison {
             return writeln!(out, "baseline met: {scenario} on {machine}, frames: {all}");
         }
         if self.is_met() {
-            return writeln!(
+            write!(
                 out,
                 "baseline met within what is allowed: {scenario} on {machine}, frames that differ: {differ} of {all}"
-            );
+            )?;
+            return match self.head.is_empty() {
+                true => writeln!(out),
+                false => writeln!(out, "; {}", self.cause()),
+            };
         }
         writeln!(out, "baseline not met: {scenario} on {machine}, frames that differ: {differ} of {all}")
     }

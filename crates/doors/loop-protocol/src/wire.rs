@@ -166,9 +166,9 @@ fn lengths(prefix: &[u8]) -> Result<[u64; 2], WireError> {
 }
 
 /// The header as JSON.
-fn object(text: &[u8]) -> Result<Value, ProblemList> {
+fn object(bytes: &[u8]) -> Result<Value, ProblemList> {
     let problem = |title: String| Problem::of_file(NAME, title).expected("one JSON object in UTF-8");
-    match serde_json::from_slice(text) {
+    match text::read_json(bytes) {
         Ok(Value::Object(header)) => Ok(Value::Object(header)),
         Ok(other) => Err(problem("the header is no object".into()).found(kind(&other)).into()),
         Err(error) => Err(problem(format!("the header is no JSON: {error}")).into()),

@@ -79,6 +79,7 @@ struct WrittenMap {
 ///
 /// If the text is neither, with line and column; or if a figure makes no camera or map, with its key.
 pub fn read_photo_file(name: &str, text: &str) -> Result<PhotoFile, Box<Problem>> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     // What is no JSON at all is refused by the reader of camera files.
     let kind = serde_json::from_str::<Kind>(text).ok().and_then(|kind| kind.camera);
     match kind.as_deref() {

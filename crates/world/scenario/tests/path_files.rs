@@ -194,6 +194,8 @@ fn angles_are_in_the_unit_of_their_name() {
     }
     let order = "# t tx ty tz qw qx qy qz\n0 1 2 -3 1 0 0 0\n";
     assert!(faults("p.tum", order)[0].contains("in another order"));
+    let parts = order.replace("qw qx qy qz", "quaternion (W, X, Y, Z)");
+    assert!(faults("p.tum", &parts)[0].contains("in another order"));
     assert!(
         read("p.tum", &order.replace("qw qx qy qz", "qx qy qz qw").replace("1 0 0 0", "0 0 0 1"))
             .notes

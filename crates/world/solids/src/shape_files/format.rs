@@ -55,7 +55,7 @@ impl Format {
 
     /// The format that the first bytes tell; no bytes tell an OBJ file.
     fn by_content(bytes: &[u8]) -> Option<Self> {
-        let text = bytes.trim_ascii_start();
+        let text = text::without_byte_order_mark(bytes).trim_ascii_start();
         let after_word =
             |word: &[u8]| text.strip_prefix(word)?.first().filter(|byte| byte.is_ascii_whitespace());
         match () {

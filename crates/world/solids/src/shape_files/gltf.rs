@@ -14,7 +14,6 @@ mod primitives;
 use std::path::Path;
 
 use diagnostics::{Problem, ProblemList};
-use serde_json::Value;
 
 use super::Read;
 use super::faults::Faults;
@@ -63,7 +62,7 @@ const USED: [&str; 12] = [
 
 fn read_json(path: &Path, bytes: &[u8], chunk: Option<&[u8]>) -> Result<Read, ProblemList> {
     let name = path.display().to_string();
-    let value: Value = serde_json::from_slice(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes))
+    let value = text::read_json(bytes)
         .map_err(|error| Problem::of_file(&name, format!("no JSON: {error}")).expected("glTF 2.0"))?;
     let root = Json::root(&name, &value);
     expect_extensions(&root)?;
@@ -98,15 +97,17 @@ fn read_json(path: &Path, bytes: &[u8], chunk: Option<&[u8]>) -> Result<Read, Pr
 fn expect_version(root: &Json) -> Result<(), ProblemList> {
     let asset = root.required("asset")?;
     asset.expect_known(&["version", "minVersion"], &["generator", "copyright", "name"])?;
-    for (key, is_missing_well) in [("version", false), ("minVersion", true)] {
-        match asset.get(key) {
-            None if is_missing_well => {}
-            None => drop(asset.required(key)?),
-            Some(version) if version.text()?.starts_with("2.") => {}
-            Some(version) => return Err(version.problem("this version is not read", "2.0").into()),
-        }
+    let version = asset.required("version")?;
+    if !version.text()?.starts_with("2.") {
+        return Err(version.problem("this version is not read", "2.0").into());
     }
-    Ok(())
+    // A reader of 2.0 does for every 2.x that does not ask for more.
+    match asset.get("minVersion") {
+        Some(least) if least.text()? != "2.0" => {
+            Err(least.problem("a reader of this version is asked for", "2.0").into())
+        }
+        _ => Ok(()),
+    }
 }
 
 /// What is not seen, although the file has it.

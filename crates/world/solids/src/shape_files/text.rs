@@ -31,7 +31,7 @@ pub(super) fn text_of(name: &str, bytes: &[u8]) -> Result<String, ProblemList> {
     if let Some(at) = bytes.iter().position(|&byte| byte == 0) {
         return refused(format!("not text: byte {at} is 0"));
     }
-    let bytes = bytes.strip_prefix(&[0xef, 0xbb, 0xbf]).unwrap_or(bytes);
+    let bytes = text::without_byte_order_mark(bytes);
     let text = match std::str::from_utf8(bytes) {
         Ok(text) => text.to_owned(),
         Err(_) => bytes.iter().map(|&byte| char::from(byte)).collect(),

@@ -77,7 +77,18 @@ fn gltf_that_is_damaged_or_says_more() {
         ("/nodes/0", json!({"children": [0]}), "nodes[0].children[0]: node 0 is reached twice"),
         ("/nodes/0", json!({"mesh": 0, "skin": 0}), "apply the armature"),
         ("/nodes/0", json!({"mesh": 0, "glow": 0}), "nodes[0]: key `glow` is not read"),
-        ("/nodes/0", json!({"mesh": 0, "rotation": [0, 0, 0, 0]}), "its place is no affine transform"),
+        ("/asset/minVersion", json!("2.1"), "asset.minVersion: a reader of this version is asked for"),
+        (
+            "/nodes/0",
+            json!({"mesh": 0, "rotation": [0, 0, 0, 0]}),
+            "nodes[0].rotation: a quaternion of length 0",
+        ),
+        ("/nodes/0", json!({"mesh": 0, "rotation": [0, 0, 1, 1]}), "length 1: x y z w"),
+        (
+            "/nodes/0",
+            json!({"mesh": 0, "scale": [1, 1, 1], "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 2, 3, 1]}),
+            "nodes[0].matrix: `scale` stands beside it",
+        ),
         ("/nodes/0", json!({"mesh": 0, "weights": [0.5]}), "apply shape keys"),
         ("/extensionsRequired", json!(["KHR_draco_mesh_compression"]), "export without Draco"),
         ("/extensionsUsed", json!(["EXT_mesh_gpu_instancing"]), "export instances as nodes"),
@@ -112,6 +123,8 @@ fn gltf_that_is_damaged_or_says_more() {
         assert!(found.contains(said) && found.contains("a.gltf"), "{said}: {found}");
     }
     let json = gltf(&data()).to_string();
+    let twice = json.replacen("{\"", "{\"scene\":0,\"", 1).replacen("{\"", "{\"scene\":0,\"", 1);
+    assert!(refused("a.gltf", twice).contains("two values of the key `scene`"));
     assert!(refused("a.gltf", &json[..json.len() - 1]).contains("no JSON: EOF while parsing"));
     let whole = glb(gltf(""));
     assert!(refused("a.glb", &whole[..whole.len() - 4]).contains("the head says "));

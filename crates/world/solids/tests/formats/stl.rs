@@ -30,6 +30,7 @@ fn stl_that_is_damaged_or_coloured() {
     ] {
         assert!(refused("a.stl", &wrong).contains(said), "{said}: {}", refused("a.stl", &wrong));
     }
+    assert_eq!(read("a.stl", format!("\u{feff}{text}")).unwrap(), read("a.stl", &text).unwrap());
     let both = format!("{text}{}", text.replace("2.5e-1", "9e0"));
     assert_eq!(read("a.stl", both).unwrap().solids.len(), 2, "two solids of one file");
 }

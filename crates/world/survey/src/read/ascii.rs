@@ -50,7 +50,7 @@ const MOST_PRJ: u64 = 1 << 16;
 
 /// Whether a file begins like a grid.
 pub fn is_grid(start: &[u8]) -> bool {
-    let start = String::from_utf8_lossy(start).to_ascii_lowercase();
+    let start = String::from_utf8_lossy(text::without_byte_order_mark(start)).to_ascii_lowercase();
     let key = start.split_whitespace().next().unwrap_or_default();
     ["ncols", "nrows", "xllcorner", "yllcorner", "xllcenter", "yllcenter"].contains(&key)
 }
@@ -76,7 +76,7 @@ pub fn open(path: &Path, options: &ReadOptions) -> Result<Opened, SurveyError> {
     let (affine, frame) = match with_ending(path, "prj")? {
         Some(prj) => {
             let text = gate::front(&prj, MOST_PRJ + 1)?;
-            let text = String::from_utf8_lossy(&text);
+            let text = String::from_utf8_lossy(text::without_byte_order_mark(&text));
             let place =
                 System::of(&prj, "coordinate system", text.trim(), &mut decider)?.place(grid, &mut notes)?;
             sources.insert(0, prj);
@@ -207,7 +207,12 @@ struct Words {
 impl Words {
     fn open(path: &Path) -> Result<Self, SurveyError> {
         let (file, _) = gate::open(path)?;
-        Ok(Self { path: path.to_path_buf(), file: BufReader::with_capacity(1 << 16, file), at: [1; 2] })
+        let mut file = BufReader::with_capacity(1 << 16, file);
+        let start =
+            file.fill_buf().map_err(|source| SurveyError::Read { path: path.to_path_buf(), source })?;
+        let mark = start.len() - text::without_byte_order_mark(start).len();
+        file.consume(mark);
+        Ok(Self { path: path.to_path_buf(), file, at: [1; 2] })
     }
 
     /// The next word with its line and column.

@@ -76,10 +76,15 @@ impl Kind {
 
     /// Whether a sample of this kind can hold a number.
     pub fn can_hold(self, number: f64) -> bool {
-        let values = libm::exp2((8 * self.bytes) as f64);
-        let low = if self.signed { -0.5 * values } else { 0.0 };
-        self.real || number.fract() == 0.0 && (low..low + values).contains(&number)
+        self.real || integer_can_hold(8 * self.bytes as u32, self.signed, number)
     }
+}
+
+/// Whether an integer of so many bits can hold a number.
+pub fn integer_can_hold(bits: u32, is_signed: bool, number: f64) -> bool {
+    let values = libm::exp2(f64::from(bits));
+    let low = if is_signed { -0.5 * values } else { 0.0 };
+    number.fract() == 0.0 && (low..low + values).contains(&number)
 }
 
 /// A number that names its base: `16#FF7FFFFB#`, `2#1010#`.

@@ -83,6 +83,11 @@ fn is_pole(latitude: f64) -> bool {
     (latitude.abs() - radians(90.0)).abs() < 1e-9
 }
 
+/// Whether two lengths of a sample (m), each said in a word of its own, cannot both be meant: files round them to 1 %.
+pub fn contradict(first: f64, second: f64) -> bool {
+    (first / second - 1.0).abs() > 0.01
+}
+
 /// Note on a body that is no sphere, by its longest and its shortest axis (m); none for a sphere.
 pub fn flattened(longest: f64, shortest: f64) -> Option<String> {
     let share = 100.0 * (1.0 - shortest / longest);

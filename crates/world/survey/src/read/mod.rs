@@ -77,6 +77,7 @@ pub fn open(path: impl AsRef<Path>, options: &ReadOptions) -> Result<Opened, Sur
         _ => by_label(path, &start, options)?,
     };
     check_globe(path, &opened.grid)?;
+    opened.notes.extend(beyond_the_map(&opened.grid));
     opened.notes.extend(other_metadata(&opened.sources));
     let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
     let title = if opened.title.is_empty() { stem } else { format!("{stem}: {}", opened.title) };
@@ -107,6 +108,22 @@ fn other_metadata(sources: &[PathBuf]) -> Vec<String> {
         format!("{} is not read: it may hold a no-data value, a scale or a place", path.display())
     };
     beside.map(note).collect()
+}
+
+/// A note on corners of the samples that lie beyond the sphere of their map, as those of a file whose unit is another one. An
+/// orthographic picture of a whole globe has such corners too.
+fn beyond_the_map(grid: &Grid) -> Option<String> {
+    let Frame::Plane(Some(projection)) = grid.frame else { return None };
+    let [south, west, north, east] = grid.extent();
+    let corners = [[south, west], [south, east], [north, west], [north, east]];
+    let beyond = corners.iter().filter(|corner| projection.inverse(**corner).is_none()).count();
+    (beyond > 0).then(|| {
+        format!(
+            "{beyond} of the 4 corners lie beyond the sphere of the map, {} m large: they have no latitude and longitude; the unit \
+             of the map may be another one",
+            projection.radius
+        )
+    })
 }
 
 /// Refuses places that are on no globe, as those of a file whose metres are said to be degrees.

@@ -114,6 +114,13 @@ fn places_of_pds4() {
     assert!(
         sinusoidal.notes.iter().any(|note| note.starts_with("Sinusoidal is a projection that is not known"))
     );
+    let beyond = replaced(PDS4, "unit=\"km\">10<", "unit=\"km\">9999910<");
+    let beyond = pds4(&beyond).plain().unwrap();
+    assert!(
+        beyond.notes.iter().any(|note| note.starts_with("4 of the 4 corners lie beyond")),
+        "{:?}",
+        beyond.notes
+    );
     let start = PDS4.find("<cart:Cartography>").unwrap();
     let end = PDS4.find("</cart:Cartography>").unwrap() + "</cart:Cartography>".len();
     let unplaced = pds4(&[&PDS4[..start], &PDS4[end..]].concat());
@@ -127,6 +134,11 @@ fn places_of_pds4() {
             "<cart:pixel_resolution_x unit=\"m/pixel\">10",
             "<cart:pixel_resolution_x unit=\"m/pixel\">0",
             "pixel_resolution_x",
+        ),
+        (
+            "<cart:pixel_resolution_x",
+            "<cart:pixel_scale_x>303.2</cart:pixel_scale_x>\n<cart:pixel_resolution_x",
+            "the length of a sample that pixel_scale says",
         ),
         ("<axis_index_order>Last", "<axis_index_order>First", "axis_index_order"),
         ("<axes>2", "<axes>3", "axes"),
@@ -220,6 +232,11 @@ fn cubes_that_are_refused() {
         ("Format = BandSequential", "Format = Tile\n TileLines = 0\n TileSamples = 4", "TILELINES above 0"),
         ("PixelResolution = 10.0 <meters/pixel>", "PixelResolution = -10.0 <meters/pixel>", "above 0"),
         ("PixelResolution = 10.0 <meters/pixel>", "LatitudeType = Planetocentric", "PIXELRESOLUTION"),
+        (
+            "CenterLongitude = 0.0",
+            "Scale = 303.2 <pixel/degree>",
+            "3032.335 <PIXEL/DEGREE>, as PixelResolution says",
+        ),
         ("CenterLongitude = 0.0", "scaleFactor = 2", "1 in this map"),
         ("Unit = METER", "Unit = DEGREE", "--scale METRES"),
     ] {
@@ -250,6 +267,9 @@ fn envi_rasters_that_are_refused() {
     }
     let alone = Made::new(&[("made.hdr", ENVI.as_bytes())]).refusal();
     assert!(alone.contains("none in the folder of the header") && alone.contains("made.img"), "{alone}");
+    let both = [("made.hdr", ENVI.as_bytes()), ("made", &[0; 4][..]), ("made.img", &[0; 4][..])];
+    let both = Made::new(&both).refusal();
+    assert!(both.contains("made, made.img") && both.contains("name the file of the samples"), "{both}");
     let plain = replaced(ENVI, &ENVI[ENVI.find("coordinate").unwrap()..], "");
     let read = envi(&plain).plain().unwrap();
     assert!(
@@ -270,6 +290,8 @@ fn grids_as_people_write_them() {
     let read = Made::new(&[("made.asc", format!("{HEAD}{wrapped}").as_bytes())]).plain().unwrap();
     assert_eq!(against(&read, 1.0, 0.0), (0, 0.0));
     assert!(read.notes.iter().any(|note| note.contains("no .prj")), "{:?}", read.notes);
+    let marked = ascii(&format!("\u{feff}{HEAD}"), &format!("\u{feff}{PRJ}")).plain().unwrap();
+    assert_eq!((against(&marked, 1.0, 0.0), marked.affine.first), ((0, 0.0), [19_995.0, 10_005.0]));
     let unsaid = HEAD.replace("NODATA_value -1\n", "");
     let holed = numbers().replacen("61.5", "-9999", 1).replacen("61.75", "nan", 1);
     let read = Made::new(&[("made.asc", format!("{unsaid}{holed}").as_bytes())]).plain().unwrap();

@@ -199,6 +199,15 @@ fn alpha_bands_are_masks() {
     // Named by an item alone.
     let named = "<GDALMetadata><Item name=\"COLORINTERP\" sample=\"1\" role=\"colorinterp\">Alpha</Item></GDALMetadata>";
     assert_eq!(voids(&with_alpha(0, hole).with(42112, Field::Text(named.into())).made()), 16);
+    // A mark that no sample of 8 bits can hold marks nothing, and is told.
+    let unheld = |mark: &str| {
+        let made = with_alpha(0, hole).with(42112, Field::Text(named.into()));
+        let read = made.with(42113, Field::Text(mark.into())).made().plain().unwrap();
+        read.notes
+            .iter()
+            .any(|note| note == &format!("the no-data value is {mark}, which no sample can hold"))
+    };
+    assert!(unheld("-9999") && unheld("256") && unheld("0.5") && !unheld("255"));
     // Chosen by the user, it is what is read; of no kind, it is one band of two.
     let second = ReadOptions { band: Some(2), ..ReadOptions::default() };
     assert_eq!(with_alpha(2, hole).made().read(&second).unwrap().range(), Some([0.0, 255.0]));

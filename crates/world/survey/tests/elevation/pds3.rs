@@ -67,6 +67,12 @@ fn units_of_the_map() {
         both.contains("MAP_SCALE") && both.contains("10.000 <M/PIXEL>, as MAP_RESOLUTION says"),
         "{both}"
     );
+    let both = |resolution: f64| {
+        let resolution = format!("\"SIMPLE CYLINDRICAL\"\n  MAP_RESOLUTION = {resolution}");
+        labelled(&[("\"EQUIRECTANGULAR\"", &resolution)], &image()).plain().map_err(|error| error.to_string())
+    };
+    assert!(both(3032.33).is_ok());
+    assert!(both(303.0).unwrap_err().contains("as MAP_RESOLUTION says"), "a globe of other samples");
     for radius in ["1737400 <M>", "1737.4", "1737400 <METERS>"] {
         let made = labelled(&[("1737.4 <KM>", radius)], &image());
         assert_eq!(made.plain().unwrap().frame.sphere(), Some(1_737_400.0), "{radius}");

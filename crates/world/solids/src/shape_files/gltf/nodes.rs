@@ -84,11 +84,12 @@ fn tops<'a>(root: &Json<'a>, has_no_nodes: bool) -> Result<Vec<Json<'a>>, Proble
 fn transform(node: &Json) -> Result<DMat4, ProblemList> {
     let triple = |key: &str, usual: [f64; 3]| node.get(key).map_or(Ok(usual), |value| value.numbers());
     let made = match node.get("matrix") {
-        Some(matrix) => DMat4::from_cols_array(&matrix.numbers()?),
+        Some(matrix) => {
+            expect_matrix_alone(node, &matrix)?;
+            DMat4::from_cols_array(&matrix.numbers()?)
+        }
         None => {
-            let rotation =
-                node.get("rotation").map_or(Ok([0.0, 0.0, 0.0, 1.0]), |rotation| rotation.numbers())?;
-            let rotation = DMat3::from_quat(DQuat::from_array(rotation).normalize());
+            let rotation = DMat3::from_quat(node.get("rotation").map_or(Ok(DQuat::IDENTITY), rotation)?);
             let scale = DMat3::from_diagonal(DVec3::from_array(triple("scale", [1.0; 3])?));
             DMat4::from_mat3_translation(
                 rotation * scale,
@@ -102,5 +103,28 @@ fn transform(node: &Json) -> Result<DMat4, ProblemList> {
         false => Err(node
             .problem("its place is no affine transform", "finite numbers, and a rotation that is not 0")
             .into()),
+    }
+}
+
+/// The place of a node is said in one way (glTF 2.0, 3.5.2).
+fn expect_matrix_alone(node: &Json, matrix: &Json) -> Result<(), ProblemList> {
+    match ["translation", "rotation", "scale"].iter().find(|key| node.get(key).is_some()) {
+        Some(key) => Err(matrix
+            .problem(format!("`{key}` stands beside it"), "a matrix, or translation, rotation and scale")
+            .into()),
+        None => Ok(()),
+    }
+}
+
+/// A rotation: a quaternion `x y z w` of length 1. Files round it; what is farther off is none.
+fn rotation(written: Json) -> Result<DQuat, ProblemList> {
+    const ROUNDED: f64 = 0.01;
+    let quaternion = DQuat::from_array(written.numbers()?);
+    match (quaternion.length() - 1.0).abs() <= ROUNDED {
+        true => Ok(quaternion.normalize()),
+        false => {
+            let title = format!("a quaternion of length {}", quaternion.length());
+            Err(written.problem(title, "length 1: x y z w, scalar last").into())
+        }
     }
 }

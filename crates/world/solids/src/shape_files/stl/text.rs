@@ -15,7 +15,10 @@ const LOOKED_AT: usize = 512;
 
 /// Whether a file is text: it begins with `solid` and has no byte of 0 soon.
 pub(super) fn is_text(bytes: &[u8]) -> bool {
-    let begins = bytes.trim_ascii_start().get(..5).is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
+    let begins = text::without_byte_order_mark(bytes)
+        .trim_ascii_start()
+        .get(..5)
+        .is_some_and(|word| word.eq_ignore_ascii_case(b"solid"));
     begins && !bytes.iter().take(LOOKED_AT).any(|&byte| byte == 0)
 }
 

@@ -44,14 +44,22 @@ pub fn header_of(path: &Path) -> Result<Option<PathBuf>, SurveyError> {
 /// The file of samples that a header is beside of.
 fn samples_of(header: &Path) -> Result<PathBuf, SurveyError> {
     let stem = header.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
-    for ending in ENDINGS {
-        if let Some(found) = in_folder(header, &format!("{stem}{ending}"))?.filter(|found| found.is_file()) {
-            return Ok(found);
+    let names = ENDINGS.map(|ending| format!("{stem}{ending}"));
+    let found = names.iter().map(|name| in_folder(header, name)).collect::<Result<Vec<_>, _>>()?;
+    let mut found: Vec<PathBuf> = found.into_iter().flatten().filter(|found| found.is_file()).collect();
+    let (place, expected) = ("file of the samples", names.join(", "));
+    match found.len() {
+        0 => {
+            let advice = "put the samples beside their header, or name the file of the samples";
+            Err(field(header, place, "none in the folder of the header", expected, advice))
+        }
+        1 => Ok(found.remove(0)),
+        _ => {
+            let names = found.iter().filter_map(|found| found.file_name()).map(|name| name.to_string_lossy());
+            let names = names.collect::<Vec<_>>().join(", ");
+            Err(field(header, place, names, format!("one of {expected}"), "name the file of the samples"))
         }
     }
-    let expected = ENDINGS.map(|ending| format!("{stem}{ending}")).join(", ");
-    let advice = "put the samples beside their header, or name the file of the samples";
-    Err(field(header, "file of the samples", "none in the folder of the header", expected, advice))
 }
 
 /// Opens the samples of a header; `samples` is their file where it is known.

@@ -10,7 +10,7 @@ use super::block::{self, Stored};
 use super::file::{MOST_EXPANSION, Tiff};
 use super::tags;
 use crate::error::SurveyError;
-use crate::read::kind::Stored as Kind;
+use crate::read::kind::{Stored as Kind, integer_can_hold};
 use crate::read::refusal::field;
 use crate::read::stretch::Window;
 
@@ -72,6 +72,11 @@ impl Layout {
             how: Stored::of(tiff)?,
             limits,
         })
+    }
+
+    /// Whether a sample can hold a number.
+    pub fn can_hold(&self, number: f64) -> bool {
+        self.format == 3 || integer_can_hold(self.bits, self.format == 2, number)
     }
 
     /// The kind of the samples as far as it matters for what they mean.

@@ -65,6 +65,8 @@ pub fn open(path: &Path, options: &ReadOptions) -> Result<Opened, SurveyError> {
     let band = Bands::of(path, &mut tiff, &layout, &items)?.chosen(path, options, &items)?;
     let source = Source { path, items: &items, keys: &keys, band: [band.heights, layout.bands], options };
     let said = source.said(&mut tiff, &mut notes)?;
+    let unheld = said.voids.iter().filter(|[mark, _]| !layout.can_hold(*mark));
+    notes.extend(unheld.map(|[mark, _]| format!("the no-data value is {mark}, which no sample can hold")));
     let sphere = frame.sphere().unwrap_or(LUNOID_RADIUS);
     let conversion = Conversion::new(path, options, Said { sphere, stored: layout.kind(), ..said })?;
 

@@ -46,14 +46,20 @@ fn metres(unit: &str) -> Option<f64> {
     if unit.is_empty() { Some(1.0) } else { unit::length(unit) }
 }
 
-/// Length of a sample (m).
+/// Length of a sample (m). Samples a degree, where the label has them, must go with it.
 fn step(label: &Label, radius: f64) -> Result<f64, SurveyError> {
     let length = |unit: &str| length_of_sample(if unit.is_empty() { "M/PIXEL" } else { unit });
-    if let Some(step) = label.positive(MAPPING, "PIXELRESOLUTION", length)? {
-        return Ok(step);
+    let by_scale = label.positive(MAPPING, "SCALE", samples_of_angle)?.map(|scale| radius / scale);
+    let step = label.positive(MAPPING, "PIXELRESOLUTION", length)?.or(by_scale);
+    let step = step.ok_or_else(|| label.missing("PIXELRESOLUTION"))?;
+    match label.find(MAPPING, "SCALE").filter(|_| by_scale.is_some_and(|other| map::contradict(other, step)))
+    {
+        Some(statement) => {
+            let scale = radius / step * quantities::radians(1.0);
+            Err(label.wrong(statement, &format!("{scale:.3} <PIXEL/DEGREE>, as PixelResolution says")))
+        }
+        None => Ok(step),
     }
-    let scale = label.positive(MAPPING, "SCALE", samples_of_angle)?;
-    Ok(radius / scale.ok_or_else(|| label.missing("PIXELRESOLUTION"))?)
 }
 
 /// Radius of the sphere (m): that at the centre of the map where the label gives it. Notes tell of an ellipsoid.

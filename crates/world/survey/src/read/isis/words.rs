@@ -131,7 +131,7 @@ pub const MAPPING: Vocabulary = Vocabulary {
         named("UpperLeftCornerX", Used("easting of the corner of the first sample")),
         named("UpperLeftCornerY", Used("northing of the corner of the first sample")),
         named("PixelResolution", Used("length of a sample; metres without a unit")),
-        named("Scale", Used("samples a degree, where PixelResolution is missing")),
+        named("Scale", Used("samples a degree; refused if PixelResolution contradicts it")),
         named("Rotation", Only(&["0"], "a turned grid")),
         named("LongitudeDirection", Only(&["PositiveEast"], "longitudes that grow to the west")),
         named("LongitudeDomain", Only(&["180", "360"], "how longitudes are counted, which changes no place")),

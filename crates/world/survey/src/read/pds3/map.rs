@@ -7,11 +7,9 @@ use super::MAP;
 use crate::elevation::{Affine, Frame};
 use crate::error::SurveyError;
 use crate::read::label::{Label, angles, kilometres, length_of_sample, pieces, samples_of_angle};
+use crate::read::map::contradict;
 use crate::read::options::ReadOptions;
 use landscape::projection::{Method, Projection};
-
-/// Relative difference above which the scale and the resolution of a map contradict one another.
-const CONTRADICTION: f64 = 0.01;
 
 /// Place and frame of the samples. The label counts pixels from 1 with centres at whole numbers; its projection
 /// offsets count from the first pixel.
@@ -71,13 +69,20 @@ impl Map {
             resolution: label.positive(MAP, "MAP_RESOLUTION", samples_of_angle)?,
         };
         map.expect_one_parallel(label)?;
+        map.expect_one_length(label)?;
         Ok(map)
     }
 
-    /// Length of a sample by its scale and by its resolution (m), where they contradict one another.
-    fn contradiction(&self) -> Option<[f64; 2]> {
-        let lengths = [self.scale?, self.radius / self.resolution?];
-        ((lengths[0] / lengths[1] - 1.0).abs() > CONTRADICTION).then_some(lengths)
+    /// A sample has one length by its scale and by its resolution.
+    fn expect_one_length(&self, label: &Label) -> Result<(), SurveyError> {
+        let (Some(scale), Some(resolution)) = (self.scale, self.resolution) else { return Ok(()) };
+        let length = self.radius / resolution;
+        match label.find(MAP, "MAP_SCALE").filter(|_| contradict(scale, length)) {
+            Some(statement) => {
+                Err(label.wrong(statement, &format!("{length:.3} <M/PIXEL>, as MAP_RESOLUTION says")))
+            }
+            None => Ok(()),
+        }
     }
 
     /// The parallel that is true to scale has one latitude.
@@ -104,20 +109,12 @@ impl Map {
         let step = 1.0 / self.resolution.ok_or_else(|| label.missing("MAP_RESOLUTION"))?;
         let first = [self.latitude + self.offset[0] * step, self.longitude - self.offset[1] * step];
         let affine = Affine { first, step: [-step, step] };
-        notes.extend(self.contradiction().map(|[scale, resolution]| {
-            format!(
-                "MAP_SCALE makes a sample {scale} m long, MAP_RESOLUTION {resolution:.3} m, which is used"
-            )
-        }));
         compare_edges(label, &affine, notes)?;
         Ok((affine, Frame::Geographic { radius: self.radius }))
     }
 
     fn plane(&self, label: &Label, method: Method, latitude: f64) -> Result<(Affine, Frame), SurveyError> {
         let scale = self.scale.ok_or_else(|| label.missing("MAP_SCALE"))?;
-        if let (Some([_, other]), Some(statement)) = (self.contradiction(), label.find(MAP, "MAP_SCALE")) {
-            return Err(label.wrong(statement, &format!("{other:.3} <M/PIXEL>, as MAP_RESOLUTION says")));
-        }
         let projection =
             Projection { method, latitude, longitude: self.longitude, radius: self.radius, offset: [0.0; 2] };
         let affine =

@@ -24,7 +24,7 @@ const LABEL_BYTES: u64 = 1 << 23;
 
 /// Whether a file begins like a label.
 pub fn is_label(start: &[u8]) -> bool {
-    let start = start.strip_prefix(b"\xef\xbb\xbf").unwrap_or(start).trim_ascii_start();
+    let start = text::without_byte_order_mark(start).trim_ascii_start();
     start.starts_with(b"<?xml") || start.starts_with(b"<Product_")
 }
 

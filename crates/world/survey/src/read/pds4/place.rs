@@ -90,13 +90,24 @@ impl Cartography<'_, '_> {
     fn step(&self, axis: &str) -> Result<f64, SurveyError> {
         let (resolution, scale) = (format!("pixel_resolution_{axis}"), format!("pixel_scale_{axis}"));
         let length = |unit: &str| any_case(length_of_sample)(if unit.is_empty() { "m/pixel" } else { unit });
-        let resolution = [resolution.as_str(), "pixel_resolution"];
-        if let Some(found) = self.label.any(self.node, &resolution)? {
-            let step = Some(self.label.number(found, length)?).filter(|step| *step > 0.0);
-            return step.ok_or_else(|| self.label.wrong(found, "a length above 0"));
+        let (resolution, scale) =
+            ([resolution.as_str(), "pixel_resolution"], [scale.as_str(), "pixel_scale", resolution.as_str()]);
+        let Some(found) = self.label.any(self.node, &resolution)? else {
+            return Ok(self.radius / self.positive(&scale, any_case(samples_of_angle))?);
+        };
+        let step = Some(self.label.number(found, length)?).filter(|step| *step > 0.0);
+        let step = step.ok_or_else(|| self.label.wrong(found, "a length above 0"))?;
+        match self.label.any(self.node, &scale[..2])? {
+            Some(_)
+                if map::contradict(
+                    self.radius / self.positive(&scale, any_case(samples_of_angle))?,
+                    step,
+                ) =>
+            {
+                Err(self.label.wrong(found, "the length of a sample that pixel_scale says"))
+            }
+            _ => Ok(step),
         }
-        Ok(self.radius
-            / self.positive(&[&scale, "pixel_scale", resolution[0]], any_case(samples_of_angle))?)
     }
 
     fn map(&self) -> Result<Map, SurveyError> {

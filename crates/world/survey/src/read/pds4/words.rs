@@ -205,11 +205,14 @@ pub const CARTOGRAPHY: Vocabulary = Vocabulary {
         named("pixel_resolution", Used("length of a sample")),
         named("pixel_resolution_x", Used("length of a sample to the east")),
         named("pixel_resolution_y", Used("length of a sample to the north")),
-        named("pixel_scale", Used("samples a degree, where the length of a sample is missing")),
-        named("pixel_scale_x", Used("samples a degree to the east, where the length of a sample is missing")),
+        named("pixel_scale", Used("samples a degree; refused if the length of a sample contradicts it")),
+        named(
+            "pixel_scale_x",
+            Used("samples a degree to the east; refused if the length of a sample contradicts it"),
+        ),
         named(
             "pixel_scale_y",
-            Used("samples a degree to the north, where the length of a sample is missing"),
+            Used("samples a degree to the north; refused if the length of a sample contradicts it"),
         ),
         named("Geo_Transformation", Used(INSIDE)),
         named("upperleft_corner_x", Used("easting of the corner of the first sample")),

@@ -169,6 +169,13 @@ impl<'a> System<'a> {
         let map = Kind::named(name)
             .map(|kind| Ok::<_, SurveyError>((self.map(kind, unit, angle, radius, meridian)?, kind)));
         let projection = map.transpose()?.and_then(|(map, kind)| map.projection(kind));
+        let at_a_pole = [("north_pole", 1.0), ("south_pole", -1.0)].into_iter();
+        let mut at_another = at_a_pole.filter(|(pole, side)| {
+            canonical(name).ends_with(pole) && projection.is_some_and(|map| map.latitude * side < 0.0)
+        });
+        if at_another.next().is_some() {
+            return Err(self.wrong("PROJECTION", name, "a pole on the side of its parallel and its origin"));
+        }
         if projection.is_none() {
             notes.push(map::unknown(name));
         }
@@ -304,6 +311,8 @@ mod tests {
             &BODY.replace("UNIT[\"Degree\",0.0174532925199433]", "UNIT[\"Degree\",1]"),
             "a unit of angles",
         );
+        let other = map("Stereographic_North_Pole", "PARAMETER[\"Standard_Parallel_1\",-70],", 1.0);
+        unknown(&other, "a pole on the side of its parallel");
         unknown(&map("Orthographic", "AXIS[\"x\",WEST],", 1.0), "EAST, NORTH or UP");
         assert!(placed(&map("Orthographic", "AXIS[\"x\",EAST],", 1.0)).is_ok());
         let polar = "PARAMETER[\"latitude_of_origin\",90],AXIS[\"Easting\",SOUTH],AXIS[\"Northing\",SOUTH],";
