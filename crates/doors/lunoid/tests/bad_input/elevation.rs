@@ -195,7 +195,7 @@ fn advice_leads_out() {
         .replace("LINE_SAMPLES = 3", "LINE_SAMPLES = 24")
         .replace("SIMPLE CYLINDRICAL", "EQUIRECTANGULAR")
         .replace("  MAP_RESOLUTION = 4 <pix/deg>\n", "")
-        .replace("MAP_SCALE = 0.1 <km/pix>", "MAP_SCALE = 10 <m/pix>")
+        .replace("MAP_SCALE = 7.580838 <km/pix>", "MAP_SCALE = 10 <m/pix>")
         .replace("NAME = HEIGHT", "NAME = HEIGHT\n  UNIT = ROD");
     room.write("ground.lbl", &label);
     refused(&room, "ground.lbl", &["PIXEL_BIAS", "--ignore PIXEL_BIAS"]);

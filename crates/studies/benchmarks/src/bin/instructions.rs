@@ -57,14 +57,16 @@ fn main() -> ExitCode {
     })
 }
 
-/// The first time fills buffers and caches; the second is counted. Tells what vectors the kernel chose.
+/// The first time fills buffers and caches; the second is counted. Tells what vectors the kernel chose, and whether it was compiled for
+/// those alone: the program around it then uses them as well.
 fn run(name: &str, shadows: Option<&Path>) -> Result<(), String> {
     let kernel = kernel(name).ok_or_else(|| unknown(name))?;
     let mut work = kernel.ready(shadows);
     (work.run)();
     counted(&mut *work.run);
     let level = format!("{:?}", Level::new());
-    print(level.split('(').next().unwrap_or_default())
+    let alone = if cfg!(target_feature = "avx2") { " alone" } else { "" };
+    print(&format!("{}{alone}", level.split('(').next().unwrap_or_default()))
 }
 
 fn tell(arguments: &Arguments) -> Result<ExitCode, String> {

@@ -199,19 +199,23 @@ fn alpha_bands_are_masks() {
     // Named by an item alone.
     let named = "<GDALMetadata><Item name=\"COLORINTERP\" sample=\"1\" role=\"colorinterp\">Alpha</Item></GDALMetadata>";
     assert_eq!(voids(&with_alpha(0, hole).with(42112, Field::Text(named.into())).made()), 16);
-    // A mark that no sample of 8 bits can hold marks nothing, and is told.
-    let unheld = |mark: &str| {
-        let made = with_alpha(0, hole).with(42112, Field::Text(named.into()));
-        let read = made.with(42113, Field::Text(mark.into())).made().plain().unwrap();
-        read.notes
-            .iter()
-            .any(|note| note == &format!("the no-data value is {mark}, which no sample can hold"))
-    };
-    assert!(unheld("-9999") && unheld("256") && unheld("0.5") && !unheld("255"));
     // Chosen by the user, it is what is read; of no kind, it is one band of two.
     let second = ReadOptions { band: Some(2), ..ReadOptions::default() };
     assert_eq!(with_alpha(2, hole).made().read(&second).unwrap().range(), Some([0.0, 255.0]));
     assert!(with_alpha(0, hole).made().refusal().contains("2 bands, none chosen"));
+}
+
+/// A mark that no sample can hold marks nothing, and is told.
+#[test]
+fn marks_that_no_sample_holds_are_told() {
+    let words: Vec<u8> = heights().iter().flat_map(|height| (*height as i16).to_le_bytes()).collect();
+    let is_told = |format: u16, mark: &str| {
+        let made = Directory::of(words.clone(), 16, format).with(42113, Field::Text(mark.into()));
+        let note = format!("the no-data value is {mark}, which no sample can hold");
+        made.made().plain().unwrap().notes.contains(&note)
+    };
+    assert_eq!(["-9999", "65535", "65536", "0.5"].map(|mark| is_told(1, mark)), [true, false, true, true]);
+    assert_eq!(["-9999", "65535", "-32769"].map(|mark| is_told(2, mark)), [false, true, true]);
 }
 
 #[test]
