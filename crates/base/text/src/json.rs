@@ -7,8 +7,8 @@ use serde_json::{Error, Map, Number, Value};
 
 use crate::without_byte_order_mark;
 
-/// Reads JSON, with or without a byte order mark. Two values of one key are refused: most readers keep the last and drop the first
-/// without a word.
+/// Reads JSON, with or without a byte order mark. Two values of one key are refused. Most readers keep the last and say
+/// nothing of the first.
 ///
 /// # Errors
 /// What is no JSON, and a key with two values, with line and column.

@@ -41,7 +41,7 @@ fn refused(bytes: &[u8]) -> Vec<String> {
 fn rubbish_has_one_error_each() {
     let plane = r#""name":"a","dtype":"u8""#;
     let listed = |list: &str| format!(r#"{{"planes":[{list}]}}"#);
-    let cases: [(Vec<u8>, &str); 20] = [
+    let cases: [(Vec<u8>, &str); 21] = [
         (b"GET / HTTP/1.1\r\n\r\nHost: me".to_vec(), "no message of lunoid.loop/1"),
         (b"lunoid.2aaaaaaaaaaaaaaaa".to_vec(), "no message"),
         (Vec::new(), "ends within its prefix"),
@@ -51,6 +51,7 @@ fn rubbish_has_one_error_each() {
         (bytes("{\"id\":", b""), "no JSON"),
         (bytes("\"text\"", b""), "no object"),
         (bytes("", b""), "no JSON"),
+        (bytes("{\"id\":1,\"id\":2,\"do\":\"state\"}", b""), "two values of the key `id`"),
         (bytes(r#"{"planes":3}"#, b""), "no list"),
         (bytes("{}", b"abc"), "do not add up"),
         (bytes(&listed(&format!(r#"{{{plane},"shape":[4]}}"#)), b"abc"), "do not add up"),

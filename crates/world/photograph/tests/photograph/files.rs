@@ -74,6 +74,12 @@ fn what_is_no_map_file_is_refused_with_its_key() {
 }
 
 #[test]
+fn a_byte_order_mark_is_passed_over() {
+    let read = |text: &str| read_photo_file("made.json", text).expect("a map file").placement;
+    assert_eq!(format!("{:?}", read(&format!("\u{feff}{MAP}"))), format!("{:?}", read(MAP)));
+}
+
+#[test]
 fn files_that_are_not_there_or_no_pictures_are_named() {
     let (_folder, photo, camera) = folder(MAP);
     let gone = photo.with_file_name("gone.png");

@@ -119,7 +119,7 @@ fn beyond_the_map(grid: &Grid) -> Option<String> {
     let beyond = corners.iter().filter(|corner| projection.inverse(**corner).is_none()).count();
     (beyond > 0).then(|| {
         format!(
-            "{beyond} of the 4 corners lie beyond the sphere of the map, {} m large: they have no latitude and longitude; the unit \
+            "{beyond} of the 4 corners lie beyond the map of a sphere of radius {} m: they have no latitude and longitude; the unit \
              of the map may be another one",
             projection.radius
         )

@@ -205,7 +205,7 @@ fn alpha_bands_are_masks() {
     assert!(with_alpha(0, hole).made().refusal().contains("2 bands, none chosen"));
 }
 
-/// A mark that no sample can hold marks nothing, and is told.
+/// A no-data value that no sample can hold makes no void. A note tells of it.
 #[test]
 fn marks_that_no_sample_holds_are_told() {
     let words: Vec<u8> = heights().iter().flat_map(|height| (*height as i16).to_le_bytes()).collect();

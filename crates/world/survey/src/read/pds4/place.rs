@@ -97,16 +97,10 @@ impl Cartography<'_, '_> {
         };
         let step = Some(self.label.number(found, length)?).filter(|step| *step > 0.0);
         let step = step.ok_or_else(|| self.label.wrong(found, "a length above 0"))?;
-        match self.label.any(self.node, &scale[..2])? {
-            Some(_)
-                if map::contradict(
-                    self.radius / self.positive(&scale, any_case(samples_of_angle))?,
-                    step,
-                ) =>
-            {
-                Err(self.label.wrong(found, "the length of a sample that pixel_scale says"))
-            }
-            _ => Ok(step),
+        let by_scale = self.label.number_of(self.node, &scale[..2], any_case(samples_of_angle))?;
+        match by_scale.filter(|scale| map::contradict(self.radius / scale, step)) {
+            Some(_) => Err(self.label.wrong(found, "the length of a sample that pixel_scale says")),
+            None => Ok(step),
         }
     }
 

@@ -169,11 +169,10 @@ impl<'a> System<'a> {
         let map = Kind::named(name)
             .map(|kind| Ok::<_, SurveyError>((self.map(kind, unit, angle, radius, meridian)?, kind)));
         let projection = map.transpose()?.and_then(|(map, kind)| map.projection(kind));
-        let at_a_pole = [("north_pole", 1.0), ("south_pole", -1.0)].into_iter();
-        let mut at_another = at_a_pole.filter(|(pole, side)| {
+        let is_at_another_pole = [("north_pole", 1.0), ("south_pole", -1.0)].iter().any(|(pole, side)| {
             canonical(name).ends_with(pole) && projection.is_some_and(|map| map.latitude * side < 0.0)
         });
-        if at_another.next().is_some() {
+        if is_at_another_pole {
             return Err(self.wrong("PROJECTION", name, "a pole on the side of its parallel and its origin"));
         }
         if projection.is_none() {
