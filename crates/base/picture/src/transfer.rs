@@ -177,7 +177,9 @@ impl Buckets {
     }
 
     fn code_below(&self, intensity: f32) -> u16 {
-        let bucket = intensity.max(0.0).to_bits() >> self.shift;
+        // Not `max`, which may take either of two zeros: the bits of -0 are above those of white.
+        let bright = if intensity > 0.0 { intensity } else { 0.0 };
+        let bucket = bright.to_bits() >> self.shift;
         let index = bucket.saturating_sub(self.first) as usize;
         self.codes[index.min(self.codes.len() - 1)]
     }
@@ -210,6 +212,14 @@ mod tests {
             for code in 0..=depth.white() {
                 assert_eq!(encoder.code(transfer.intensity(code, depth)), code);
             }
+        }
+    }
+
+    #[test]
+    fn black_is_black_whatever_its_sign() {
+        for depth in [Depth::Eight, Depth::Sixteen] {
+            let encoder = Encoder::new(Transfer::new(0.8, 2.2).expect("a good law"), depth);
+            assert_eq!([-1.0, -f32::MIN_POSITIVE, -0.0, 0.0].map(|black| encoder.code(black)), [0; 4]);
         }
     }
 

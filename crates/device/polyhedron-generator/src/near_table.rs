@@ -35,7 +35,9 @@ impl NearTable {
     /// First sample at or beyond an inverse range (1/m), which is a number; how many there are if all are nearer.
     #[inline(always)]
     pub fn not_nearer(&self, near: f32) -> usize {
-        let Some(number) = self.first_box.checked_sub(number_of(near.max(0.0))) else { return 0 };
+        // Not `max`, which may take either of two zeros: -0 has the highest number of all.
+        let ahead = if near > 0.0 { near } else { 0.0 };
+        let Some(number) = self.first_box.checked_sub(number_of(ahead)) else { return 0 };
         let Some(&begin) = self.begins.get(number as usize) else { return self.samples().len() };
         let mut sample = begin as usize;
         // Added, not asked: which way it goes cannot be guessed.

@@ -70,7 +70,8 @@ impl Boundary {
         let held = if direction[axis] == 0.0 {
             [0.0, f64::INFINITY]
         } else {
-            [ends[0].min(ends[1]).max(0.0), ends[0].max(ends[1])]
+            // `max` may take either of two zeros; added to 0, each is 0.
+            [ends[0].min(ends[1]).max(0.0) + 0.0, ends[0].max(ends[1])]
         };
         let slope = (line.to[1 - axis] - line.from[1 - axis]) / (line.to[axis] - line.from[axis]);
         let rate = direction[1 - axis] - slope * direction[axis];
@@ -169,7 +170,7 @@ fn serve_in_turn(
         }
         let served = free_at.len() < limit;
         if served {
-            free_at.push(!boundary.held[1].max(0.0).to_bits());
+            free_at.push(!(boundary.held[1].max(0.0) + 0.0).to_bits());
             most = most.max(free_at.len());
         } else {
             service.dropped += 1;

@@ -30,7 +30,9 @@ impl SampleFinder {
     /// The first sample that is not nearer than `range` (m); the number of samples if all are.
     #[inline]
     pub fn not_nearer(&self, range: f64) -> usize {
-        let Some(number) = number_of(range.max(0.0)).checked_sub(self.first_box) else { return 0 };
+        // Not `max`, which may take either of two zeros: -0 has the highest number of all.
+        let ahead = if range > 0.0 { range } else { 0.0 };
+        let Some(number) = number_of(ahead).checked_sub(self.first_box) else { return 0 };
         let Some(&begin) = self.begins.get(number as usize) else { return self.count() };
         let mut sample = begin as usize;
         // Added, not asked: which way it goes cannot be guessed. Few boxes have more than one sample.
