@@ -58,6 +58,14 @@ impl Allowed {
 )]
 pub struct AllowanceError(String);
 
+/// A bound of a deadline that nobody has: neither of the two records nor the hybrid machine.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("`{bound}`: no such deadline; this machine has {}", .known.join(", "))]
+pub struct NoSuchDeadline {
+    bound: String,
+    known: Vec<String>,
+}
+
 const MEASURES: [(&str, Measure); 4] = [
     ("late-words", Measure::LateWords),
     ("late-sets", Measure::LateSets),
@@ -102,10 +110,30 @@ impl Allowance {
         let is_met = match (found, self.bound) {
             (Some(found), Bound::AtMost) => found <= self.number,
             (Some(found), Bound::AtLeast) => found >= self.number,
-            // A machine without drums has no corners to wait for; a name that nobody knows is no bound.
+            // A machine without drums has no corners to wait for; a deadline that went with the change is within no bound.
             (None, _) => self.deadline.is_none_or(|deadline| Deadline::HYBRID.contains(&deadline)),
         };
         Allowed { bound: self.to_string(), found, is_met }
+    }
+
+    /// Whether the deadline of this bound, if it has one, is of one of the records or of the hybrid machine.
+    ///
+    /// # Errors
+    /// The names that are known, if its name is not among them.
+    pub(crate) fn known_to(&self, records: [&Totals; 2]) -> Result<(), NoSuchDeadline> {
+        let recorded = || records.into_iter().flat_map(|totals| totals.deadlines.keys().copied());
+        match self.deadline {
+            Some(own) if !Deadline::HYBRID.into_iter().chain(recorded()).any(|known| known == own) => {
+                let mut known: Vec<Deadline> = recorded().collect();
+                known.sort();
+                known.dedup();
+                Err(NoSuchDeadline {
+                    bound: self.to_string(),
+                    known: known.iter().map(Deadline::to_string).collect(),
+                })
+            }
+            _ => Ok(()),
+        }
     }
 
     fn found(&self, totals: &Totals) -> Option<i64> {

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use crate::allowance::{Allowance, Allowed};
+use crate::allowance::{Allowance, Allowed, NoSuchDeadline};
 use crate::deadline::{Deadline, Slack};
 use crate::difference::{Difference, Differences, pairs};
 use crate::frame_differences::frame_differences;
@@ -191,12 +191,19 @@ fn total_differences(baseline: &TimingRecord, found: &TimingRecord) -> Vec<Diffe
 }
 
 impl Comparison {
-    /// The same with bounds: `found` may differ as long as its totals are within each of them.
-    #[must_use]
-    pub fn within(mut self, bounds: &[Allowance], found: &TimingRecord) -> Self {
-        let totals = Totals::of(found);
-        self.allowed = bounds.iter().map(|bound| bound.of(&totals)).collect();
-        self
+    /// The same with bounds: `found` may differ from `baseline` as long as its totals are within each of them.
+    ///
+    /// # Errors
+    /// If a bound is of a deadline that neither of them has.
+    pub fn within(
+        mut self,
+        bounds: &[Allowance],
+        [baseline, found]: [&TimingRecord; 2],
+    ) -> Result<Self, NoSuchDeadline> {
+        let [before, now] = [baseline, found].map(Totals::of);
+        bounds.iter().try_for_each(|bound| bound.known_to([&before, &now]))?;
+        self.allowed = bounds.iter().map(|bound| bound.of(&now)).collect();
+        Ok(self)
     }
 
     /// Whether the record is as the baseline says, or within the bounds if there are any.

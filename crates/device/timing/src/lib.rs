@@ -48,7 +48,7 @@ mod task;
 mod text;
 mod totals;
 
-pub use allowance::{Allowance, AllowanceError, Allowed};
+pub use allowance::{Allowance, AllowanceError, Allowed, NoSuchDeadline};
 pub use check::Fault;
 pub use comparison::{Comparison, MovedEvent, Tolerance, ToleranceError, compare};
 pub use deadline::{BINS, Deadline, Slack};

@@ -43,9 +43,10 @@ impl<H: Home> Session<H> {
 fn expect_room(drive: &Drive, patterns: &[String], sweeps: &Range<u32>) -> Result<(), DriveError> {
     let is_asked = |row: &&SignalRow| patterns.iter().any(|pattern| row.signal.matches(pattern));
     let signals = drive.signals().iter().filter(is_asked).count() as u64;
-    let values =
-        signals * u64::from(sweeps.end.saturating_sub(sweeps.start)) * u64::from(drive.raster().samples);
-    let bytes = 8 * values;
+    let raster = drive.raster();
+    // Sweeps that are not there are refused as such, and no limit would make room for them.
+    let count = sweeps.end.min(raster.sweeps).saturating_sub(sweeps.start);
+    let bytes = 8 * signals * u64::from(count) * u64::from(raster.samples);
     if Limit::PlaneBytes.allows(bytes) {
         return Ok(());
     }

@@ -185,15 +185,19 @@ fn bounds_let_a_record_differ() {
     let mut found = small();
     found.frames[1].late_words += 9;
     let late = found.frames.iter().map(|frame| frame.late_words).sum::<u64>();
-    let within = |bounds: &[&str]| {
+    let asked = |bounds: &[&str]| {
         let bounds: Vec<Allowance> = bounds.iter().map(|bound| bound.parse().expect("a bound")).collect();
-        compare(&small(), &found, &exact()).within(&bounds, &found)
+        compare(&small(), &found, &exact()).within(&bounds, [&small(), &found])
     };
+    let within = |bounds: &[&str]| asked(bounds).expect("known deadlines");
     let (met, missed) = (format!("late-words<={late}"), format!("late-words<={}", late - 1));
     assert!(!within(&[]).is_met() && within(&[&met]).is_met() && !within(&[&missed]).is_met());
     assert!(!within(&[&met, "slack>=1000000"]).is_met());
-    // Of the hybrid machine a deadline may not be there; a name that nobody knows is no bound.
-    assert!(within(&[&met, "slack.segment>=0"]).is_met() && !within(&[&met, "slack.transfr>=-99"]).is_met());
+    // Of the hybrid machine a deadline may not be there; a name that nobody has is refused, with those that there are.
+    assert!(within(&[&met, "slack.segment>=0"]).is_met());
+    let unknown = asked(&[&met, "slack.transfr>=-99"]).expect_err("no such deadline").to_string();
+    assert!(unknown.starts_with("`slack.transfr>=-99`: no such deadline; this machine has "), "{unknown}");
+    assert!(unknown.contains("transfer"), "{unknown}");
     let text = within(&[&missed]).text(9);
     assert!(text.contains(&format!("beyond late-words<={}: found {late}", late - 1)), "{text}");
     let junit = within(&[&met]).junit(9);

@@ -59,6 +59,11 @@ fn requests_that_are_wrong_name_all_their_faults() {
         (json!({ "do": "probe", "signals": ["zz.*"], "sweeps": 0, "frame": 0 }), &["zz.*"], 1),
         (json!({ "do": "probe", "signals": ["tg.*"], "frame": 0 }), &["`sweeps`"], 1),
         (json!({ "do": "probe", "signals": ["tg.*"], "sweeps": [3, 3], "frame": 0 }), &["3..3"], 1),
+        (
+            json!({ "do": "probe", "signals": ["tg.*"], "sweeps": [0, 4_000_000_000_u32], "frame": 0 }),
+            &["0..4000000000", "a range inside 0..40"],
+            1,
+        ),
         (json!({ "do": "explain", "frame": 0, "column": 40, "line": 0 }), &["40,0"], 1),
         (json!({ "do": "explain", "column": 1, "line": 0 }), &["driven nothing"], 1),
         (json!({ "do": "events", "frame": 0, "event": ["later"] }), &["no event `later`"], 1),

@@ -121,6 +121,13 @@ fn bounds_let_the_timing_differ() {
     assert!(out.contains("beyond late-words<=0: found "), "{out}");
     let (_, err) = check(2, &["late-words=3"]);
     assert!(err.contains("--allow") && err.contains("`late-words=3`"), "{err}");
+    // A machine without drums has no corners to wait for; a name that nobody has is a slip of the pen.
+    check(0, &["missed.corner<=0"]);
+    let (out, err) = check(2, &["missed.corners<=0"]);
+    assert!(
+        out.is_empty() && err.contains("`missed.corners<=0`: no such deadline; this machine has "),
+        "{err}"
+    );
 }
 
 /// What a rover carries or how its picture is lit has no part in the timing; where it drives has.

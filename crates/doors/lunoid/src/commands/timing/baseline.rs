@@ -144,7 +144,9 @@ impl Check {
             baseline.frames.retain(|frame| frames.contains(&frame.frame));
         }
         let found = record(!self.no_progress, |hear| rehearsal.record(&frames, hear))?;
-        let mut comparison = compare(&baseline, &found, &tolerance).within(&self.allow, &found);
+        let mut comparison = compare(&baseline, &found, &tolerance)
+            .within(&self.allow, [&baseline, &found])
+            .map_err(|unknown| Failure::usage(format!("--allow {unknown}")))?;
         let mut pictures = Vec::new();
         if !comparison.is_same() {
             let again = self.again(&baseline, &comparison, &frames);
