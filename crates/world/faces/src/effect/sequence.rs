@@ -19,12 +19,14 @@ pub(super) struct Turns {
 impl Turns {
     /// The sequence, by numbers of the mesh; a face that was left out shows nothing in its turn.
     pub fn of_faces(self, kept: &[Option<usize>]) -> Result<Sequence<Vec<usize>>, FaceError> {
-        let member = |k: usize| {
-            let from = self.first + k * self.each;
-            let faces = kept.get(from..from + self.each)?;
-            Some(faces.iter().copied().flatten().collect())
-        };
-        Sequence::new((0..self.members).map(member).collect(), self.frames, self.start, self.mode)
+        // Asked before a list of so many is made.
+        let there = kept.len().saturating_sub(self.first) / self.each;
+        if there < self.members {
+            return Err(FaceError::MissingMember { missing: there, members: self.members });
+        }
+        let faces = kept[self.first..].chunks(self.each);
+        let members = faces.take(self.members).map(|faces| Some(faces.iter().copied().flatten().collect()));
+        Sequence::new(members.collect(), self.frames, self.start, self.mode)
     }
 }
 
