@@ -75,8 +75,8 @@ impl SecondOrder {
 
     /// Step of `h` seconds for an input that goes from u0 to u1 by a lag of `tau` seconds, as that of a converter does.
     ///
-    /// The damping must be below 1. A damping of 1 or more has two real poles. One of them may equal the pole of the lag, and then the formula
-    /// divides by zero.
+    /// The damping must be below 1. A damping of 1 or more has two real poles. The formula has no value where one of them equals the
+    /// pole of the lag.
     pub fn settling<S: Real>(&self, h: f64, tau: f64) -> SecondOrderStep<S> {
         if tau == 0.0 || self.natural == f64::INFINITY {
             return self.staircase(h, 0.0);

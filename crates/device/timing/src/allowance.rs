@@ -1,5 +1,6 @@
 //! Bounds on the totals of a record: what a check lets pass.
 
+use std::collections::BTreeSet;
 use std::fmt;
 use std::str::FromStr;
 
@@ -60,10 +61,10 @@ pub struct AllowanceError(String);
 
 /// A bound of a deadline that nobody has: neither of the two records nor the hybrid machine.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("`{bound}`: no such deadline; this machine has {}", .known.join(", "))]
+#[error("`{bound}`: no such deadline; expected one of {}", .known.iter().map(Deadline::word).collect::<Vec<_>>().join(", "))]
 pub struct NoSuchDeadline {
     bound: String,
-    known: Vec<String>,
+    known: BTreeSet<Deadline>,
 }
 
 const MEASURES: [(&str, Measure); 4] = [
@@ -121,17 +122,10 @@ impl Allowance {
     /// # Errors
     /// The names that are known, if its name is not among them.
     pub(crate) fn known_to(&self, records: [&Totals; 2]) -> Result<(), NoSuchDeadline> {
-        let recorded = || records.into_iter().flat_map(|totals| totals.deadlines.keys().copied());
+        let recorded = records.into_iter().flat_map(|totals| totals.deadlines.keys().copied());
+        let known: BTreeSet<Deadline> = Deadline::HYBRID.into_iter().chain(recorded).collect();
         match self.deadline {
-            Some(own) if !Deadline::HYBRID.into_iter().chain(recorded()).any(|known| known == own) => {
-                let mut known: Vec<Deadline> = recorded().collect();
-                known.sort();
-                known.dedup();
-                Err(NoSuchDeadline {
-                    bound: self.to_string(),
-                    known: known.iter().map(Deadline::to_string).collect(),
-                })
-            }
+            Some(own) if !known.contains(&own) => Err(NoSuchDeadline { bound: self.to_string(), known }),
             _ => Ok(()),
         }
     }

@@ -203,6 +203,8 @@ fn bad_files_are_refused_with_place() {
 #[test]
 fn bad_sequences_are_refused() {
     refused("members = 2", "members = 3", &["member 2 of a sequence of 3 is missing"]);
+    refused("members = 2", "members = 99999999", &["member 2 of a sequence of 99999999 is missing"]);
+    refused("members = 2", "first = 9\nmembers = 2", &["member 0 of a sequence of 2 is missing"]);
     refused("members = 2", "members = 0", &["e.toml:23"]);
     refused("frames = 3", "frames = 0", &["e.toml:24"]);
     refused("frames = 3", "", &["missing key `group[0].sequence[0].frames`"]);
