@@ -50,7 +50,7 @@ struct Set {
     words: [f64; 9],
 }
 
-/// A change on the digital side that parts may see.
+/// A fold, or words that come to hold late: what parts may see of the digital side.
 #[derive(Debug, Clone, Copy)]
 pub struct Change {
     /// When, in accumulator steps from the first sample.
@@ -83,7 +83,7 @@ pub struct Registers<'a> {
     pub hold: [[f64; 9]; 4],
     /// Events of the registers so far.
     pub events: Vec<Event>,
-    /// Folds and arrivals of words, in order.
+    /// Folds and late words, in order.
     pub changes: Vec<Change>,
     first: [[Set; 4]; 2],
     /// Words of each preload register that have come since its colour moved, bit 3 p + q.
@@ -190,6 +190,7 @@ impl<'a> Registers<'a> {
             };
             let register = if late {
                 self.hold[colour][word] = value;
+                self.changes.push(Change { time: self.clock.time_of(tick), fold: None, hold: self.hold });
                 Register::Hold
             } else {
                 self.first[axis][colour].words[word] = value;
@@ -200,7 +201,6 @@ impl<'a> Registers<'a> {
                 PRELOADS[axis]
             };
             self.note(tick, Happening::Load { colour, register, corner, words: 1 << word });
-            self.changes.push(Change { time: self.clock.time_of(tick), fold: None, hold: self.hold });
         }
     }
 

@@ -93,6 +93,15 @@ fn the_channel_is_ordered_once_a_crossing() {
     }
 }
 
+/// A comparator finds a fold of one axis before an earlier one of the other, or before words that are on their way to a preload
+/// register: its polarity and its words do not wait for these.
+#[test]
+fn folds_that_are_found_out_of_turn() {
+    for seed in [1881, 1990] {
+        check(&trials(seed..seed + 1, Scalar::F64));
+    }
+}
+
 /// Boundaries of shadow on drums are too rare among the first scenes: these have a low sun, and squares that come while the frame runs.
 #[test]
 fn boundaries_of_shadow_on_drums() {

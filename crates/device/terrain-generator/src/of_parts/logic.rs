@@ -19,7 +19,8 @@ pub enum Logic {
 
 impl<S: Real> PartsArray<S> {
     /// `program` with the instants at which its steps are on these wires, in samples of the beam, ahead of which the ramps run. What lies
-    /// before the first range keeps its instants where the accumulators are preset. A strobe does not overtake the one before it.
+    /// before the first range keeps its instants where the accumulators are preset. A strobe of the words in hold does not overtake the
+    /// one before it; of other steps each has its own instant, so that they need not ascend.
     pub fn on_wires(
         &self,
         logic: Logic,
@@ -28,7 +29,7 @@ impl<S: Real> PartsArray<S> {
     ) -> SweepProgram {
         let timing = &self.timing;
         let mut told = program.clone();
-        let mut before = f64::NEG_INFINITY;
+        let mut strobed_at = f64::NEG_INFINITY;
         for (step, told) in program.steps.iter().zip(&mut told.steps) {
             if timing.preset && step.time.0 <= 0.0 {
                 continue;
@@ -36,9 +37,12 @@ impl<S: Real> PartsArray<S> {
             told.time.0 = match logic {
                 Logic::Stops => timing.of_stop(step, generator, program),
                 Logic::Polarity => timing.of_polarity(step, generator, program),
-                Logic::Registers => timing.of_strobe(step, generator, program).max(before),
+                Logic::Registers if step.kind.changes_hold() => {
+                    strobed_at = timing.of_strobe(step, generator, program).max(strobed_at);
+                    strobed_at
+                }
+                Logic::Registers => timing.of_strobe(step, generator, program),
             };
-            before = told.time.0;
         }
         told
     }

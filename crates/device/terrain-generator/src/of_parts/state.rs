@@ -3,7 +3,7 @@
 use fearless_simd::Simd;
 use landscape::CornerWords;
 use signal::{Both, Double, LANES, Lanes, Real};
-use sweep_program::{Fold, RampAxis, SweepProgram};
+use sweep_program::{Fold, RampAxis, Step, SweepProgram};
 
 use super::basis::{AxisState, CURVES};
 use super::block::{Block, Factor};
@@ -79,9 +79,9 @@ pub(super) struct Due {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Lane {
     pub(super) registers: Registers,
-    /// Next step of the program for the accumulators, the polarity and the registers.
+    /// Next step of the program for the accumulators, the polarity of each axis and the registers.
     folded: usize,
-    turned: usize,
+    turned: [usize; 2],
     strobed: usize,
     /// When a nominal D/A had the words of the last strobe (samples).
     strobed_at: f64,
@@ -196,32 +196,46 @@ impl Lane {
 
     /// Looks up when something is next due.
     pub(super) fn look_ahead(&mut self, program: &SweepProgram, when: (&Timing, &TerrainGenerator<'_>)) {
-        self.due =
-            Due { fold: self.next_fold(program), turn: self.next_turn(program, when), ..Due::default() };
-        self.due.strobe = self.next_strobe(program, when) + when.0.earliest;
+        self.due = Due {
+            fold: self.next_fold(program),
+            turn: self.next_turn(program, when).0,
+            strobe: self.next_strobe(program, when) + when.0.earliest,
+        };
     }
 
     fn next_fold(&self, program: &SweepProgram) -> f64 {
         program.steps.get(self.folded).map_or(f64::INFINITY, |step| step.range)
     }
 
+    /// When a polarity turns next (samples), and of which axis: neither axis waits for the other.
     fn next_turn(
-        &self,
+        &mut self,
         program: &SweepProgram,
         (timing, generator): (&Timing, &TerrainGenerator<'_>),
-    ) -> f64 {
-        let next = program.steps.get(self.turned);
-        next.map_or(f64::INFINITY, |step| timing.of_polarity(step, generator, program))
+    ) -> (f64, usize) {
+        let [x, y] = [0, 1].map(|axis| {
+            let steps = &program.steps[self.turned[axis]..];
+            let is_of_axis = |step: &Step| step.kind.fold().is_some_and(|fold| axis_of(fold) == axis);
+            let waits = steps.iter().position(is_of_axis).unwrap_or(steps.len());
+            self.turned[axis] += waits;
+            steps.get(waits).map_or(f64::INFINITY, |step| timing.of_polarity(step, generator, program))
+        });
+        if x <= y { (x, 0) } else { (y, 1) }
     }
 
-    /// When a nominal D/A has the words of the next strobe.
+    /// When a nominal D/A has the words of the next strobe; at once where a step leaves those in hold alone.
     fn next_strobe(
         &self,
         program: &SweepProgram,
         (timing, generator): (&Timing, &TerrainGenerator<'_>),
     ) -> f64 {
-        let next = program.steps.get(self.strobed);
-        next.map_or(f64::INFINITY, |step| timing.of_words(step, generator, program).max(self.strobed_at))
+        match program.steps.get(self.strobed) {
+            Some(step) if step.kind.changes_hold() => {
+                timing.of_words(step, generator, program).max(self.strobed_at)
+            }
+            Some(_) => self.strobed_at,
+            None => f64::INFINITY,
+        }
     }
 
     /// Folds of the accumulators up to `range` (m); the folds of each axis so far.
@@ -243,13 +257,14 @@ impl Lane {
         program: &SweepProgram,
         when: (&Timing, &TerrainGenerator<'_>),
     ) {
-        while self.due.turn <= sample as f64 {
-            if let Some(fold) = program.steps.get(self.turned).and_then(|step| step.kind.fold()) {
-                let axis = axis_of(fold);
-                self.polarity[axis] = -self.polarity[axis];
+        loop {
+            let (at, axis) = self.next_turn(program, when);
+            self.due.turn = at;
+            if at > sample as f64 {
+                return;
             }
-            self.turned += 1;
-            self.due.turn = self.next_turn(program, when);
+            self.polarity[axis] = -self.polarity[axis];
+            self.turned[axis] += 1;
         }
     }
 

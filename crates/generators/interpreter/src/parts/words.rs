@@ -51,6 +51,8 @@ impl Words {
                 turns.push((acts(change, figures.to_polarity, sweep, figures), axis));
             }
         }
+        // No axis waits for the other, and none for words.
+        turns.sort_by(|(a, _), (b, _)| a.total_cmp(b));
         let of_term = |sum: usize, term: usize| taken(&held, figures, sum, term);
         let taken: [Vec<Vec<Taken>>; 3] =
             [0, 1, 2].map(|sum| (0..TERMS).map(|term| of_term(sum, term)).collect());

@@ -154,6 +154,75 @@ fn each_word_acts_after_its_own_switching_time() {
     }
 }
 
+/// Polarities and weights of a lane, sample by sample.
+struct Switched(usize, Vec<([f64; 2], Vec<f64>)>);
+
+impl Tap<f64> for Switched {
+    fn see(&mut self, _: &PartsArray<f64>, state: &ArrayState<f64>) {
+        let weight = |index| {
+            let [pair, end] = side_by_side(index);
+            state.wires.pairs[pair].weight.wire(end)[self.0]
+        };
+        self.1.push((state.lanes[self.0].polarity, (0..ALL).map(weight).collect()));
+    }
+}
+
+/// Stops that are found out of turn: a polarity turns when its own stop is found, and words wait for those that are in hold before
+/// them alone. Words on their way to a preload register hold nobody up.
+#[test]
+fn what_is_found_out_of_turn_waits_for_nothing_but_words_in_hold() {
+    let mut scene = Scene::new();
+    // Folds and arrivals one by one, as a loader without waiting has them.
+    scene.programs.iter_mut().for_each(|program| program.steps = program.events().map(Step::from).collect());
+    let array = array(
+        &scene,
+        &found_on_the_ramp(|parts| {
+            (parts.comparator.offset, parts.sweep.preset, parts.spread) = (0.5, false, true);
+        }),
+    );
+    let (generator, samples) = (scene.generator(), scene.ranges.len());
+    let (mut turns_overtake, mut words_overtake) = (0, 0);
+    for (lane, program) in scene.programs.iter().enumerate() {
+        let (mut seen, mut profile) = (Switched(lane, Vec::new()), Profile::default());
+        profile.resize(samples);
+        let state = &mut ArrayState::default();
+        array.trace(&generator, &scene.programs, 0..samples, 0, state, &mut profile, &mut seen);
+        let words_at = |step: &Step| array.timing.of_words(step, &generator, program);
+        let mut last = f64::NEG_INFINITY;
+        let strobes: Vec<_> = program
+            .steps
+            .iter()
+            .map(|step| {
+                let own = words_at(step);
+                words_overtake += usize::from(step.kind.changes_hold() && own < last);
+                last = if step.kind.changes_hold() { own.max(last) } else { last };
+                (last, step)
+            })
+            .collect();
+        let folds: Vec<_> = program.steps.iter().filter(|step| step.kind.fold().is_some()).collect();
+        let turns: Vec<_> =
+            folds.iter().map(|step| array.timing.of_polarity(step, &generator, program)).collect();
+        turns_overtake += turns.windows(2).filter(|pair| pair[1] < pair[0]).count();
+        for (sample, (polarity, weights)) in seen.1.iter().enumerate() {
+            let mut right = program.start.ramps.map(|ramp| ramp.polarity);
+            for (step, _) in folds.iter().zip(&turns).filter(|(_, at)| **at <= sample as f64) {
+                let axis = usize::from(step.kind.fold().expect("folds alone").axis == RampAxis::Y);
+                right[axis] = -right[axis];
+            }
+            assert_eq!(*polarity, right, "lane {lane}, sample {sample}");
+            let mut registers = Registers::at_start(program);
+            let by_now = strobes.iter().filter(|(at, _)| *at <= sample as f64);
+            by_now.for_each(|(_, step)| registers.apply(step, generator.buffer));
+            for (index, &found) in weights.iter().enumerate() {
+                let [colour, _] = word_of(index % TERMS);
+                let right = weight(&array, registers.hold(generator.buffer)[colour], index);
+                assert_eq!(found, right, "lane {lane}, sample {sample}, D/A {index}");
+            }
+        }
+    }
+    assert!(turns_overtake > 3 && words_overtake > 3, "{turns_overtake} {words_overtake}");
+}
+
 #[test]
 fn the_converters_of_the_two_ramps_settle_apart() {
     let scene = Scene::new();
