@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from contextlib import contextmanager
 from datetime import datetime, timezone
@@ -28,6 +29,33 @@ OPTIONS: dict[str, Any] = {"frames": FRAMES, "sweeps": 60, "samples": 80, "set":
 
 
 @contextmanager
+def workers_of(scheduler: str) -> Iterator[None]:
+    """Two workers of a Dask scheduler without nannies: whoever ends is started again here, as a cluster does it. A nanny was seen to end
+    a worker that nobody had killed, and to start none."""
+    command = [sys.executable, "-m", "distributed.cli.dask_worker", scheduler, "--no-nanny", "--nthreads", "1", "--no-dashboard"]
+    over = threading.Event()
+
+    def hold() -> None:
+        while not over.is_set():
+            with tempfile.TemporaryDirectory() as own:
+                worker = subprocess.Popen([*command, "--local-directory", own], stderr=subprocess.DEVNULL)
+                while worker.poll() is None and not over.wait(0.05):
+                    pass
+                worker.kill()
+                worker.wait()
+
+    holders = [threading.Thread(target=hold) for _ in range(2)]
+    for holder in holders:
+        holder.start()
+    try:
+        yield
+    finally:
+        over.set()
+        for holder in holders:
+            holder.join()
+
+
+@contextmanager
 def engine(name: str) -> Iterator[Any]:
     """An engine with two workers."""
     if name == "processes":
@@ -35,7 +63,12 @@ def engine(name: str) -> Iterator[Any]:
     elif name == "Dask":
         import distributed
 
-        with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as cluster, distributed.Client(cluster) as client:
+        with (
+            distributed.LocalCluster(n_workers=0, dashboard_address=None) as cluster,
+            workers_of(cluster.scheduler_address),
+            distributed.Client(cluster) as client,
+        ):
+            client.wait_for_workers(2)
             yield farm.on(client)
     else:
         import ray
