@@ -1,6 +1,7 @@
-"""A long loop for every machine: driven by a client, recorded, drawn again by `lunoid replay`, compared hash by hash.
+"""A long loop for every machine: driven by a client, recorded, drawn again by `lunoid replay`, compared hash by hash. Then the time of a look
+through TCP beside that of the same picture in the program, of which the example `ratio` has written a line each.
 
-python3 crates/doors/loop-server/check/thousand.py LUNOID STEPS RECORD
+python3 crates/doors/loop-server/check/thousand.py LUNOID STEPS RATIOS RECORD
 """
 import datetime
 import json
@@ -12,6 +13,8 @@ import tempfile
 CLIENT = "docs/clients/drive.py"
 SMALL = "--sweeps 60 --samples 120 --set scenario.raster.columns=60 --set scenario.raster.lines=40".split()
 PLAIN = SMALL[4:]
+# A look may take so many times what the picture takes in the program: alone, and with four planes.
+AT_MOST = [1.15, 1.3]
 # The scenario of each machine. A guest has no sweeps and samples of its own.
 MACHINES = [
     *[(name, "scenarios/first-light.toml", SMALL) for name in ("ideal", "pra-nominal", "pra-overloaded", "pra-parts", "pra-wires")],
@@ -37,7 +40,7 @@ def driven(lunoid, steps, machine, scenario, small, folder):
 
 
 def main():
-    lunoid, steps, to = sys.argv[1], int(sys.argv[2]), sys.argv[3]
+    lunoid, steps, ratios, to = sys.argv[1], int(sys.argv[2]), sys.argv[3], sys.argv[4]
     rows = []
     for machine, scenario, small in MACHINES:
         with tempfile.TemporaryDirectory() as folder:
@@ -51,6 +54,8 @@ def main():
         rows.append(row)
         if not len(seen) == len(drawn) == equal == steps:
             raise SystemExit(f"{machine}: the replay is another one")
+    looks = [json.loads(line) for line in pathlib.Path(ratios).read_text().splitlines()]
+    looks = [{**look, "at_most": most} for look, most in zip(looks, AT_MOST, strict=True)]
     commit = subprocess.run(["git", "rev-parse", "HEAD"], check=True, capture_output=True, text=True).stdout.strip()
     record = {
         "schema": "lunoid.loop.record/1",
@@ -59,8 +64,11 @@ def main():
         "commit": commit,
         "steps": steps,
         "machines": rows,
+        "looks": looks,
     }
     pathlib.Path(to).write_text(json.dumps(record, indent=2) + "\n")
+    if any(look["ratio"] > look["at_most"] for look in looks):
+        raise SystemExit(f"a look takes too long: {looks}")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,5 @@
-//! What a loop through TCP costs: time of a `look` of a client against that of the same pictures drawn in the program, in pairs.
+//! What a loop through TCP costs: time of a `look` of a client against that of the same pictures drawn in the program, in pairs. One line of
+//! JSON for the picture alone, and one for the picture with four planes; `.ci/loop` puts them into its record.
 //!
 //! ```sh
 //! cargo run --release -p loop-server --example ratio -- scenarios/full-drive.toml 30
@@ -70,15 +71,11 @@ fn main() -> Said<()> {
         }
         ratios.sort_by(f64::total_cmp);
         let quantile = |share: f64| ratios[(share * (ratios.len() - 1) as f64) as usize];
-        println!(
-            "{}: picture and {} planes: {} pairs, ratio {:.3} in the middle, {:.3} to {:.3} for the middle half",
-            scenario.display(),
-            planes.len(),
-            ratios.len(),
-            quantile(0.5),
-            quantile(0.25),
-            quantile(0.75),
-        );
+        let middle_half = [quantile(0.25), quantile(0.75)];
+        let row = json!({
+            "scenario": scenario, "planes": planes, "pairs": ratios.len(), "ratio": quantile(0.5), "middle_half": middle_half,
+        });
+        println!("{row}");
     }
     Ok(())
 }
