@@ -29,10 +29,11 @@ def main(log: str, wheel: str, out: str) -> None:
         "system": platform.system(),
         "wheel": {"file": Path(wheel).name, "bytes": Path(wheel).stat().st_size},
         "tests": total["tests"],
+        "other_pythons": Path(log, "pythons.txt").read_text().split(),
         "notebooks": sorted(path.stem for path in Path("docs/notebooks").glob("*.ipynb")),
         "frame_against_native": json.loads((Path(log) / "speed.json").read_text()),
         "tools": {name: version(name) for name in TOOLS},
-        "not_run": "other versions of Python than the one named",
+        "not_run": "other versions of Python than those named",
     }
     Path(out).write_text(json.dumps(record, indent=2) + "\n")
     print(Path(out).read_text())
