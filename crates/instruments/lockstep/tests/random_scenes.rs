@@ -102,6 +102,12 @@ fn folds_that_are_found_out_of_turn() {
     }
 }
 
+/// A fade that begins at a sample, under crosstalk, before the video passes black: what leaks there is that of the sample.
+#[test]
+fn a_fade_that_begins_at_a_sample() {
+    check(&trials(2452..2453, Scalar::F64));
+}
+
 /// Boundaries of shadow on drums are too rare among the first scenes: these have a low sun, and squares that come while the frame runs.
 #[test]
 fn boundaries_of_shadow_on_drums() {
