@@ -5,8 +5,8 @@
 //! **Words.** Each multiplying D/A takes its own time from strobe to effect, so the nine words of a corner do not settle
 //! as one.
 //! **Our choices.** A strobe of the words in hold never overtakes the one before it. Words that come after their fold are
-//! loaded at their own time, whenever the fold was found. A polarity waits for nothing but its own stop: neither for words nor
-//! for the other axis, whose fold may be found later.
+//! loaded at their own time, whenever the fold was found. A polarity waits for its own stops alone, one after the other:
+//! neither for words nor for the other axis, whose fold may be found later.
 
 use hardware_model::{AnalogParts, FoldDetect};
 use parts::{Comparator, NoiseSource, Spread, Tolerance, relative_sigma, time_constant};

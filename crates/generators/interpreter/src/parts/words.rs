@@ -42,16 +42,17 @@ impl Words {
     /// Of a sweep of the array with these figures.
     pub fn of(sweep: &Sweep<'_>, figures: &Figures) -> Self {
         let (mut turns, mut held) = (Vec::new(), vec![(f64::NEG_INFINITY, sweep.hold)]);
-        let mut last = f64::NEG_INFINITY;
+        let (mut last, mut turned) = (f64::NEG_INFINITY, [f64::NEG_INFINITY; 2]);
         for change in sweep.changes {
             let at = acts(change, figures.to_words, sweep, figures).max(last);
             last = at;
             held.push((at, change.hold));
             if let Some((axis, _)) = change.fold {
-                turns.push((acts(change, figures.to_polarity, sweep, figures), axis));
+                turned[axis] = acts(change, figures.to_polarity, sweep, figures).max(turned[axis]);
+                turns.push((turned[axis], axis));
             }
         }
-        // No axis waits for the other, and none for words.
+        // An axis waits for its own turn before, not for the other's, and not for words.
         turns.sort_by(|(a, _), (b, _)| a.total_cmp(b));
         let of_term = |sum: usize, term: usize| taken(&held, figures, sum, term);
         let taken: [Vec<Vec<Taken>>; 3] =
