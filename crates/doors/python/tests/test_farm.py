@@ -47,6 +47,14 @@ def status(folder: str = "joined-farm") -> dict:
     return json.loads(ended.stdout)["runs"][0]
 
 
+def test_a_farm_goes_on_after_a_job_that_no_worker_can_do(place: Path, whole: dict[str, bytes]) -> None:
+    workers = farm.on(None, workers=2)
+    with pytest.raises(farm.FarmError, match="13"):
+        workers.run(job(), shards=13, progress=None)
+    assert workers.run(job(), shards=2, progress=None).complete
+    assert content(place / "joined") == whole
+
+
 @pytest.mark.parametrize("shards", [1, 2, 7, "by cost"])
 def test_joined_shards_are_the_run_of_one_machine(whole, shards) -> None:
     heard: list[farm.Progress] = []

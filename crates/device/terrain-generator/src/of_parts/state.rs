@@ -83,6 +83,8 @@ pub(super) struct Lane {
     folded: usize,
     turned: [usize; 2],
     strobed: usize,
+    /// When the polarity of each axis turns next (samples): neither axis waits for the other.
+    turns: [f64; 2],
     /// When a nominal D/A had the words of the last strobe (samples).
     strobed_at: f64,
     /// Words in the hold registers after the last strobe, and their numbers in a D/A, by colour.
@@ -196,9 +198,10 @@ impl Lane {
 
     /// Looks up when something is next due.
     pub(super) fn look_ahead(&mut self, program: &SweepProgram, when: (&Timing, &TerrainGenerator<'_>)) {
+        self.turns = [0, 1].map(|axis| self.next_turn(axis, program, when));
         self.due = Due {
             fold: self.next_fold(program),
-            turn: self.next_turn(program, when).0,
+            turn: self.turns[0].min(self.turns[1]),
             strobe: self.next_strobe(program, when) + when.0.earliest,
         };
     }
@@ -207,20 +210,19 @@ impl Lane {
         program.steps.get(self.folded).map_or(f64::INFINITY, |step| step.range)
     }
 
-    /// When a polarity turns next (samples), and of which axis: neither axis waits for the other.
+    /// When the polarity of an axis turns next (samples).
     fn next_turn(
         &mut self,
+        axis: usize,
         program: &SweepProgram,
         (timing, generator): (&Timing, &TerrainGenerator<'_>),
-    ) -> (f64, usize) {
-        let [x, y] = [0, 1].map(|axis| {
-            let steps = &program.steps[self.turned[axis]..];
-            let is_of_axis = |step: &Step| step.kind.fold().is_some_and(|fold| axis_of(fold) == axis);
-            let waits = steps.iter().position(is_of_axis).unwrap_or(steps.len());
-            self.turned[axis] += waits;
-            steps.get(waits).map_or(f64::INFINITY, |step| timing.of_polarity(step, generator, program))
-        });
-        if x <= y { (x, 0) } else { (y, 1) }
+    ) -> f64 {
+        let is_of_axis = |step: &Step| step.kind.fold().is_some_and(|fold| axis_of(fold) == axis);
+        while program.steps.get(self.turned[axis]).is_some_and(|step| !is_of_axis(step)) {
+            self.turned[axis] += 1;
+        }
+        let next = program.steps.get(self.turned[axis]);
+        next.map_or(f64::INFINITY, |step| timing.of_polarity(step, generator, program))
     }
 
     /// When a nominal D/A has the words of the next strobe; at once where a step leaves those in hold alone.
@@ -258,13 +260,14 @@ impl Lane {
         when: (&Timing, &TerrainGenerator<'_>),
     ) {
         loop {
-            let (at, axis) = self.next_turn(program, when);
-            self.due.turn = at;
-            if at > sample as f64 {
+            let axis = usize::from(self.turns[1] < self.turns[0]);
+            self.due.turn = self.turns[axis];
+            if self.due.turn > sample as f64 {
                 return;
             }
             self.polarity[axis] = -self.polarity[axis];
             self.turned[axis] += 1;
+            self.turns[axis] = self.next_turn(axis, program, when);
         }
     }
 

@@ -32,7 +32,7 @@ class Engine(Protocol):
         """What became of a task that has ended. Raises whatever the engine has for a worker that is lost."""
 
     def stop(self) -> None:
-        """Ends all tasks: nobody waits for them any more."""
+        """Ends all tasks: nobody waits for them any more. Others may be started afterwards."""
 
 
 class Processes:
@@ -41,8 +41,11 @@ class Processes:
     def __init__(self, workers: int) -> None:
         self.name = "processes"
         self._workers = workers
-        self._pool = ThreadPoolExecutor(workers, thread_name_prefix="lunoid-farm")
+        self._pool = self._new_pool()
         self._running: list[subprocess.Popen[str]] = []
+
+    def _new_pool(self) -> ThreadPoolExecutor:
+        return ThreadPoolExecutor(self._workers, thread_name_prefix="lunoid-farm")
 
     def workers(self) -> int:
         return self._workers
@@ -63,6 +66,8 @@ class Processes:
         self._pool.shutdown(wait=False, cancel_futures=True)
         for process in self._running:
             process.terminate()
+        # The next run of the same farm begins with threads of its own.
+        self._pool = self._new_pool()
 
 
 class Dask:
@@ -95,6 +100,7 @@ class Dask:
 
     def stop(self) -> None:
         self._client.cancel(self._started)
+        self._started = []
 
 
 class Ray:
@@ -126,6 +132,7 @@ class Ray:
     def stop(self) -> None:
         for started in self._started:
             self._ray.cancel(started, force=True)
+        self._started = []
 
 
 def choose(engine: Any, workers: int | None) -> Engine:

@@ -36,6 +36,10 @@ class Plan:
         """Folder of a shard of the run ``name``."""
         return self.farm / f"{name}-shard-{number}-of-{self.shards}"
 
+    def forget(self) -> None:
+        """Lets the folder be that of another job."""
+        (self.farm / "job.json").unlink(missing_ok=True)
+
     @property
     def costs(self) -> str | None:
         """Folder of the run whose times share the frames out."""
@@ -92,7 +96,7 @@ def _held(farm: Path, asked: dict[str, Any]) -> dict[str, Any] | None:
     try:
         held = json.loads(path.read_text())
         shards = held.pop("shards")
-    except (ValueError, KeyError, AttributeError) as error:
+    except (ValueError, KeyError, AttributeError, TypeError) as error:
         raise refused(str(path), f"no job of a farm: {error}", expected=SCHEMA, help=f"remove {farm}") from error
     for key, value in asked.items():
         if held.get(key) != value:

@@ -52,7 +52,7 @@ class Report:
         drawn = f"{self.shards} shards by {self.by}{again}, by {self.engine}, in {self.seconds:.1f} s"
         if self.complete:
             return f"{self.out}: {self.frames} frames of {drawn}"
-        lines = [f"{self.out}: not joined; {len(self.set_aside)} of {drawn} are missing"]
+        lines = [f"{self.out}: not joined, {len(self.set_aside)} of its shards are missing; {drawn}"]
         for one in self.set_aside:
             lines += [f"  shard {one.shard} failed {one.tries} times: {one.why}", "  this makes it:", f"    {one.command}"]
         lines.append("  then run the same job again: what is there is kept")

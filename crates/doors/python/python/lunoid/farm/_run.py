@@ -78,7 +78,7 @@ class Farm:
         The shards lie in ``OUT-farm``. The same call goes on there: what is drawn is kept. Raises InputError for a fault of the job and
         FarmError where the command refuses to draw or to join.
         """
-        if not (shards == BY_COST or (isinstance(shards, int) and shards >= 1)):
+        if not (shards == BY_COST or (isinstance(shards, int) and not isinstance(shards, bool) and shards >= 1)):
             raise refused(job.scenario, f"shards={shards!r}", found=shards, expected='"by cost" or a whole number from 1 on')
         if retries < 1:
             raise refused(job.scenario, f"retries={retries}", found=retries, expected="a whole number from 1 on")
@@ -118,6 +118,8 @@ class Farm:
             for shard in [shard for shard in open_shards if self._engine.is_ready(shard.started)]:
                 outcome = self._outcome(shard)
                 if outcome["usage"]:
+                    # What no worker can do has not begun: the folder is free for another number of shards.
+                    settled.forget()
                     raise FarmError(outcome["why"])
                 if outcome["done"]:
                     open_shards.remove(shard)
