@@ -3,7 +3,7 @@
 use hardware_model::{AnalogParts, FoldDetect};
 use parts::{Spread, Tolerance, relative_sigma};
 use signal::LANES;
-use sweep_program::{Colour, Event, Load, RampAxis, Step, Stop, Target, WordMask};
+use sweep_program::{Event, RampAxis, Step, StepKind, Stop, Target};
 
 use super::{STEP, Scene, parts, weight};
 use crate::of_parts::{ArrayState, Logic, PartsArray, Tap};
@@ -172,17 +172,16 @@ impl Tap<f64> for Switched {
 #[test]
 fn what_is_found_out_of_turn_waits_for_nothing_but_words_in_hold() {
     let mut scene = Scene::new();
-    // Behind each fold words come to a preload register, of which nothing is taken before the words that follow.
+    // Words come to the preload register of the fold before them, and to hold with the next fold of its axis.
     for program in &mut scene.programs {
-        let to_preload = |step: &Step| {
-            let register = step.kind.fold()?.axis.register();
-            let (target, words) = (Target::Preload(register), WordMask::ALL);
-            let load = Event::Load(Load { colour: Colour::ALL[0], target, corner: 0, words });
-            Some(Step { kind: load.into(), ..*step })
-        };
-        let steps = std::mem::take(&mut program.steps);
-        program.steps =
-            steps.into_iter().flat_map(|step| [Some(step), to_preload(&step)]).flatten().collect();
+        let mut register = RampAxis::X.register();
+        for step in &mut program.steps {
+            match &mut step.kind {
+                StepKind::Event(Event::Fold(fold)) => register = fold.axis.register(),
+                StepKind::Event(Event::Load(load)) => load.target = Target::Preload(register),
+                other => panic!("{other:?} in a program of folds and loads"),
+            }
+        }
     }
     let array = array(
         &scene,
