@@ -1,5 +1,5 @@
-//! What a loop through TCP costs: time of a `look` of a client against that of the same pictures drawn in the program, in pairs. One line of
-//! JSON for the picture alone, and one for the picture with four planes; `.ci/loop` puts them into its record.
+//! The cost of a loop through TCP: the time of a client's `look` over that of the same picture drawn in the program, in pairs.
+//! It prints a line of JSON for the picture alone, and one for the picture with four planes. `.ci/loop` puts both into its record.
 //!
 //! ```sh
 //! cargo run --release -p loop-server --example ratio -- scenarios/full-drive.toml 30

@@ -102,7 +102,7 @@ fn folds_that_are_found_out_of_turn() {
     }
 }
 
-/// A fade that begins at a sample, under crosstalk, before the video passes black: what leaks there is that of the sample.
+/// A fade begins at a sample, and the video passes black behind it. The crosstalk at the sample is that of the sample.
 #[test]
 fn a_fade_that_begins_at_a_sample() {
     check(&trials(2452..2453, Scalar::F64));

@@ -136,10 +136,9 @@ impl<S: Real> Between<'_, S> {
             let end = sample as f64;
             let (mut at, mut value) = (end - 1.0, signed(sample - 1));
             while let Some(event) = events.next_if(|event| event.at < end) {
-                // At a sample, the break is of the step before, and what leaks is that of the sample.
-                let is_within = event.at > end - 1.0;
-                let signed = self.signed(event.at, if is_within { sample } else { sample - 1 }, &mut near);
-                event.signed = is_within.then_some(signed);
+                // At a sample, the break is of the step before: what leaks is that of the sample.
+                let signed = self.signed(event.at, event.at.ceil() as usize, &mut near);
+                event.signed = Some(signed);
                 let [before, after] = signed;
                 found.extend(terminator([at, event.at], [value, before]));
                 (at, value) = (event.at, after);
