@@ -56,5 +56,5 @@ int main(int count, char **words) {
         snprintf(keys, sizeof keys, "\"do\":\"ahead\",\"metres\":0.5,\"turn_deg\":0.5,\"pose\":%s", pose);
         value(ask(keys, &planes), "\"pose\":", '}', pose, sizeof pose); /* your controller here */
     }
-    puts(ask("\"do\":\"record\",\"name\":\"drive\"", &planes));
+    puts(ask("\"do\":\"record\"", &planes));
 }

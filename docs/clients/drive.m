@@ -46,7 +46,7 @@ for step = 1:steps
   % Your controller here.
   seen = ask(to, from, struct("id", 2 * step + 1, "do", "ahead", "pose", seen.ok.pose, "metres", 0.5, "turn_deg", 0.5)).ok;
 end
-disp(jsonencode(ask(to, from, struct("id", 2 * steps + 2, "do", "record", "name", "drive")).ok));
+disp(jsonencode(ask(to, from, struct("id", 2 * steps + 2, "do", "record")).ok));
 fclose(to);
 fclose(from);
 waitpid(process);

@@ -38,7 +38,7 @@ class Machine:
                 count *= axis
             planes[plane["name"]] = (plane["shape"], plane["dtype"], self.process.stdout.read(count))
         if "error" in reply:
-            raise SystemExit("\n".join(problem["title"] for problem in reply["error"]["problems"]))
+            raise SystemExit("\n".join("; ".join(filter(None, map(problem.get, ("title", "help")))) for problem in reply["error"]["problems"]))
         return reply["ok"], planes
 
 
@@ -53,7 +53,7 @@ def main():
         print(seen["hash"], sum(picture) / len(picture))
         # Your controller here.
         pose = machine.ask("ahead", pose=pose, metres=0.5, turn_deg=0.5)[0]["pose"]
-    print(machine.ask("record", name="drive")[0])
+    print(machine.ask("record")[0])
 
 
 if __name__ == "__main__":

@@ -49,7 +49,7 @@ pub fn pds4() -> String {
     let step = 1.0 / 120.0;
     format!(
         "<?xml version=\"1.0\"?>
-<Product_Observational xmlns=\"http://pds.nasa.gov/pds4/pds/v1\" xmlns:cart=\"c\" xmlns:disp=\"d\">
+<Product_Observational xmlns=\"http://pds.nasa.gov/pds4/pds/v1\" xmlns:cart=\"http://pds.nasa.gov/pds4/cart/v1\" xmlns:disp=\"http://pds.nasa.gov/pds4/disp/v1\">
 <Identification_Area><title>Cell</title></Identification_Area>
 <Observation_Area><Discipline_Area>
 <disp:Display_Settings>

@@ -6,11 +6,11 @@ use image::codecs::jpeg::JpegDecoder;
 use image::codecs::png::PngDecoder;
 use image::codecs::tiff::TiffDecoder;
 use image::{DynamicImage, ExtendedColorType, ImageDecoder, ImageError, ImageFormat};
-use picture::{AnyPicture, ColourPicture, Depth, GreyPicture, Limits, PictureError};
+use picture::{AnyPicture, ColourPicture, Curve, Depth, GreyPicture, Limits, PictureError};
 
 use crate::alpha::over_black;
 use crate::error::PhotographError;
-use crate::jpeg;
+use crate::{jpeg, light};
 
 /// Most bytes that a decoder takes for a pixel: four codes of 16 bits, as they are read and as they are kept.
 const PIXEL_BYTES: u64 = 16;
@@ -27,11 +27,35 @@ struct Opened<D> {
     bytes: u64,
 }
 
+/// What a picture is read for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Use {
+    /// To be looked at: its codes are those of sRGB.
+    Picture,
+    /// As values over the ground, which its codes become by this curve.
+    Map(Curve),
+}
+
+impl Use {
+    /// Whether the file may say that its codes are no sRGB.
+    fn states_light(self) -> bool {
+        matches!(self, Self::Map(curve) if curve != Curve::Srgb)
+    }
+}
+
 /// The picture that the bytes of a file hold.
 ///
 /// # Errors
 /// [`PhotographError`]; nothing is allocated for pixels beyond `limits`.
 pub fn decode(bytes: &[u8], limits: &Limits) -> Result<AnyPicture, PhotographError> {
+    decode_for(Use::Picture, bytes, limits)
+}
+
+/// The same for a use of its own.
+///
+/// # Errors
+/// As [`decode`].
+pub fn decode_for(wanted: Use, bytes: &[u8], limits: &Limits) -> Result<AnyPicture, PhotographError> {
     let (source, size) = (Cursor::new(bytes), bytes.len() as u64);
     match image::guess_format(bytes) {
         Ok(ImageFormat::Png) => {
@@ -41,7 +65,12 @@ pub fn decode(bytes: &[u8], limits: &Limits) -> Result<AnyPicture, PhotographErr
             if decoder.is_apng().map_err(|error| damaged(format, error))? {
                 return Err(PhotographError::Animated);
             }
-            Opened { format, decoder, bytes: size }.picture(limits)
+            if !wanted.states_light() {
+                light::expect_code_points(format, bytes)?;
+                let gamma = decoder.gamma_value().map_err(|error| damaged(format, error))?;
+                gamma.map_or(Ok(()), |gamma| light::expect_gamma(format, gamma))?;
+            }
+            Opened { format, decoder, bytes: size }.picture(wanted, limits)
         }
         Ok(ImageFormat::Jpeg) => {
             let format = "JPEG";
@@ -52,12 +81,12 @@ pub fn decode(bytes: &[u8], limits: &Limits) -> Result<AnyPicture, PhotographErr
                 return Err(PhotographError::Cut);
             }
             let decoder = JpegDecoder::new(source).map_err(|error| damaged(format, error))?;
-            Opened { format, decoder, bytes: size }.picture(limits)
+            Opened { format, decoder, bytes: size }.picture(wanted, limits)
         }
         Ok(ImageFormat::Tiff) => {
             let format = "TIFF";
             let decoder = TiffDecoder::new(source).map_err(|error| damaged(format, error))?;
-            Opened { format, decoder, bytes: size }.picture(limits)
+            Opened { format, decoder, bytes: size }.picture(wanted, limits)
         }
         _ => Err(PhotographError::Unknown { found: first_bytes(bytes) }),
     }
@@ -86,14 +115,22 @@ fn damaged(format: &'static str, source: ImageError) -> PhotographError {
 }
 
 impl<D: ImageDecoder> Opened<D> {
-    fn picture(mut self, limits: &Limits) -> Result<AnyPicture, PhotographError> {
+    fn picture(mut self, wanted: Use, limits: &Limits) -> Result<AnyPicture, PhotographError> {
         let format = self.format;
         self.check(limits)?;
         let refused = |error| damaged(format, error);
         self.decoder.set_limits(image_limits(limits)).map_err(refused)?;
+        if !wanted.states_light()
+            && let Some(profile) = self.decoder.icc_profile().map_err(refused)?
+        {
+            light::expect_profile(format, &profile)?;
+        }
         let orientation = self.decoder.orientation().map_err(refused)?;
         let mut image = DynamicImage::from_decoder(self.decoder).map_err(refused)?;
         image.apply_orientation(orientation);
+        if matches!(wanted, Use::Map(_)) && !is_opaque(&image) {
+            return Err(PhotographError::Clear { format });
+        }
         of_image(format, image)
     }
 
@@ -114,6 +151,17 @@ impl<D: ImageDecoder> Opened<D> {
             }
             _ => Ok(()),
         }
+    }
+}
+
+/// Whether no pixel lets light through.
+fn is_opaque(image: &DynamicImage) -> bool {
+    match image {
+        DynamicImage::ImageLumaA8(codes) => codes.pixels().all(|pixel| pixel.0[1] == u8::MAX),
+        DynamicImage::ImageRgba8(codes) => codes.pixels().all(|pixel| pixel.0[3] == u8::MAX),
+        DynamicImage::ImageLumaA16(codes) => codes.pixels().all(|pixel| pixel.0[1] == u16::MAX),
+        DynamicImage::ImageRgba16(codes) => codes.pixels().all(|pixel| pixel.0[3] == u16::MAX),
+        _ => true,
     }
 }
 

@@ -56,6 +56,24 @@ pub enum PhotographError {
         /// Name of the format.
         format: &'static str,
     },
+    /// Codes that mean another light than sRGB.
+    #[error(
+        "the {format} has {found}, expected sRGB, or no word of it; convert it to sRGB, or state the curve where the file is named"
+    )]
+    Light {
+        /// Name of the format.
+        format: &'static str,
+        /// What the file says of its codes.
+        found: String,
+    },
+    /// Values over the ground that are none.
+    #[error(
+        "the {format} has pixels that let light through, expected a value in each; fill them, and save it without alpha"
+    )]
+    Clear {
+        /// Name of the format.
+        format: &'static str,
+    },
     /// Samples of another kind.
     #[error(
         "the {format} is {found}, expected grey or RGB of 8 or 16 bits, with or without alpha; convert it"

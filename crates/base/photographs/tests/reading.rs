@@ -2,9 +2,9 @@
 
 use std::io::Cursor;
 
-use image::{DynamicImage, ImageFormat, ImageReader};
-use photographs::{PhotographError, decode, read, read_grey};
-use picture::{AnyPicture, ColourPicture, Depth, GreyPicture, Limits};
+use image::{DynamicImage, ImageEncoder, ImageFormat, ImageReader};
+use photographs::{PhotographError, Use, decode, decode_for, read};
+use picture::{AnyPicture, ColourPicture, Curve, Depth, GreyPicture, Limits};
 use png::{BitDepth, ColorType};
 use proptest::prelude::{ProptestConfig, any, proptest};
 use tiff::encoder::{TiffEncoder, colortype};
@@ -92,12 +92,110 @@ fn alpha_lies_over_black_in_linear_light() {
     assert_eq!(of(&clear).unwrap().to_grey(photographs::CURVE).codes(), [0, 9]);
 }
 
-#[test]
-fn gamma_and_profile_change_no_code() {
-    let told = png_of(1, ColorType::Grayscale, BitDepth::Eight, &[100], |encoder| {
-        encoder.set_source_gamma(png::ScaledFloat::new(1.0));
+fn with_gamma(gamma: f32) -> Vec<u8> {
+    png_of(1, ColorType::Grayscale, BitDepth::Eight, &[100], |encoder| {
+        encoder.set_source_gamma(png::ScaledFloat::new(gamma));
+    })
+}
+
+/// A chunk behind the header of a PNG.
+fn with_chunk(png: &[u8], kind: &[u8; 4], data: &[u8]) -> Vec<u8> {
+    let mut named = kind.to_vec();
+    named.extend(data);
+    let crc = named.iter().fold(u32::MAX, |sum, byte| {
+        (0..8).fold(
+            sum ^ u32::from(*byte),
+            |sum, _| if sum & 1 == 1 { sum >> 1 ^ 0xEDB8_8320 } else { sum >> 1 },
+        )
     });
-    assert_eq!(of(&told).unwrap(), grey(1, 1, Depth::Eight, &[100]));
+    let (head, rest) = png.split_at(33);
+    [head, &(data.len() as u32).to_be_bytes(), &named, &(!crc).to_be_bytes(), rest].concat()
+}
+
+/// The least colour profile that has a description, of version 2, or of version 4.
+fn profile(name: &str, is_fourth: bool) -> Vec<u8> {
+    let text: Vec<u8> = match is_fourth {
+        false => name.bytes().chain([0]).collect(),
+        true => name.encode_utf16().flat_map(u16::to_be_bytes).collect(),
+    };
+    let number = |value: usize| (value as u32).to_be_bytes();
+    let tag = match is_fourth {
+        false => [b"desc".as_slice(), &[0; 4], &number(text.len()), &text].concat(),
+        true => [
+            b"mluc".as_slice(),
+            &[0; 4],
+            &number(1),
+            &number(12),
+            b"enUS",
+            &number(text.len()),
+            &number(28),
+            &text,
+        ]
+        .concat(),
+    };
+    [
+        vec![0; 128],
+        number(1).to_vec(),
+        b"desc".to_vec(),
+        number(144).to_vec(),
+        number(tag.len()).to_vec(),
+        tag,
+    ]
+    .concat()
+}
+
+fn with_profile(name: &str, is_fourth: bool) -> Vec<u8> {
+    let mut file = Cursor::new(Vec::new());
+    let mut encoder = image::codecs::png::PngEncoder::new(&mut file);
+    encoder.set_icc_profile(profile(name, is_fourth)).unwrap();
+    encoder.write_image(&[100], 1, 1, image::ExtendedColorType::L8).unwrap();
+    file.into_inner()
+}
+
+/// A file may say what its codes mean: sRGB is what they are taken for, and anything else is refused.
+#[test]
+fn light_of_another_kind_is_refused_by_name() {
+    let plain = grey(1, 1, Depth::Eight, &[100]);
+    let of_points =
+        |points: &[u8]| with_chunk(&png(1, ColorType::Grayscale, BitDepth::Eight, &[100]), b"cICP", points);
+    let same = [
+        with_gamma(0.45455),
+        with_profile("sRGB IEC61966-2.1", false),
+        with_profile("sRGB v4 preference", true),
+        with_profile("Generic Gray Gamma 2.2 Profile", true),
+        of_points(&[1, 13, 0, 1]),
+    ];
+    for file in same {
+        assert_eq!(of(&file).unwrap(), plain);
+    }
+    let others = [
+        (with_gamma(1.0), "the PNG has gamma 1, expected sRGB"),
+        (with_profile("Adobe RGB (1998)", false), "a colour profile Adobe RGB (1998), expected sRGB"),
+        (with_profile("Display P3", true), "a colour profile Display P3"),
+        (of_points(&[9, 16, 0, 1]), "code points [9, 16, 0, 1]"),
+    ];
+    for (file, said) in &others {
+        assert!(refused(file).contains(said), "{}", refused(file));
+        // A map whose curve somebody states has the codes as they are.
+        assert_eq!(decode_for(Use::Map(Curve::Power(1.0)), file, &Limits::default()).unwrap(), plain);
+        assert!(decode_for(Use::Map(Curve::Srgb), file, &Limits::default()).is_err());
+    }
+}
+
+#[test]
+fn a_map_has_a_value_in_every_pixel() {
+    let map = |bytes: &[u8]| decode_for(Use::Map(Curve::Srgb), bytes, &Limits::default());
+    let opaque = png(2, ColorType::GrayscaleAlpha, BitDepth::Eight, &[77, 255, 9, 255]);
+    assert_eq!(map(&opaque).unwrap(), grey(2, 1, Depth::Eight, &[77, 9]));
+    for (colour, depth, bytes) in [
+        (ColorType::GrayscaleAlpha, BitDepth::Eight, &[77, 255, 9, 254][..]),
+        (ColorType::Rgba, BitDepth::Eight, &[1, 2, 3, 255, 1, 2, 3, 0]),
+        (ColorType::GrayscaleAlpha, BitDepth::Sixteen, &[1, 2, 255, 255, 1, 2, 255, 254]),
+        (ColorType::Rgba, BitDepth::Sixteen, &[0, 1, 0, 1, 0, 1, 255, 255, 0, 1, 0, 1, 0, 1, 0, 0]),
+    ] {
+        let said = map(&png(2, colour, depth, bytes)).unwrap_err().to_string();
+        assert!(said.contains("pixels that let light through"), "{said}");
+    }
 }
 
 #[test]
@@ -226,7 +324,7 @@ fn files_name_themselves() {
     let path = folder.path().join("moon.jpg");
     std::fs::write(&path, png(1, ColorType::Rgb, BitDepth::Eight, &[255, 0, 0])).unwrap();
     // The contents decide, not the name.
-    assert_eq!(read_grey(&path).unwrap().codes(), [127]);
+    assert_eq!(read(&path).unwrap().to_grey(photographs::CURVE).codes(), [127]);
     std::fs::write(&path, b"no picture").unwrap();
     assert!(
         read(&path).expect_err("no picture").to_string().contains("moon.jpg: not a whole PNG, JPEG or TIFF")

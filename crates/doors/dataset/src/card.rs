@@ -79,9 +79,10 @@ fn how(record: &Record) -> String {
     format!(
         "## How it was made\n\nThe plan is `{PLAN}`. Sample n has the combination of scenario, machine and fault whose number is n modulo the number of \
          combinations. Every draw is the hash of seed, sample, attempt and the name of the quantity, so any sample can be made alone: \
-         `lunoid dataset {PLAN} --only 7`. Each value of a range is as likely.\n\n{}\n{set}\
+         `lunoid dataset {} --only 7`, where the plan was written and not from here: the files that it names lie beside it. Each value of a range is as likely.\n\n{}\n{set}\
          The vehicle stands where it is drawn, by the law of the vehicle. A pose that it cannot take, or that has ground of another split within reach, \
          is drawn again.\n",
+        record.made_from.plan.file,
         markdown(&rows)
     )
 }

@@ -47,6 +47,19 @@ fn is_own(name: &str) -> bool {
     }
 }
 
+/// A file that lies in the folder, or in one of the folders of the samples.
+fn first_file(folder: &Folder) -> Result<Option<String>, DatasetError> {
+    for name in folder.names("")? {
+        if !BELOW.contains(&name.as_str()) {
+            return Ok(Some(name));
+        }
+        if let Some(below) = folder.names(&name)?.first() {
+            return Ok(Some(format!("{name}/{below}")));
+        }
+    }
+    Ok(None)
+}
+
 /// A folder that this process, and no other, writes a data set into.
 #[derive(Debug)]
 pub struct DataFolder(Folder);
@@ -62,13 +75,16 @@ impl DataFolder {
             folder.remove_leftovers(is_own)?;
             return Ok(Self(folder));
         }
-        for name in folder.names("")? {
-            let is_empty = BELOW.contains(&name.as_str()) && folder.names(&name)?.is_empty();
-            if !is_empty {
-                return Err(DatasetError::Foreign { path: path.to_owned(), found: name });
+        match first_file(&folder)? {
+            None => Ok(Self(folder)),
+            Some(found) if is_own(&found) => {
+                let reason = format!(
+                    "this file is gone, and `{found}` lies here; remove the folder, or name an empty one"
+                );
+                Err(DatasetError::Record { path: folder.join(RECORD), reason })
             }
+            Some(found) => Err(DatasetError::Foreign { path: path.to_owned(), found }),
         }
-        Ok(Self(folder))
     }
 
     /// Path of the folder.

@@ -176,11 +176,14 @@ impl Record {
     /// The lines of the manifest in `folder`, which are as the record lists them.
     ///
     /// # Errors
-    /// If the manifest cannot be read, or is another one.
+    /// If the manifest is gone, cannot be read, or is another one.
     pub fn rows(&self, folder: &Path) -> Result<Vec<Row>, DatasetError> {
         let path = folder.join(MANIFEST);
-        let bytes = files::read_all(&path, Limit::RecordBytes)?;
         let refuse = |reason: String| DatasetError::Record { path: path.clone(), reason };
+        if !path.exists() {
+            return Err(refuse("this file is gone; make the data set again, by the same command".into()));
+        }
+        let bytes = files::read_all(&path, Limit::RecordBytes)?;
         let is_listed = self.outputs.iter().any(|file| file.file == MANIFEST && file.blake3 == hash(&bytes));
         if !is_listed {
             return Err(refuse(format!("not what {RECORD} lists; make the data set anew")));

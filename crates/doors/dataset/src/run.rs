@@ -12,7 +12,7 @@ use run_record::{Program, file_hash};
 
 use crate::DatasetError;
 use crate::finish::{Texts, finish};
-use crate::folder::{DataFolder, JOURNAL};
+use crate::folder::{DataFolder, JOURNAL, MANIFEST};
 use crate::plan::Plan;
 use crate::record::{MadeFrom, PlanRecord, Record};
 use crate::row::Row;
@@ -104,7 +104,10 @@ pub(crate) fn kept(
     if let Some(record) = Record::read(folder.path())? {
         let [start, end] = record.samples;
         expect(&record.made_from.fingerprint(&(start..end)))?;
-        rows = record.rows(folder.path())?;
+        // Without the manifest nothing says which samples are whole: all of them are made again.
+        if folder.join(MANIFEST).exists() {
+            rows = record.rows(folder.path())?;
+        }
     }
     if let Some(found) = read_journal::<Row>(&folder.join(JOURNAL))? {
         expect(&found.fingerprint)?;

@@ -31,6 +31,11 @@ impl DriveError {
         }
     }
 
+    /// The faults as a list of problems, for a program that tells of its own in the same way.
+    pub fn into_problems(self) -> ProblemList {
+        self.0
+    }
+
     /// All faults, in the order of the files.
     pub fn faults(&self) -> Vec<Fault> {
         self.0.records()

@@ -175,8 +175,8 @@ impl Drive {
     /// What is seen from `pose`, as frame `frame`.
     ///
     /// # Errors
-    /// If a number of the pose is none, or the generator shows something of frames before: then a [`Loop`](crate::Loop)
-    /// has what was driven.
+    /// If a number of the pose is none, the pose turns a yoke that the display does not have, or the generator shows something of frames before:
+    /// then a [`Loop`](crate::Loop) has what was driven.
     pub fn from_pose(&self, frame: u64, pose: &EyePose) -> Result<Viewpoint<'_>, DriveError> {
         if self.remembers_frames() {
             let title =
@@ -186,7 +186,20 @@ impl Drive {
             return Err(problem.help("look in a loop, which keeps what was driven").into());
         }
         let pose = pose.checked(self.file())?;
+        self.expect_yoke(&pose)?;
         Ok(self.viewpoint(frame, pose.seen(self.opened.scenario.channel.as_ref())))
+    }
+
+    /// Sees that a display without a yoke is asked for no turned picture: what lies beside its raster is not drawn.
+    fn expect_yoke(&self, pose: &EyePose) -> Result<(), DriveError> {
+        if pose.yoke_deg == 0.0 || self.bench.stage.view.yoke.is_some() {
+            return Ok(());
+        }
+        let title =
+            format!("a pose whose `yoke_deg` is {}: the display has no deflection yoke", pose.yoke_deg);
+        let problem = Problem::of_file(self.file(), title).key("yoke_deg").found(pose.yoke_deg.to_string());
+        let help = "leave it out, or write `[roll] display = \"yoke\"` into the scenario";
+        Err(problem.expected("0").help(help).into())
     }
 
     fn viewpoint(&self, frame: u64, pose: Pose) -> Viewpoint<'_> {

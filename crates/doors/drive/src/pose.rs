@@ -78,8 +78,8 @@ impl EyePose {
                 yoke_deg: yoke_deg + 0.0,
             }),
             Some((name, found, most)) => {
-                let title = format!("a pose whose `{name}` is {found}");
-                let problem = Problem::of_file(file, title).key(name).found(found.to_string());
+                let title = format!("a pose whose `{name}` is {found:?}");
+                let problem = Problem::of_file(file, title).key(name).found(format!("{found:?}"));
                 Err(problem.expected(format!("a number from -{most} to {most}")).into())
             }
         }

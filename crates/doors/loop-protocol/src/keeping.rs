@@ -46,8 +46,7 @@ impl<H: Home> Session<H> {
         })?;
         let record = format!("{:#}\n", held.log.record());
         let record = SavedFile { name: RECORD.into(), bytes: record.into_bytes() };
-        let name = name.unwrap_or_else(|| "drive".into());
-        let kept = self.home.keep(&held.driven, &name, std::slice::from_ref(&record))?;
+        let kept = self.home.keep(&held.driven, name.as_deref(), std::slice::from_ref(&record))?;
         let frames = held.driven.frames();
         if let Some(folder) = kept {
             return Ok(json!({ "frames": frames, "folder": folder }).into());

@@ -15,6 +15,11 @@ use crate::{Message, RequestRow};
 /// What a problem of a request names as its file.
 pub(crate) const NAME: &str = "request";
 
+/// What states sweeps.
+const SWEEPS: &str = "a sweep, or two: the first, and the one after the last, from 0 to 4294967295";
+/// What states samples.
+const SAMPLES: &str = "a sample, or two: the first, and the one after the last, from 0 to 4294967295";
+
 /// Keys of a pose: those that it must have, and those that it may have.
 const POSE: [(&str, bool); 8] = [
     ("x_m", true),
@@ -40,7 +45,7 @@ impl<'a> Keys<'a> {
         let known: Vec<&str> = COMMON.iter().chain(row.keys).copied().collect();
         keys.expect_known("", keys.map, &known);
         if !keys.map.get("id").is_some_and(Value::is_u64) {
-            keys.wrong("id", "a whole number from 0");
+            keys.wrong("id", "a whole number from 0 to 18446744073709551615");
         }
         keys
     }
@@ -116,12 +121,12 @@ impl<'a> Keys<'a> {
 
     /// Sweeps: a number, or the first and the one after the last.
     pub fn sweeps(&self, key: &str) -> Option<Range<u32>> {
-        self.span(key, "a sweep, or two: the first, and the one after the last")
+        self.span(key, SWEEPS)
     }
 
     /// Samples: a number, or the first and the one after the last.
     pub fn samples(&self, key: &str) -> Option<Range<u32>> {
-        self.span(key, "a sample, or two: the first, and the one after the last")
+        self.span(key, SAMPLES)
     }
 
     fn span(&self, key: &str, expected: &str) -> Option<Range<u32>> {
@@ -135,7 +140,7 @@ impl<'a> Keys<'a> {
     /// Sweeps that must be there.
     pub fn needed_sweeps(&self, key: &str) -> Option<Range<u32>> {
         if self.map.get(key).is_none_or(Value::is_null) {
-            self.wrong(key, "a sweep, or two: the first, and the one after the last");
+            self.wrong(key, SWEEPS);
         }
         self.sweeps(key)
     }

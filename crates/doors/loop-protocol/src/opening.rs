@@ -86,15 +86,15 @@ pub trait Home {
     /// Every fault of the files and the wishes; or if the host does not open such a scenario.
     fn open(&mut self, asked: &Opening) -> Result<Drive, DriveError>;
 
-    /// Keeps what was driven, with `more` files, under `name`. Returns where it is; `None` if the host keeps nothing: then the client gets the
-    /// files.
+    /// Keeps what was driven, with `more` files, under `name`, or under a name that is free if it is left out. Returns where it is; `None` if the
+    /// host keeps nothing: then the client gets the files.
     ///
     /// # Errors
     /// If it cannot be kept.
     fn keep(
         &mut self,
         _driven: &Loop,
-        _name: &str,
+        _name: Option<&str>,
         _more: &[SavedFile],
     ) -> Result<Option<String>, DriveError> {
         Ok(None)

@@ -79,7 +79,15 @@ impl TcpServer {
 
     /// The first request of a client, without its token; `None` if it says nothing.
     fn admitted(&self, from: &mut impl Read) -> Result<Option<Message>, WireError> {
-        let Some(mut request) = Message::read(&mut from.take(FIRST_REQUEST))? else { return Ok(None) };
+        let mut first = from.take(FIRST_REQUEST);
+        let read = Message::read(&mut first);
+        if read.is_err() && first.limit() == 0 {
+            let problem = Problem::of_file("request", "the first request is too long");
+            return Err(problem
+                .expected(format!("at most {FIRST_REQUEST} bytes before a client is admitted"))
+                .into());
+        }
+        let Some(mut request) = read? else { return Ok(None) };
         let word = request.header.remove(TOKEN);
         let is_hello = request.header.get("do").is_some_and(|word| word == "hello");
         if is_hello && word.as_ref().and_then(|word| word.as_str()).is_some_and(|word| self.token.is(word)) {

@@ -1,6 +1,6 @@
 //! The home of a served session: one scenario, and a folder for what was driven.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use diagnostics::{Problem, Problems};
@@ -128,10 +128,25 @@ impl Home for Served {
         self.open_over(&asked.over(&self.wishes))
     }
 
-    fn keep(&mut self, driven: &Loop, name: &str, more: &[SavedFile]) -> Result<Option<String>, DriveError> {
+    fn keep(
+        &mut self,
+        driven: &Loop,
+        name: Option<&str>,
+        more: &[SavedFile],
+    ) -> Result<Option<String>, DriveError> {
         let Some(folder) = &self.record else { return Ok(None) };
-        let folder = folder.join(name);
+        let folder = name.map_or_else(|| free(folder), |name| folder.join(name));
         driven.save_with(&folder, more)?;
         Ok(Some(folder.display().to_string()))
     }
+}
+
+/// The first of `drive`, `drive-2`, `drive-3`, ... below `folder` that nothing has as its name.
+fn free(folder: &Path) -> PathBuf {
+    let named = |number: u32| match number {
+        1 => folder.join("drive"),
+        number => folder.join(format!("drive-{number}")),
+    };
+    let is_free = |place: &PathBuf| place.symlink_metadata().is_err();
+    (1..u32::MAX).map(named).find(is_free).unwrap_or_else(|| named(u32::MAX))
 }

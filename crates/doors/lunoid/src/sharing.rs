@@ -65,15 +65,15 @@ pub fn by_cost(shard: Shard, all: &Range<u64>, costs: &[u64]) -> Result<Range<u6
     block_by_cost(shard, all, costs).map_err(refused)
 }
 
-/// The random seeds of `shard` among `all`.
+/// What `shard` has of `all` numbers of entries; `what` are the entries, as a word.
 ///
 /// # Errors
-/// If there are more shards than seeds.
-pub fn seeds(shard: Shard, all: &Range<u64>) -> Result<Range<u64>, Failure> {
+/// If there are more shards than entries.
+pub fn numbers(shard: Shard, all: &Range<u64>, what: &str) -> Result<Range<u64>, Failure> {
     block_by_count(shard, all).map_err(|_| {
         let found = all.end - all.start;
         Failure::usage(format!(
-            "--shard {shard}: there are {found} seeds, expected at most as many shards; give fewer shards"
+            "--shard {shard}: there are {found} {what}, expected at most as many shards; give fewer shards"
         ))
     })
 }
@@ -88,11 +88,6 @@ fn refused(error: ShardError) -> Failure {
 /// If there are more shards than entries.
 pub fn part<T>(shard: Option<Shard>, all: Vec<T>, what: &str) -> Result<Vec<T>, Failure> {
     let Some(shard) = shard else { return Ok(all) };
-    let found = all.len();
-    let Range { start, end } = block_by_count(shard, &(0..found as u64)).map_err(|_| {
-        Failure::usage(format!(
-            "--shard {shard}: there are {found} {what}, expected at most as many shards; give fewer shards"
-        ))
-    })?;
+    let Range { start, end } = numbers(shard, &(0..all.len() as u64), what)?;
     Ok(all.into_iter().skip(start as usize).take((end - start) as usize).collect())
 }

@@ -230,15 +230,24 @@ def test_a_folder_has_one_job(place) -> None:
 
 
 def test_faults_are_told_of_once_before_any_worker_starts(place) -> None:
-    with pytest.raises(farm.FarmError, match="gone.toml"):
+    with pytest.raises(lunoid.InputError, match="gone.toml") as gone:
         farm.on(None).run(farm.replay("gone.toml", out="joined"), shards=2)
-    with pytest.raises(farm.FarmError, match="the run has 12 frames, expected at most as many shards"):
+    assert gone.value.file == "gone.toml"
+    Path("odd.toml").write_text(Path("scene.toml").read_text().replace("seed = 3", "seed = -3"))
+    with pytest.raises(lunoid.InputError, match="seed") as odd:
+        farm.on(None).run(farm.replay("odd.toml", out="joined"), shards=2)
+    assert odd.value.file == "odd.toml" and odd.value.line
+    with pytest.raises(lunoid.InputError, match="the run has 12 frames, expected at most as many shards"):
         farm.on(None, workers=2).run(job(), shards=13)
     with pytest.raises(lunoid.InputError, match=r"frames range\(3, 3\)"):
         job(frames=range(3, 3))
     for wrong in (0, -1, "by size", 2.5):
-        with pytest.raises(lunoid.InputError, match="shards="):
+        with pytest.raises(lunoid.InputError, match="shards "):
             farm.on(None).run(job(), shards=wrong)  # type: ignore[arg-type]
+    with pytest.raises(lunoid.InputError, match="folder of the shards cannot be made"):
+        farm.on(None).run(farm.replay("scene.toml", out="/proc/none/joined"), shards=2)
+    with pytest.raises(lunoid.InputError, match="no job"):
+        farm.on(None).run("scene.toml")  # type: ignore[arg-type]
     with pytest.raises(lunoid.InputError, match="no such program"):
         farm.on(None, program="no-such-lunoid").run(job(), shards=2)
 

@@ -77,6 +77,27 @@ def test_ctrl_c_ends_a_study() -> None:
         process.kill()
 
 
+def test_a_drive_does_not_outlive_a_fork(scene: Path) -> None:
+    drive = lunoid.open(scene)
+    loop = drive.loop()
+    told, tell = os.pipe()
+    child = os.fork()
+    if child == 0:
+        said = []
+        for call in (lambda: drive.frame(0), lambda: loop.look(None)):  # type: ignore[arg-type]
+            try:
+                call()
+            except lunoid.InputError as error:
+                said.append(str(error))
+        os.write(tell, "\n".join(said).encode())
+        os._exit(0)
+    assert os.waitpid(child, 0)[1] == 0
+    drive_said, loop_said = os.read(told, 4096).decode().split("\n")
+    assert f"this drive belongs to process {os.getpid()}, and this is process {child}" in drive_said
+    assert "this loop belongs" in loop_said
+    assert drive.frame(0).frame == 0
+
+
 def resident() -> int:
     """Bytes of this process in memory."""
     pages = int(Path("/proc/self/statm").read_text().split()[1])

@@ -12,12 +12,12 @@ use crate::StageError;
 /// # Errors
 /// If the picture cannot be read.
 pub(crate) fn albedo_map(wish: &AlbedoMapWish, extent: [f64; 4]) -> Result<AlbedoMap, StageError> {
-    let picture = photographs::read(&wish.file)?;
-    let size = [picture.columns(), picture.lines()];
     let curve = match wish.curve {
         MapCurve::Srgb => photographs::CURVE,
         MapCurve::Linear => Curve::Power(1.0),
     };
+    let picture = photographs::read_map(&wish.file, curve)?;
+    let size = [picture.columns(), picture.lines()];
     let texels = Texels::of_picture(&picture, curve, wish.ends);
     let made = AlbedoMap::new(wish.area.unwrap_or(extent), size, texels);
     made.map_err(|error| no_map(wish, error))

@@ -42,5 +42,6 @@ fn listed(source: &Source) -> impl Iterator<Item = (PathBuf, &FileRecord)> {
 
 fn expect_whole(folder: &Path, file: &FileRecord) -> Result<(), ReplayError> {
     let path = folder.join(&file.file);
-    if file_hash(&path)? == file.blake3 { Ok(()) } else { Err(ReplayError::Changed { path }) }
+    let is_whole = path.exists() && file_hash(&path)? == file.blake3;
+    if is_whole { Ok(()) } else { Err(ReplayError::Changed { path }) }
 }

@@ -187,9 +187,9 @@ pub enum ReplayError {
         /// What is missing, in words.
         reason: String,
     },
-    /// A file of a run that is not what its record says.
+    /// A file of a run that is gone, or is not what its record says.
     #[error(
-        "{path}: its bytes are not those that the record of its run lists; the same replay into that folder makes the file anew"
+        "{path}: gone, or its bytes are not those that the record of its run lists; the same replay into that folder makes the file anew"
     )]
     Changed {
         /// Path of the file.

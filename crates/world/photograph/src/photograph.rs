@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use glam::DVec3;
 use photo_camera::Light;
-use picture::{GreyPicture, Transfer};
+use picture::{Curve, GreyPicture, Transfer};
 
 use crate::sampling::bilinear;
 use crate::{PhotoError, PhotoFile, Placement};
@@ -43,7 +43,9 @@ impl Photograph {
     /// If one of the files cannot be read, or is not what it should be.
     pub fn read(picture: &Path, camera: &Path) -> Result<Self, PhotoError> {
         let PhotoFile { placement, light } = PhotoFile::read(camera)?;
-        Self::new(photographs::read_grey(picture)?, placement, light)
+        // The camera file says what light the codes are, whatever the picture says.
+        let picture = photographs::read_map(picture, Curve::Power(1.0))?;
+        Self::new(picture.to_grey(photographs::CURVE), placement, light)
     }
 
     /// The picture of grey codes.

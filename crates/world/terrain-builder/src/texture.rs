@@ -74,7 +74,7 @@ impl Textures {
         for feature in of.features.iter().filter(|feature| feature.is_enabled) {
             let Kind::Texture(wish) = &feature.kind else { continue };
             let id = || feature.id.clone();
-            let picture = photographs::read(&wish.path)
+            let picture = photographs::read_map(&wish.path, wish.curve)
                 .map_err(|source| TextureError::File { feature: id(), source: source.into() })?;
             let texels = Texels::of_picture(&picture, wish.curve, wish.ends);
             let size = [picture.columns(), picture.lines()];

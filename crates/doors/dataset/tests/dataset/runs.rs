@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use dataset::{DataFolder, JOURNAL, Outcome, RECORD, Record};
+use dataset::{DataFolder, JOURNAL, MANIFEST, Outcome, RECORD, Record};
 use run_record::hash;
 
 use crate::scene::{PLAN, Scene, control, files, program, rows};
@@ -53,6 +53,42 @@ fn a_finished_data_set_is_kept_and_a_damaged_sample_made_again() {
     fs::remove_file(folder.join(&rows(&folder)[5].file.file)).unwrap();
     assert_eq!(scene.make("out", 0..9).unwrap(), Outcome::Finished { made: 2 });
     assert!(files(&folder) == whole);
+}
+
+#[test]
+fn a_data_set_without_its_manifest_is_made_again_and_joined_by_nobody() {
+    let scene = Scene::new(PLAN);
+    let folder = scene.make_all("out");
+    let whole = files(&folder);
+    fs::remove_file(folder.join(MANIFEST)).unwrap();
+    let joined = DataFolder::claim(&scene.path("joined")).unwrap();
+    let refused =
+        control(u64::MAX, |control| dataset::join(&[folder.clone()], &joined, control).unwrap_err());
+    let told = refused.to_string();
+    assert!(told.contains("manifest.jsonl: this file is gone; make the data set again"), "{told}");
+    assert_eq!(scene.make("out", 0..9).unwrap(), Outcome::Finished { made: 9 });
+    assert!(files(&folder) == whole);
+}
+
+#[test]
+fn a_data_set_without_its_record_is_no_foreign_folder() {
+    let scene = Scene::new(PLAN);
+    let folder = scene.make_all("out");
+    fs::remove_file(folder.join(RECORD)).unwrap();
+    let told = DataFolder::claim(&folder).unwrap_err().to_string();
+    assert!(
+        told.contains("dataset.json: this file is gone, and `") && told.contains("remove the folder"),
+        "{told}"
+    );
+    fs::write(folder.join("notes.txt"), "mine").unwrap();
+    for name in [MANIFEST, "README.md", "LICENSE.txt", "plan.toml", "contact-sheet.png"] {
+        fs::remove_file(folder.join(name)).unwrap();
+    }
+    for (loader, _) in dataset::LOADERS {
+        fs::remove_file(folder.join(loader)).unwrap();
+    }
+    let told = DataFolder::claim(&folder).unwrap_err().to_string();
+    assert!(told.contains("holds `notes.txt`, which is no file of a data set"), "{told}");
 }
 
 #[test]

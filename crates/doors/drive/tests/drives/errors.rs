@@ -48,6 +48,7 @@ fn faults_of_scenario_generators_and_model_are_told_at_once() {
 #[test]
 fn what_is_asked_wrongly_is_refused() {
     let drive = Scene::new("", &[]).drive();
+    let pose = drive.pose(0).unwrap();
     let cases = [
         refused(Drive::open(Path::new("no/such.toml"), &Wishes::default(), 1)),
         refused(drive.frame(4)),
@@ -59,9 +60,24 @@ fn what_is_asked_wrongly_is_refused() {
         refused(drive.probe(&["tg.*".into()], 0, 39..41)),
         refused(drive.explain(0, [40, 0])),
         refused(drive.study(&["nothing".into()], &mut || true)),
+        refused(drive.look(0, &EyePose { roll_deg: 30.0, yoke_deg: 30.0, ..pose })),
+        refused(drive.look(0, &EyePose { time_s: 1e300, ..pose })),
     ];
-    let words =
-        ["such.toml", "frame 4", "frame", "deep", "pose", "zz.*", "3..3", "39..41", "40,0", "nothing"];
+    let words = [
+        "such.toml",
+        "frame 4",
+        "frame",
+        "deep",
+        "pose",
+        "zz.*",
+        "3..3",
+        "39..41",
+        "40,0",
+        "nothing",
+        "no deflection yoke",
+        "1e300;",
+    ];
+    assert_eq!(cases.len(), words.len());
     for (error, word) in cases.iter().zip(words) {
         assert!(error.to_string().contains(word), "{error}");
     }

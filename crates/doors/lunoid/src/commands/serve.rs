@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use clap::Args;
+use drive::DriveError;
 use loop_protocol::{Home, Session, WireError};
 use loop_server::{ServerError, TcpServer, Token, serve};
 
@@ -51,7 +52,7 @@ impl ServeCommand {
     pub fn run(&self) -> Result<Verdict, Failure> {
         let (home, _) = self.served.home()?;
         let server = self.tcp.map(|port| self.tcp_server(port)).transpose().map_err(failed)?;
-        let drive = Arc::new(home.drive().map_err(Failure::input)?);
+        let drive = Arc::new(home.drive().map_err(DriveError::into_problems)?);
         let session = || Session::with(home.clone(), Arc::clone(&drive));
         match (&self.socket, server) {
             (Some(path), _) => on_socket(path, session)?,
@@ -83,7 +84,7 @@ fn hear(said: &str) {
 
 fn failed(error: ServerError) -> Failure {
     match error {
-        ServerError::BadToken(_) => Failure::usage(format!("--token: {error}")),
+        ServerError::BadToken(_) => Failure::usage(format!("--token, or LUNOID_TOKEN: {error}")),
         _ => Failure::output(error),
     }
 }

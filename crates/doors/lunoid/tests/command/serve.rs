@@ -86,6 +86,9 @@ fn clients_on_a_pipe_drive_and_the_replay_is_equal() {
             let seen = on_a_pipe(&words, machine, &record);
             assert_eq!(seen.len(), 6, "{words:?}");
             assert_eq!(replayed(&record, machine), seen, "{words:?}, {machine}");
+            // Another drive into the same folder has a name of its own.
+            assert_eq!(on_a_pipe(&words, machine, &record), seen);
+            assert!(record.join("drive-2/scenario.toml").is_file() && !record.join("drive-3").exists());
         }
     }
 }

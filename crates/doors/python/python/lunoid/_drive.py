@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from os import PathLike
 from types import TracebackType
 from typing import Any, Literal
 
-from . import _native
+from . import _asked, _native
 from ._errors import refused
 from ._explanation import Explanation
 from ._loop import Loop
@@ -22,6 +21,8 @@ from ._truth import Truth
 from ._waves import Waves
 
 _Path = str | PathLike[str]
+
+_ECONOMIES = ("normal", "bounded", "lossless", "everything", "preview")
 
 
 @dataclass(frozen=True)
@@ -64,20 +65,20 @@ def open(
 
     Raises InputError with all faults of files and settings.
     """
-    keys = [(key, _toml_value(key, value)) for key, value in (set or {}).items()]
+    file = _asked.path("open", "scenario", scenario)
     native = _native.Drive(
-        os.fspath(scenario),
-        machine=machine,
-        overlays=[os.fspath(file) for file in overlays],
-        set=keys,
-        channel=channel,
-        bank=None if bank is None else os.fspath(bank),
-        sweeps=sweeps,
-        samples=samples,
-        scalar=scalar,
-        economy=economy,
-        shadow_cache=None if shadow_cache is None else os.fspath(shadow_cache),
-        threads=threads,
+        file,
+        machine=None if machine is None else _asked.word(file, "machine", machine),
+        overlays=[_asked.path(file, "overlays", overlay) for overlay in _asked.listed(file, "overlays", overlays)],
+        set=[(key, _toml_value(key, value)) for key, value in _asked.keyed(file, "set", set)],
+        channel=None if channel is None else _asked.word(file, "channel", channel),
+        bank=None if bank is None else _asked.path(file, "bank", bank),
+        sweeps=None if sweeps is None else _asked.counted(file, "sweeps", sweeps),
+        samples=None if samples is None else _asked.counted(file, "samples", samples),
+        scalar=None if scalar is None else _asked.word(file, "scalar", scalar, ("f32", "f64")),
+        economy=_asked.word(file, "economy", economy, _ECONOMIES),
+        shadow_cache=None if shadow_cache is None else _asked.path(file, "shadow_cache", shadow_cache),
+        threads=_asked.counted(file, "threads", threads),
     )
     return Drive(native)
 
@@ -94,8 +95,10 @@ class Drive:
     def __init__(self, native: _native.Drive) -> None:
         self._native: _native.Drive | None = native
         self._facts = native.facts()
+        self._process = _asked.process()
 
     def _open(self) -> _native.Drive:
+        _asked.same_process(self.file, "drive", self._process)
         if self._native is None:
             raise refused(self.file, "the drive is closed", help="open the scenario again")
         return self._native
@@ -158,22 +161,28 @@ class Drive:
 
         Raises InputError for a machine with memory between frames: a loop has what was driven.
         """
-        number = round(pose.time_s * self.update_hz) if frame is None else frame
-        return Picture(self._open().look(self._counted("frame", number), pose._numbers()))
+        numbers = Pose._told(self.file, "pose", pose)
+        number = self._frame_of(pose.time_s) if frame is None else self._counted("frame", frame)
+        return Picture(self._open().look(number, numbers))
 
     def truth(self, frame: int, *names: str) -> Truth:
         """What each pixel of frame ``frame`` shows: ``range``, ``height``, ``distance`` (m), ``normal``, ``reflectivity``, ``shadow``,
         ``label``; all of them if none is named."""
-        planes, error = self._open().truth(self._counted("frame", frame), ",".join(names) if names else "all")
-        return Truth(frame, planes, error)
+        wanted = [_asked.word(self.file, "names", name) for name in names]
+        number = self._counted("frame", frame)
+        planes, error = self._open().truth(number, ",".join(wanted) if wanted else "all")
+        return Truth(number, planes, error)
 
     def probe(self, *signals: str, frame: int = 0, sweep: int | range = 0) -> Waves:
         """Signals that match any of ``signals``, with ``*`` for any run of characters, in a sweep or a range of sweeps of a frame."""
-        sweeps = range(sweep, sweep + 1) if isinstance(sweep, int) else sweep
-        if sweeps.step != 1:
-            raise refused(self.file, f"sweeps {sweeps}", found=sweeps, expected="a range of step 1")
-        both = (self._counted("sweep", sweeps.start), self._counted("sweep", sweeps.stop))
-        return Waves(self._open().probe(list(signals) or ["*"], self._counted("frame", frame), both))
+        patterns = [_asked.word(self.file, "signals", signal) for signal in signals]
+        if not isinstance(sweep, range):
+            first = self._counted("sweep", sweep)
+            sweep = range(first, first + 1)
+        if sweep.step != 1:
+            raise refused(self.file, f"sweeps {sweep}", found=sweep, expected="a range of step 1")
+        both = (self._counted("sweep", sweep.start), self._counted("sweep", sweep.stop))
+        return Waves(self._open().probe(patterns or ["*"], self._counted("frame", frame), both))
 
     def explain(self, frame: int, column: int, line: int) -> Explanation:
         """How pixel (``column``, ``line``), from 0 at the top left, of frame ``frame`` came about."""
@@ -190,16 +199,22 @@ class Drive:
         after the ladder."""
         if kind != "error":
             raise refused(self.file, f"no study `{kind}`", found=kind, expected="error")
-        return Study(self._open().study(list(only)))
+        ladders = [_asked.word(self.file, "only", name) for name in _asked.listed(self.file, "only", only)]
+        return Study(self._open().study(ladders))
 
     def close(self) -> None:
         """Frees ground and tables. Pictures, truth and loops stay."""
         self._native = None
 
-    def _counted(self, name: str, value: int) -> int:
-        if not 0 <= value < 2**32:
-            raise refused(self.file, f"{name} {value}", found=value, expected="a whole number from 0")
-        return value
+    def _counted(self, name: str, value: object) -> int:
+        return _asked.counted(self.file, name, value)
+
+    def _frame_of(self, time_s: float) -> int:
+        """Number of the frame at a time (s)."""
+        last = _asked.MOST / self.update_hz
+        if not 0.0 <= time_s <= last:
+            raise refused(self.file, f"a pose whose `time_s` is {time_s!r}", found=repr(time_s), expected=f"0 to {last:.9g}", help="or state the frame")
+        return round(time_s * self.update_hz)
 
     def __enter__(self) -> Drive:
         return self

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import os
 from os import PathLike
 from types import TracebackType
 
-from . import _native
+from . import _asked, _native
 from ._errors import refused
 from ._picture import Picture
 from ._pose import Pose
@@ -28,8 +27,10 @@ class Loop:
     def __init__(self, native: _native.Loop, file: str) -> None:
         self._native: _native.Loop | None = native
         self._file = file
+        self._process = _asked.process()
 
     def _open(self) -> _native.Loop:
+        _asked.same_process(self._file, "loop", self._process)
         if self._native is None:
             raise refused(self._file, "the loop is closed", help="begin another by drive.loop()")
         return self._native
@@ -44,18 +45,19 @@ class Loop:
 
         Raises InputError if the pose cannot be driven or drawn; nothing is driven then.
         """
-        return Picture(self._open().look(pose._numbers()))
+        return Picture(self._open().look(Pose._told(self._file, "pose", pose)))
 
     def ahead(self, pose: Pose, metres: float) -> Pose:
         """The vehicle ``metres`` further along its heading, standing on the ground; level in the air where the scenario's path states heights."""
-        return Pose._of(self._open().ahead(pose._numbers(), metres))
+        numbers = Pose._told(self._file, "pose", pose)
+        return Pose._of(self._open().ahead(numbers, _asked.real(self._file, "metres", metres)))
 
     def save(self, folder: str | PathLike[str]) -> None:
         """Writes what was driven into the new folder ``folder``: ``scenario.toml``, ``driven.csv`` and the files that the scenario names.
 
         ``lunoid replay FOLDER/scenario.toml`` with the settings of the drive draws the same pixels.
         """
-        self._open().save(os.fspath(folder))
+        self._open().save(_asked.path(self._file, "folder", folder))
 
     def close(self) -> None:
         """Ends the loop and frees what it remembers."""

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from ._asked import real
 from ._errors import refused
 
 _Numbers = tuple[float, float, float, float, float, float, float, float]
@@ -36,7 +36,7 @@ class Pose:
     def __post_init__(self) -> None:
         object.__setattr__(self, "eye_m", _three(self.eye_m))
         for name in ("heading_deg", "pitch_deg", "roll_deg", "time_s", "yoke_deg"):
-            object.__setattr__(self, name, _number(name, getattr(self, name)))
+            object.__setattr__(self, name, real("pose", name, getattr(self, name)))
 
     @property
     def x_m(self) -> float:
@@ -55,25 +55,22 @@ class Pose:
 
     def turned(self, degrees: float) -> Pose:
         """The same pose turned clockwise by ``degrees``."""
-        return replace(self, heading_deg=self.heading_deg + degrees)
+        return replace(self, heading_deg=self.heading_deg + real("pose", "degrees", degrees))
 
     def _numbers(self) -> _Numbers:
         return (self.time_s, *self.eye_m, self.heading_deg, self.pitch_deg, self.roll_deg, self.yoke_deg)
+
+    @staticmethod
+    def _told(file: str, name: str, pose: object) -> _Numbers:
+        """The numbers of what is to be a pose."""
+        if not isinstance(pose, Pose):
+            raise refused(file, f"`{name}` is {pose!r}", found=repr(pose), expected="a lunoid.Pose")
+        return pose._numbers()
 
     @classmethod
     def _of(cls, numbers: _Numbers) -> Pose:
         time, x, y, z, heading, pitch, roll, yoke = numbers
         return cls((x, y, z), heading, pitch, roll, time, yoke)
-
-
-def _number(name: str, value: object) -> float:
-    try:
-        number = float(value)  # type: ignore[arg-type]
-    except (TypeError, ValueError):
-        number = math.nan
-    if not math.isfinite(number):
-        raise refused("pose", f"a pose whose `{name}` is {value!r}", found=repr(value), expected="a finite number")
-    return number
 
 
 def _three(value: Sequence[float]) -> tuple[float, float, float]:
@@ -83,4 +80,4 @@ def _three(value: Sequence[float]) -> tuple[float, float, float]:
         raise refused(
             "pose", f"a pose whose `eye_m` is {value!r}", found=repr(value), expected="three numbers: north, east, up (m)"
         ) from None
-    return (_number("x_m", x), _number("y_m", y), _number("z_m", z))
+    return (real("pose", "x_m", x), real("pose", "y_m", y), real("pose", "z_m", z))

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Study:
     """A finished study: one row an error of a rung of a ladder."""
 
@@ -26,3 +26,8 @@ class Study:
         import pandas
 
         return pandas.read_csv(io.StringIO(self.csv))
+
+    def __repr__(self) -> str:
+        rows = self.rows
+        ladders = list(dict.fromkeys(row["ladder"] for row in rows))
+        return f"<lunoid.Study of {len(rows)} rows: {', '.join(ladders)}>"

@@ -63,7 +63,7 @@ fn truth_that_lacks_what_a_log_needs_and_truth_that_was_changed() {
     *bytes.last_mut().expect("a byte") ^= 1;
     fs::write(&file, bytes).expect("changed");
     assert!(
-        said(&made).contains("frame-000001.npz: its bytes are not those that the record"),
+        said(&made).contains("frame-000001.npz: gone, or its bytes are not those that the record"),
         "{}",
         said(&made)
     );

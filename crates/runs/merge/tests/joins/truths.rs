@@ -59,5 +59,5 @@ fn truths_of_other_kinds_and_changed_arrays_are_refused() {
     fs::write(&array, bytes).unwrap();
     folders.reverse();
     let said = refused(&folders, &out);
-    assert!(said.starts_with(&format!("{}: its bytes are not those", array.display())), "{said}");
+    assert!(said.starts_with(&format!("{}: gone, or its bytes are not those", array.display())), "{said}");
 }

@@ -6,7 +6,7 @@ use std::io::{Seek, SeekFrom, Write};
 use survey::{Frame, ReadOptions, SurveyOptions, Window, open, read, survey};
 
 use crate::labels::{ENVI, HEAD, ISIS, PDS4, PRJ, ascii, cube, envi, numbers, pds4, replaced};
-use crate::made::{Directory, Field, LABEL, Made, SIDE, floats, heights, quarters, words};
+use crate::made::{Directory, Field, LABEL, Made, SIDE, against, floats, heights, quarters, words};
 
 /// The made samples with two marks that nothing declares.
 fn marked(mut samples: Vec<f64>) -> Vec<f64> {
@@ -160,6 +160,40 @@ fn contradictions_are_refused() {
     said(&pds4(&split), "a value in one piece");
     let band = ReadOptions { band: Some(2), ..ReadOptions::default() };
     assert!(ascii(HEAD, PRJ).read(&band).unwrap_err().contains("band 2"));
+}
+
+/// GDAL goes by the band of an item, and other programs by its name.
+#[test]
+fn the_meaning_of_no_band_is_refused() {
+    for (name, text) in [("SCALE", "0.5"), ("OFFSET", "1"), ("UNITTYPE", "ft"), ("scale", "0.5")] {
+        let of = |sample: &str| {
+            let items = format!("<GDALMetadata><Item name=\"{name}\"{sample}>{text}</Item></GDALMetadata>");
+            Directory::ground().with(42112, Field::Text(items)).made()
+        };
+        assert!(of(" sample=\"0\"").plain().is_ok(), "{name}");
+        let said = of("").refusal();
+        assert!(said.contains(&format!("{name}: found an item of no band, expected <Item name")), "{said}");
+    }
+}
+
+/// A name counts in the dictionary that it is from: another one may use it for something else.
+#[test]
+fn elements_of_other_dictionaries_are_refused() {
+    let other = replaced(PDS4, "http://pds.nasa.gov/pds4/cart/v1", "http://example.org/maps");
+    let said = pds4(&other).refusal();
+    assert!(said.contains("Cartography") && said.contains("the namespace http://example.org/maps"), "{said}");
+    assert!(said.contains("expected the namespace http://pds.nasa.gov/pds4/cart/v1"), "{said}");
+    let factor = "<scaling_factor>0.25</scaling_factor>";
+    let foreign = "<x:scaling_factor xmlns:x=\"http://example.org/x\">0.5</x:scaling_factor>";
+    let said = pds4(&replaced(PDS4, factor, foreign)).refusal();
+    assert!(said.contains("scaling_factor") && said.contains("example.org/x"), "{said}");
+    // A label whose elements have no namespace at all, and one of a later version.
+    let without = replaced(PDS4, " xmlns=\"http://pds.nasa.gov/pds4/pds/v1\"", "");
+    let later = PDS4.replace("/v1\"", "/v2\"");
+    for label in [&without, &later] {
+        let (voids, worst) = against(&pds4(label).plain().unwrap(), 1.0, 0.0);
+        assert!(voids == 0 && worst == 0.0, "{voids} voids, worst {worst}: {label}");
+    }
 }
 
 /// A header of a datum of the Earth has the Earth's radius, one of another body none that is known.

@@ -62,7 +62,7 @@ fn every_row_of_tags() {
             Field::Shorts(vec![3]),
             Field::Shorts(vec![77]),
             Field::Doubles(vec![77.0; 16]),
-            text("<GDALMetadata><Item name=\"SCALE\">3</Item></GDALMetadata>"),
+            text("<GDALMetadata><Item name=\"SCALE\" sample=\"0\">3</Item></GDALMetadata>"),
             text("50"),
         ];
         let fits = |value: &&Field| match tag {

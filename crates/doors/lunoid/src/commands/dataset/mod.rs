@@ -16,7 +16,7 @@ use crate::loading::Threads;
 use crate::output::tell;
 use crate::program::program;
 use crate::progress::Saying;
-use crate::sharing::{Sharing, block};
+use crate::sharing::{Sharing, numbers};
 use crate::{Failure, Verdict};
 
 const AFTER: &str = "Examples:
@@ -88,7 +88,7 @@ impl DatasetCommand {
     fn samples(&self, plan: &Plan, shard: Option<Shard>) -> Result<Range<u64>, Failure> {
         let all = 0..plan.samples();
         match (shard, self.only) {
-            (Some(shard), _) => block(shard, &all),
+            (Some(shard), _) => numbers(shard, &all, "samples"),
             (None, None) => Ok(all),
             (None, Some(span)) => span.within(&all).ok_or_else(|| {
                 Failure::usage(format!("--only {span}: expected a sample, or A..B, of 0..{}", all.end))

@@ -16,7 +16,7 @@ use scenario::{PoseTable, Scalar};
 use crate::loading::{
     ScalarWord, StageArgs, StageOptions, Threads, expect_machine, machine_stage, of_models,
 };
-use crate::sharing::{Sharing, part, seeds};
+use crate::sharing::{Sharing, numbers, part};
 use crate::{Failure, Verdict, values};
 use text::Span;
 
@@ -128,7 +128,7 @@ impl LockstepCommand {
         })?;
         let scalar = self.scalar();
         let shard = self.sharing.asked()?;
-        let seeds = shard.map_or(Ok(seed..end), |shard| seeds(shard, &(seed..end)))?;
+        let seeds = shard.map_or(Ok(seed..end), |shard| numbers(shard, &(seed..end), "seeds"))?;
         let Trials { scenes, refused, report, faults } = pool.install(|| trials(seeds.clone(), scalar));
         let Range { start, end } = seeds;
         let what = format!(

@@ -8,10 +8,13 @@ from dataclasses import dataclass
 from os import PathLike
 from typing import Any, Literal
 
+from .. import _asked
 from .._errors import refused
 from .._toml import value as _toml_value
 
 _Path = str | PathLike[str]
+
+_ECONOMIES = ("bounded", "lossless", "everything", "preview")
 
 _TRIAL_RASTER = ("--sweeps", "24", "--samples", "40")
 
@@ -81,25 +84,31 @@ def replay(
     >>> " ".join(job.words)
     'scenarios/first-light.toml --truth range --frames 0..4'
     """
-    name = os.fspath(scenario)
-    if frames is not None and (frames.step != 1 or not 0 <= frames.start < frames.stop):
-        raise refused(name, f"frames {frames}", found=frames, expected="a range of step 1 from 0 on, as range(0, 120)")
-    named = [os.fspath(file) for file in (*overlays, *([bank] if bank is not None else []))]
+    name = _asked.path("farm.replay", "scenario", scenario)
+    if frames is not None and not (isinstance(frames, range) and frames.step == 1 and 0 <= frames.start < frames.stop):
+        raise refused(name, f"frames {frames!r}", found=frames, expected="a range of step 1 from 0 on, as range(0, 120)")
+    laid = [_asked.path(name, "overlays", file) for file in _asked.listed(name, "overlays", overlays)]
+    ground = None if bank is None else _asked.path(name, "bank", bank)
     stage: list[str] = []
-    stage += _option("--machine", machine)
-    for file in overlays:
-        stage += _option("--overlay", os.fspath(file))
-    for key, found in (set or {}).items():
+    stage += _option("--machine", None if machine is None else _asked.word(name, "machine", machine))
+    for file in laid:
+        stage += _option("--overlay", file)
+    for key, found in _asked.keyed(name, "set", set):
         stage += _option("--set", f"{key}={_toml_value(key, found)}")
-    stage += _option("--channel", channel) + _option("--bank", None if bank is None else os.fspath(bank))
-    stage += [] if economy == "bounded" else [f"--{economy}"]
-    raster = _option("--sweeps", sweeps) + _option("--samples", samples) + _option("--scalar", scalar)
-    pictures = [] if depth == 8 else _option("--depth", depth)
-    pictures += _option("--truth", ",".join(truth) or None)
+    stage += _option("--channel", None if channel is None else _asked.word(name, "channel", channel)) + _option("--bank", ground)
+    stage += [] if _asked.word(name, "economy", economy, _ECONOMIES) == "bounded" else [f"--{economy}"]
+    raster = _option("--sweeps", None if sweeps is None else _asked.counted(name, "sweeps", sweeps))
+    raster += _option("--samples", None if samples is None else _asked.counted(name, "samples", samples))
+    raster += _option("--scalar", None if scalar is None else _asked.word(name, "scalar", scalar, ("f32", "f64")))
+    pictures = [] if _asked.counted(name, "depth", depth) == 8 else _option("--depth", depth)
+    planes = [_asked.word(name, "truth", plane) for plane in _asked.listed(name, "truth", truth)]
+    pictures += _option("--truth", ",".join(planes) or None)
     flags = {"--refresh": refresh, "--apng": apng, "--no-page": not page}
     pictures += [flag for flag, is_given in flags.items() if is_given]
     span = [] if frames is None else _option("--frames", f"{frames.start}..{frames.stop}")
-    return Job(name, tuple(stage), tuple(raster), tuple(pictures), tuple(span), tuple(named), os.path.abspath(os.fspath(out)))
+    named = (*laid, *([] if ground is None else [ground]))
+    folder = os.path.abspath(_asked.path(name, "out", out))
+    return Job(name, tuple(stage), tuple(raster), tuple(pictures), tuple(span), named, folder)
 
 
 def _option(name: str, value: object) -> list[str]:

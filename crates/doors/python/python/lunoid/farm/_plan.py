@@ -57,7 +57,7 @@ def plan(job: Job, shards: Literal["by cost"] | int, workers: int, named: str | 
     program = _program.find(named)
     version = _program.version(program)
     asked = {"schema": SCHEMA, "program": version, "words": job.words, "by": by}
-    farm.mkdir(parents=True, exist_ok=True)
+    _make(farm)
     _draw(program, _first_frame(job), farm, "trial")
     inputs = _inputs.of_run(farm / "trial", job.files)
     held = _held(farm, {**asked, "inputs": inputs})
@@ -76,6 +76,14 @@ def plan(job: Job, shards: Literal["by cost"] | int, workers: int, named: str | 
     return Plan(farm, program, version, by, int(held["shards"]), inputs)
 
 
+def _make(farm: Path) -> None:
+    try:
+        farm.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        help = "choose another out"
+        raise refused(str(farm), f"the folder of the shards cannot be made: {error.strerror}", expected="a folder, or nothing", help=help) from error
+
+
 def _first_frame(job: Job) -> list[str]:
     first = int(job.frames[1].split("..")[0]) if job.frames else 0
     # A shard of one: what has no shards is refused here.
@@ -85,7 +93,7 @@ def _first_frame(job: Job) -> list[str]:
 
 def _draw(program: str, words: list[str], farm: Path, name: str) -> None:
     out = ["--out", str(farm / name), "--quiet", "--no-progress"]
-    _program.call([program, "replay", *words, *out], Path.cwd(), _worker.shadows(farm))
+    _program.call([program, "replay", *words, *out], Path.cwd(), _worker.shadows(farm), asked_of=words[0])
 
 
 def _held(farm: Path, asked: dict[str, Any]) -> dict[str, Any] | None:

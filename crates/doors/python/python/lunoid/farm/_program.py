@@ -4,17 +4,21 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import subprocess
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from .._errors import refused
+from .._errors import InputError, refused
+
+_REFUSALS = (2, 3)
+"""Exit codes of the command for what was asked of it: words, and files."""
 
 
 class FarmError(RuntimeError):
-    """A run that cannot be begun or joined; its text says what the command said."""
+    """A run that cannot be drawn or joined; its text says what the command said."""
 
 
 def find(program: str | None) -> str:
@@ -32,9 +36,10 @@ def version(program: str) -> str:
     return _answer([program, "--version"], Path.cwd()).strip()
 
 
-def call(words: Sequence[str], folder: Path, shadows: Path) -> str:
-    """Runs a command in ``folder`` and returns what it prints. Shadow boundaries are kept in ``shadows``."""
-    return _answer(words, folder, environment(shadows))
+def call(words: Sequence[str], folder: Path, shadows: Path, asked_of: str | None = None) -> str:
+    """Runs a command in ``folder`` and returns what it prints. Shadow boundaries are kept in ``shadows``. Where it refuses what was asked of the
+    file ``asked_of``, the error is an InputError."""
+    return _answer(words, folder, environment(shadows), asked_of)
 
 
 def environment(shadows: Path) -> dict[str, str]:
@@ -51,14 +56,25 @@ def status(program: str, folder: Path) -> dict[str, Any]:
     return run
 
 
-def _answer(words: Sequence[str], folder: Path, variables: dict[str, str] | None = None) -> str:
+def _answer(words: Sequence[str], folder: Path, variables: dict[str, str] | None = None, asked_of: str | None = None) -> str:
     try:
         ended = subprocess.run(words, cwd=folder, env=variables, capture_output=True, text=True, check=False)
     except OSError as error:
         raise FarmError(f"{words[0]}: cannot be run: {error}") from error
+    if asked_of is not None and ended.returncode in _REFUSALS:
+        raise _refusal(said(ended.stderr), asked_of)
     if ended.returncode != 0:
         raise FarmError(said(ended.stderr) or f"{' '.join(words)}: ended with code {ended.returncode}")
     return ended.stdout
+
+
+def _refusal(text: str, file: str) -> InputError:
+    """What the command said, as a fault with the file and the place that it names first, or of ``file``."""
+    place = re.search(r"^ *--> (.+?)(?::(\d+):(\d+))?$", text, re.MULTILINE)
+    at, line, column = place.groups() if place else (file, None, None)
+    title = (text.splitlines() or ["refused"])[0]
+    numbers = dict(line=line and int(line), column=column and int(column))
+    return InputError(text, [dict(file=at, key=None, title=title, found=None, expected=None, help=None, **numbers)])
 
 
 def said(text: str) -> str:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal
 
+from .. import _asked
 from .._errors import refused
 from . import _program, _worker
 from ._engines import Engine, choose
@@ -19,6 +20,8 @@ from ._progress import Progress, show
 from ._report import Report, SetAside
 from ._worker import Outcome, Task
 
+_MOST_WORKERS = 1024
+"""Most plain processes, and most threads of a worker."""
 _LOOK_S = 0.05
 """Time between two looks at the tasks (s)."""
 _TELL_S = 2.0
@@ -38,11 +41,11 @@ def on(engine: Any = None, *, workers: int | None = None, threads: int = 1, prog
     >>> farm.on(None, workers=2)
     <lunoid.farm.Farm of 2 workers by processes>
     """
-    if workers is not None and workers < 1:
-        raise refused("farm.on", f"workers={workers}", found=workers, expected="a whole number from 1 on")
-    if not 1 <= threads <= 1024:
-        raise refused("farm.on", f"threads={threads}", found=threads, expected="1 to 1024")
-    return Farm(choose(engine, workers), threads, program)
+    if workers is not None:
+        workers = _asked.counted("farm.on", "workers", workers, least=1, most=_MOST_WORKERS)
+    threads = _asked.counted("farm.on", "threads", threads, least=1, most=_MOST_WORKERS)
+    command = None if program is None else _asked.path("farm.on", "program", program)
+    return Farm(choose(engine, workers), threads, command)
 
 
 @dataclass
@@ -78,10 +81,13 @@ class Farm:
         The shards lie in ``OUT-farm``. The same call goes on there: what is drawn is kept. Raises InputError for a fault of the job and
         FarmError where the command refuses to draw or to join.
         """
-        if not (shards == BY_COST or (isinstance(shards, int) and not isinstance(shards, bool) and shards >= 1)):
-            raise refused(job.scenario, f"shards={shards!r}", found=shards, expected='"by cost" or a whole number from 1 on')
-        if retries < 1:
-            raise refused(job.scenario, f"retries={retries}", found=retries, expected="a whole number from 1 on")
+        if not isinstance(job, Job):
+            raise refused("farm.run", f"no job: {job!r}", found=repr(job), expected="what farm.replay returns")
+        if isinstance(shards, str) and shards != BY_COST:
+            raise refused(job.scenario, f"shards {shards!r}", found=shards, expected='"by cost" or a whole number from 1 on')
+        if not isinstance(shards, str):
+            shards = _asked.counted(job.scenario, "shards", shards, least=1)
+        retries = _asked.counted(job.scenario, "retries", retries, least=1)
         begun = time.monotonic()
         settled = plan(job, shards, max(1, self._engine.workers()), self._program)
         try:
@@ -120,7 +126,7 @@ class Farm:
                 if outcome["usage"]:
                     # What no worker can do has not begun: the folder is free for another number of shards.
                     settled.forget()
-                    raise FarmError(outcome["why"])
+                    raise refused(job.scenario, outcome["why"])
                 if outcome["done"]:
                     open_shards.remove(shard)
                 elif shard.tries < retries:

@@ -19,6 +19,8 @@ const ORIGIN: &str = "origin of the file";
 const STORED: &str = "how samples are stored, which the tags say";
 /// Text for figures counted from the samples.
 const STATISTICS: &str = "a figure counted from the samples";
+/// Items that say what the samples of one band mean.
+const OF_A_BAND: [&str; 3] = ["SCALE", "OFFSET", "UNITTYPE"];
 /// Names of the metre.
 const METRES: &[&str] = &["m", "metre", "metres", "meter", "meters"];
 
@@ -114,6 +116,7 @@ impl Items {
         };
         let items = parse(xml).map_err(damaged)?;
         for item in &items {
+            expect_band(path, &place, item)?;
             let (of, name, value) = match item.domain.as_str() {
                 "" => (&ITEMS, &item.name, &item.text),
                 domain => (&DOMAINS, &item.domain, &domain.to_owned()),
@@ -145,6 +148,21 @@ impl Items {
         let marks = |name: &str| ITEMS.of_name(name).is_some_and(|word| matches!(word.fate, Void(_)));
         self.0.iter().filter(move |item| item.band.is_none_or(|of| of == band) && marks(&item.name))
     }
+}
+
+/// Sees that a scale, an offset or a unit is that of a band. Of no band GDAL takes it for text, and other programs for the meaning of the samples.
+fn expect_band(path: &Path, place: &str, item: &Item) -> Result<(), SurveyError> {
+    let Item { name, band, domain, .. } = item;
+    let is_meaning = OF_A_BAND.iter().any(|known| known.eq_ignore_ascii_case(name));
+    if band.is_some() || !domain.is_empty() || !is_meaning {
+        return Ok(());
+    }
+    let place = format!("{place}, {name}");
+    let role = name.to_ascii_lowercase();
+    let expected = format!("<Item name=\"{name}\" sample=\"0\" role=\"{role}\">");
+    let advice =
+        "GDAL and other programs read this differently: state it for a band, or remove it, by gdal_edit.py";
+    Err(field(path, place, "an item of no band", expected, advice))
 }
 
 /// The items of a text in XML; the error is what stands in place of one.

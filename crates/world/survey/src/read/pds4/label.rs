@@ -16,6 +16,11 @@ const MOST_NODES: u32 = 200_000;
 /// Most elements within one another; those of the archives have a dozen.
 const MOST_NESTED: usize = 64;
 
+/// Namespaces of dictionaries, before their name and version.
+const DICTIONARIES: &str = "http://pds.nasa.gov/pds4/";
+/// Name of the dictionary that all labels have.
+const CORE: &str = "pds";
+
 /// Arrays that may hold heights.
 const ARRAYS: [&str; 5] = ["Array_2D", "Array_2D_Image", "Array_2D_Map", "Array_3D", "Array_3D_Image"];
 
@@ -101,6 +106,7 @@ impl<'a> Label<'a> {
             if !matches!(decided, Some(Fate::Used(_) | Fate::Void(_))) {
                 continue;
             }
+            self.expect_dictionary(node, table)?;
             if node.children().filter(Node::is_text).count() > 1
                 && !node.children().any(|child| child.is_element())
             {
@@ -114,6 +120,25 @@ impl<'a> Label<'a> {
         }
         met.sort_by_key(|node| node.range().start);
         Ok(met)
+    }
+
+    /// Sees that an element is of the dictionary that its table is made from. One without a namespace is taken for such.
+    fn expect_dictionary(&self, node: Node, table: &Vocabulary) -> Result<(), SurveyError> {
+        let discipline = match node.tag_name().name() {
+            "Cartography" => "cart",
+            "Display_Settings" => "disp",
+            _ if table.kind == CARTOGRAPHY.kind => "cart",
+            _ if table.kind == DISPLAY.kind => "disp",
+            _ => CORE,
+        };
+        let found = node.tag_name().namespace().unwrap_or_default();
+        let is_of = |name: &str| found.starts_with(&format!("{DICTIONARIES}{name}/v"));
+        if found.is_empty() || is_of(CORE) || is_of(discipline) {
+            return Ok(());
+        }
+        let advice = "the element is of a dictionary that is not read here";
+        let expected = format!("the namespace {DICTIONARIES}{discipline}/v1");
+        Err(field(self.path, self.place(node), format!("the namespace {}", seen(found)), expected, advice))
     }
 
     fn table_inside(&self, name: &str, table: &'static Vocabulary) -> &'static Vocabulary {

@@ -1,0 +1,84 @@
+//! What a file says about the light of its codes: sRGB, as they are taken here, or something else.
+
+use crate::error::PhotographError;
+
+/// Gamma of files that mean sRGB (PNG, 4.3.2.1): 1/2.2, as programs round it.
+const SRGB_GAMMA: std::ops::RangeInclusive<f64> = 0.45..=0.46;
+/// Descriptions of colour profiles whose codes are those of sRGB, or of its curve as gamma.
+const SRGB_PROFILES: [&str; 2] = ["srgb", "gray gamma 2.2"];
+/// Bytes of a profile before its table of tags.
+const PROFILE_HEADER: usize = 128;
+/// Most tags of a profile that are looked at.
+const MOST_TAGS: usize = 200;
+/// Most characters of a description that are told.
+const MOST_CHARACTERS: usize = 60;
+
+/// Sees that a gamma is that of sRGB.
+pub fn expect_gamma(format: &'static str, gamma: f64) -> Result<(), PhotographError> {
+    if SRGB_GAMMA.contains(&gamma) {
+        return Ok(());
+    }
+    Err(PhotographError::Light { format, found: format!("gamma {gamma}") })
+}
+
+/// Sees that a colour profile is one of sRGB.
+pub fn expect_profile(format: &'static str, profile: &[u8]) -> Result<(), PhotographError> {
+    let name = description(profile).unwrap_or_else(|| "without a description".into());
+    let lower = name.to_lowercase();
+    if SRGB_PROFILES.iter().any(|known| lower.contains(known)) {
+        return Ok(());
+    }
+    let shown: String =
+        name.chars().take(MOST_CHARACTERS).map(|one| if one.is_control() { '?' } else { one }).collect();
+    Err(PhotographError::Light { format, found: format!("a colour profile {shown}") })
+}
+
+/// Sees that the code points of a PNG's `cICP` chunk, if it has one, are those of sRGB (ITU-T H.273: primaries 1, transfer 13).
+pub fn expect_code_points(format: &'static str, png: &[u8]) -> Result<(), PhotographError> {
+    match chunk(png, b"cICP") {
+        None | Some([1, 13, ..]) => Ok(()),
+        Some(found) => Err(PhotographError::Light { format, found: format!("code points {found:?}") }),
+    }
+}
+
+/// Data of the first chunk of a kind before the pixels of a PNG.
+fn chunk<'a>(png: &'a [u8], kind: &[u8; 4]) -> Option<&'a [u8]> {
+    let mut rest = png.get(8..)?;
+    loop {
+        let length = u32::from_be_bytes(*rest.first_chunk()?) as usize;
+        let found = rest.get(4..8)?;
+        if found == b"IDAT" {
+            return None;
+        }
+        let data = rest.get(8..8_usize.checked_add(length)?)?;
+        if found == kind {
+            return Some(data);
+        }
+        rest = rest.get(length.checked_add(12)?..)?;
+    }
+}
+
+/// Description of a colour profile (ICC.1, 9.2.41): text of its tag `desc`, of version 2 or 4.
+fn description(profile: &[u8]) -> Option<String> {
+    let number = |at: usize| Some(u32::from_be_bytes(*profile.get(at..)?.first_chunk()?) as usize);
+    let tags = number(PROFILE_HEADER)?.min(MOST_TAGS);
+    let tag = (0..tags)
+        .map(|tag| PROFILE_HEADER + 4 + 12 * tag)
+        .find(|at| profile.get(*at..at + 4) == Some(b"desc"))?;
+    let at = number(tag + 4)?;
+    match profile.get(at..at.checked_add(4)?)? {
+        b"desc" => {
+            let length = number(at + 8)?;
+            let text = profile.get(at + 12..(at + 12).checked_add(length)?)?;
+            Some(String::from_utf8_lossy(text).trim_end_matches('\0').to_owned())
+        }
+        b"mluc" => {
+            let (length, from) = (number(at + 20)?, number(at + 24)?);
+            let text = profile.get(at.checked_add(from)?..at.checked_add(from)?.checked_add(length)?)?;
+            let units: Vec<u16> =
+                text.as_chunks::<2>().0.iter().map(|unit| u16::from_be_bytes(*unit)).collect();
+            Some(String::from_utf16_lossy(&units))
+        }
+        _ => None,
+    }
+}
