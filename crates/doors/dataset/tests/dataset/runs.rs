@@ -62,8 +62,9 @@ fn a_data_set_without_its_manifest_is_made_again_and_joined_by_nobody() {
     let whole = files(&folder);
     fs::remove_file(folder.join(MANIFEST)).unwrap();
     let joined = DataFolder::claim(&scene.path("joined")).unwrap();
-    let refused =
-        control(u64::MAX, |control| dataset::join(&[folder.clone()], &joined, control).unwrap_err());
+    let refused = control(u64::MAX, |control| {
+        dataset::join(std::slice::from_ref(&folder), &joined, control).unwrap_err()
+    });
     let told = refused.to_string();
     assert!(told.contains("manifest.jsonl: this file is gone; make the data set again"), "{told}");
     assert_eq!(scene.make("out", 0..9).unwrap(), Outcome::Finished { made: 9 });
