@@ -75,7 +75,7 @@ fn what_is_asked_wrongly_is_refused() {
         "40,0",
         "nothing",
         "no deflection yoke",
-        "1e300;",
+        "1e300\n",
     ];
     assert_eq!(cases.len(), words.len());
     for (error, word) in cases.iter().zip(words) {

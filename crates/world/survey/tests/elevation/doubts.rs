@@ -172,7 +172,7 @@ fn the_meaning_of_no_band_is_refused() {
         };
         assert!(of(" sample=\"0\"").plain().is_ok(), "{name}");
         let said = of("").refusal();
-        assert!(said.contains(&format!("{name}: found an item of no band, expected <Item name")), "{said}");
+        assert!(said.contains(&format!("{name}: found an item of no band; expected <Item name")), "{said}");
     }
 }
 
