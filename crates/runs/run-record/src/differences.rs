@@ -5,6 +5,11 @@ use serde_json::Value;
 /// Differences that are told.
 const TOLD: usize = 12;
 
+/// Tables whose differences are told first, in this order.
+const FIRST: [&str; 3] = ["program", "scenario", "model"];
+/// Tables whose differences are told last: they follow from the scenario and its ground.
+const LAST: [&str; 1] = ["ground"];
+
 /// Every key whose value in `then` is not that in `now`, in words, as "view.sweeps (40 there, 20 now)"; nothing if none differs.
 /// The first dozen are named, the others counted.
 pub fn differences(then: &Value, now: &Value) -> Option<String> {
@@ -17,10 +22,18 @@ pub fn differences_of([first, second]: [&Value; 2], words: [&str; 2]) -> Option<
     // A record has been read back: what is compared with it is read back as well.
     let second = serde_json::from_str(&second.to_string()).unwrap_or(Value::Null);
     found.compare(String::new(), Some(first), Some(&second));
+    found.list.sort_by_key(|difference| rank(difference));
     let more = found.list.len().saturating_sub(TOLD);
     found.list.truncate(TOLD);
     let others = if more > 0 { format!("; and {more} others") } else { String::new() };
     (!found.list.is_empty()).then(|| found.list.join("; ") + &others)
+}
+
+/// Tables of a record that people know by name come first, and those that follow from others last.
+fn rank(difference: &str) -> usize {
+    let table = difference.split(['.', ' ']).next().unwrap_or_default();
+    let named = FIRST.iter().position(|first| *first == table);
+    named.unwrap_or(FIRST.len() + usize::from(LAST.contains(&table)))
 }
 
 /// Differences that were found so far.
@@ -95,6 +108,11 @@ mod tests {
              view.ranges_m.1 (300.0 there, 310.5 now); view.sweeps (40 there, 20 now)"
         );
         assert_eq!(differences(&then, &then), None);
+        let of = |sun: u32| json!({ "ground": { "seed": sun }, "model": { "name": sun }, "scenario": { "file": sun }, "sun": sun });
+        assert_eq!(
+            differences(&of(1), &of(2)).expect("all differ"),
+            "scenario.file (1 there, 2 now); model.name (1 there, 2 now); sun (1 there, 2 now); ground.seed (1 there, 2 now)"
+        );
         let many = |value: u32| -> Value { (0..100).map(|at| (format!("k{at}"), json!(value))).collect() };
         let said = differences(&many(1), &many(2)).expect("all differ");
         assert!(said.matches("there").count() == TOLD && said.ends_with("and 88 others"), "{said}");
