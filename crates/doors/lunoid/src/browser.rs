@@ -2,7 +2,7 @@
 
 use std::process::{Command, Stdio};
 
-use crate::output::tell;
+use command_line::output::tell;
 
 /// Has the system's own program open `address`, or says that none could be started.
 pub fn open_in_browser(address: &str) {

@@ -2,15 +2,15 @@
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
-use crate::commands::{
-    augment, bank, beam, cartridge, check, compare, completions, dataset, drive, explain, farm, info, list,
-    lockstep, man, merge, model, netlist, page, photo, probe, replay, schema, serve, sight, sizing, state,
-    study, sun, survey, terrain, timing, trace, trigger,
-};
-use crate::output::Colour;
+use command_line::output::Colour;
+use command_line::program::VERSION;
+use ground_commands::{bank, photo, sight, sun, survey, terrain};
+use study_commands::{cartridge, lockstep, study};
 
-const VERSION: &str =
-    concat!(env!("CARGO_PKG_VERSION"), " (commit ", env!("LUNOID_COMMIT"), ", result family unfused)");
+use crate::commands::{
+    augment, beam, check, compare, completions, dataset, drive, explain, farm, info, list, man, merge, model,
+    netlist, page, probe, replay, schema, serve, sizing, state, timing, trace, trigger,
+};
 
 const AFTER: &str = "Example:
   lunoid replay scenarios/first-light.toml

@@ -4,10 +4,10 @@ use clap::Args;
 use deadlines::Rehearsal;
 use front_door::Opened;
 
-use crate::commands::of_run::{load_of, stage_of};
-use crate::loading::{StageArgs, Threads};
 use crate::rehearsing::rehearse_opened;
-use crate::{Failure, values};
+use command_line::loading::{StageArgs, Threads};
+use command_line::of_run::{load_of, stage_of};
+use command_line::{Failure, values};
 
 /// Which frame of which scenario, drawn by what. A run folder stands for the scenario and the options that made the run.
 #[derive(Debug, Args)]

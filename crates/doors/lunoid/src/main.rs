@@ -6,17 +6,9 @@
 mod browser;
 mod cli;
 mod commands;
-mod failure;
 mod frame;
-mod interrupt;
-mod loading;
-mod output;
-mod program;
-mod progress;
 mod rehearsing;
 mod served;
-mod sharing;
-mod values;
 #[cfg(test)]
 mod written;
 
@@ -24,22 +16,11 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use cli::Cli;
-use failure::Failure;
+use command_line::{Failure, Verdict, interrupt, output};
 // Here for their features alone, as the manifest says.
 #[cfg(unix)]
 use rustix as _;
 use {either as _, miniz_oxide as _, num_traits as _, serde_core as _};
-
-/// What a command comes to when nothing went wrong.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Verdict {
-    /// The command is done; the answer, if any, is yes.
-    Yes,
-    /// Done, and the answer is no.
-    No,
-    /// Told to end; the same command goes on.
-    Interrupted,
-}
 
 fn main() -> ExitCode {
     let start = Instant::now();

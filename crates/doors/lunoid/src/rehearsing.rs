@@ -5,10 +5,10 @@ use front_door::Opened;
 use replay::Progress;
 use timing::TimingRecord;
 
-use crate::Failure;
-use crate::loading::{StageArgs, Threads, choose_frames, expect_machine};
-use crate::output::warn;
-use crate::progress::Display;
+use command_line::Failure;
+use command_line::loading::{StageArgs, Threads, choose_frames, expect_machine};
+use command_line::output::warn;
+use command_line::progress::Display;
 use text::Span;
 
 /// What only the hybrid machine has.

@@ -10,9 +10,9 @@ use hardware_model::{BUILT_IN, FAULTS};
 use loop_protocol::{Home, Opening};
 use registry::ROWS;
 
-use crate::Failure;
-use crate::loading::{QualityArgs, StageArgs, Threads};
-use crate::program::program;
+use command_line::Failure;
+use command_line::loading::{QualityArgs, StageArgs, Threads};
+use command_line::program::program;
 
 /// What is served, and where records of it go.
 #[derive(Debug, Args)]

@@ -1,7 +1,7 @@
 //! Commands that go on from what a command has found: the same stage and frame, as a shell reads them.
 
-use super::words::words;
-use crate::loading::StageArgs;
+use command_line::loading::StageArgs;
+use command_line::words::words;
 
 /// `lunoid NAME` on frame `frame` of the same stage, with `rest` behind.
 pub fn command(name: &str, stage: &StageArgs, frame: u64, rest: &str) -> String {
@@ -22,7 +22,7 @@ pub fn quoted(word: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::{command, quoted};
-    use crate::loading::{StageArgs, StageOptions};
+    use command_line::loading::{StageArgs, StageOptions};
 
     #[test]
     fn commands_can_be_typed_again() {

@@ -9,8 +9,8 @@ use serde_json::{Value, json};
 use text::table;
 
 use crate::frame::FrameArgs;
-use crate::output::{Place, expect_outputs, print, print_json};
-use crate::{Failure, Verdict};
+use command_line::output::{Place, expect_outputs, print, print_json};
+use command_line::{Failure, Verdict};
 
 const AFTER: &str = "Examples:
   lunoid beam scenarios/stars.toml --frame 0

@@ -5,8 +5,8 @@ use std::path::Path;
 use files::make_folder;
 use picture::{ChangedPixels, encode_png};
 
-use crate::Failure;
-use crate::output::Place;
+use command_line::Failure;
+use command_line::output::Place;
 
 /// The folder as an output of `--pictures`.
 pub fn place(folder: &Path) -> Place {

@@ -13,9 +13,9 @@ use limits::Limit;
 use serde_json::{Value, json};
 use terrain_builder::{Base, Description, Ground, Textures};
 
-use crate::output::{Colour, print, print_json, tell, warn};
-use crate::values;
-use crate::{Failure, Verdict};
+use command_line::output::{Colour, print, print_json, tell, warn};
+use command_line::values;
+use command_line::{Failure, Verdict};
 
 const AFTER: &str = "Example:
   lunoid check scenarios/*.toml hardware-models/*.toml

@@ -7,9 +7,9 @@ use compare::EdgeLimits;
 use replay::is_run_file;
 use run_compare::{Compared, EdgeKind, LeftOut, Pictures, Tolerances};
 
-use crate::loading::{StageArgs, Threads};
-use crate::output::{Place, expect_outputs, print, print_json, tell};
-use crate::{Failure, Verdict, values};
+use command_line::loading::{StageArgs, Threads};
+use command_line::output::{Place, expect_outputs, print, print_json, tell};
+use command_line::{Failure, Verdict, values};
 
 const AFTER: &str = "Examples:
   lunoid compare runs/first-light runs/exact

@@ -3,8 +3,8 @@
 use clap::Args;
 use clap_complete::{Shell, generate};
 
-use crate::output::print;
-use crate::{Failure, Verdict};
+use command_line::output::print;
+use command_line::{Failure, Verdict};
 
 const AFTER: &str = "Example:
   lunoid completions bash > ~/.local/share/bash-completion/completions/lunoid

@@ -5,9 +5,9 @@ use loop_protocol::Session;
 use loop_server::{PageFiles, PageServer};
 
 use crate::browser::open_in_browser;
-use crate::output::{print, tell};
 use crate::served::ServedArgs;
-use crate::{Failure, Verdict};
+use command_line::output::{print, tell};
+use command_line::{Failure, Verdict};
 
 const AFTER: &str = "Examples:
   lunoid drive scenarios/first-light.toml

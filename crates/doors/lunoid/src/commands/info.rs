@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use clap::Args;
 use file_info::Held;
 
-use crate::output::{print, print_json};
-use crate::{Failure, Verdict};
+use command_line::output::{print, print_json};
+use command_line::{Failure, Verdict};
 
 /// Say what a file or a run folder holds.
 #[derive(Debug, Args)]

@@ -11,8 +11,8 @@ use limits::{ROWS, Row};
 use scenario::Scenario;
 use serde_json::{Value, json};
 
-use crate::output::{print, print_json};
-use crate::{Failure, Verdict};
+use command_line::output::{print, print_json};
+use command_line::{Failure, Verdict};
 use text::table;
 
 use signals::SignalListing;

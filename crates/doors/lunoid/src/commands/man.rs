@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use clap_mangen::Man;
 
-use crate::output::print;
-use crate::{Failure, Verdict};
+use command_line::output::print;
+use command_line::{Failure, Verdict};
 
 const AFTER: &str = "Example:
   lunoid man --out runs/man

@@ -2,49 +2,37 @@
 
 mod again;
 pub mod augment;
-pub mod bank;
 pub mod beam;
-pub mod cartridge;
 mod changed;
 pub mod check;
 pub mod compare;
 pub mod completions;
 pub mod dataset;
 pub mod drive;
-mod elevation;
 pub mod explain;
 pub mod farm;
 pub mod info;
 pub mod list;
-pub mod lockstep;
 pub mod man;
 pub mod merge;
 pub mod model;
 pub mod netlist;
-pub mod of_run;
 pub mod page;
-pub mod photo;
 pub mod probe;
 pub mod replay;
 pub mod schema;
 mod scope;
 pub mod serve;
-pub mod sight;
 pub mod sizing;
 pub mod state;
-pub mod study;
-pub mod sun;
-pub mod survey;
-pub mod terrain;
 pub mod timing;
 pub mod trace;
 pub mod trigger;
-mod words;
 
 use std::time::Instant;
 
 use crate::cli::{Cli, Command, command};
-use crate::{Failure, Verdict};
+use command_line::{Failure, Verdict};
 
 /// Does what the command line says. `start` is when the program began.
 pub fn run(cli: &Cli, start: Instant) -> Result<Verdict, Failure> {

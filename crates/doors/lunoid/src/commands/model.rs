@@ -10,8 +10,8 @@ use serde_json::json;
 use text::table;
 
 use crate::commands::list;
-use crate::output::{print, print_json, warn};
-use crate::{Failure, Verdict, values};
+use command_line::output::{print, print_json, warn};
+use command_line::{Failure, Verdict, values};
 use front_door::read_model;
 
 /// Show, check and list hardware models.

@@ -15,9 +15,9 @@ use serde_json::json;
 use signal::Waveform;
 
 use crate::frame::FrameArgs;
-use crate::loading::{expect_machine, machine_stage};
-use crate::output::{Place, expect_outputs, print, print_json};
-use crate::{Failure, Verdict, values};
+use command_line::loading::{expect_machine, machine_stage};
+use command_line::output::{Place, expect_outputs, print, print_json};
+use command_line::{Failure, Verdict, values};
 
 const AFTER: &str = "Examples:
   lunoid netlist scenarios/first-light.toml --machine pra-nominal --frame 10 --sweep 200 \\

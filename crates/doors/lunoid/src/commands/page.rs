@@ -7,8 +7,8 @@ use replay::{HeldRun, PAGE, RunFolder};
 use report::write_page;
 use serde_json::json;
 
-use crate::output::{print, print_json};
-use crate::{Failure, Verdict};
+use command_line::output::{print, print_json};
+use command_line::{Failure, Verdict};
 
 const AFTER: &str = "Example:
   lunoid page runs/first-light

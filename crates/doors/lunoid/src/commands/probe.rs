@@ -28,9 +28,9 @@ use waveform::{Format, Header};
 
 use crate::commands::scope::{AxisWord, ScopeArgs};
 use crate::frame::FrameArgs;
-use crate::loading::{expect_machine, machine_stage};
-use crate::output::{expect_outputs, print, print_json, tell};
-use crate::{Failure, Verdict, values};
+use command_line::loading::{expect_machine, machine_stage};
+use command_line::output::{expect_outputs, print, print_json, tell};
+use command_line::{Failure, Verdict, values};
 use text::{Span, named_signals};
 
 use target::words;
@@ -213,7 +213,7 @@ impl ProbeCommand {
         let hash = scenario.map(|scenario| ("scenario_blake3", scenario.blake3.clone()));
         let provenance = [
             ("program", format!("lunoid {}", env!("CARGO_PKG_VERSION"))),
-            ("commit", crate::program::COMMIT.to_owned()),
+            ("commit", command_line::program::COMMIT.to_owned()),
             ("scenario", opened.path().display().to_string()),
             ("machine", opened.drawn_by().to_owned()),
         ];

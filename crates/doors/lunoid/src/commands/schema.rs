@@ -2,8 +2,8 @@
 
 use clap::{Args, ValueEnum};
 
-use crate::output::print;
-use crate::{Failure, Verdict};
+use command_line::output::print;
+use command_line::{Failure, Verdict};
 
 const AFTER: &str = "Example:
   lunoid schema scenario > scenario.schema.json

@@ -4,7 +4,7 @@ use clap::{Args, ValueEnum};
 use plots::{Place, Theme};
 use scope::ScopeWishes;
 
-use crate::values;
+use command_line::values;
 
 /// How a picture of one sweep is drawn.
 #[derive(Debug, Clone, Default, Args)]

@@ -10,9 +10,9 @@ use drive::DriveError;
 use loop_protocol::{Home, Session, WireError};
 use loop_server::{ServerError, TcpServer, Token, serve};
 
-use crate::output::tell;
 use crate::served::ServedArgs;
-use crate::{Failure, Verdict};
+use command_line::output::tell;
+use command_line::{Failure, Verdict};
 
 const AFTER: &str = "Examples:
   lunoid serve scenarios/first-light.toml

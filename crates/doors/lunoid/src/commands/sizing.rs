@@ -5,11 +5,11 @@ use deadlines::sizing::Report;
 use deadlines::{Other, Rehearsal, Rehearsed, sizing, spread};
 use front_door::Opened;
 
-use crate::loading::{StageArgs, Threads, of_deadlines};
-use crate::output::{print, print_json, tell};
 use crate::rehearsing::{choose, expect_deadlines, record, rehearse_timed};
-use crate::values::positive;
-use crate::{Failure, Verdict};
+use command_line::loading::{StageArgs, Threads, of_deadlines};
+use command_line::output::{print, print_json, tell};
+use command_line::values::positive;
+use command_line::{Failure, Verdict};
 use text::Span;
 use timing::TimingRecord;
 

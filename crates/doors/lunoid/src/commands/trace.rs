@@ -11,9 +11,9 @@ use sweep_program::Colour;
 use text::Span;
 
 use crate::frame::FrameArgs;
-use crate::loading::of_models;
-use crate::output::{print, print_json, tell};
-use crate::{Failure, Verdict, values};
+use command_line::loading::of_models;
+use command_line::output::{print, print_json, tell};
+use command_line::{Failure, Verdict, values};
 
 const AFTER: &str = "Examples:
   lunoid trace scenarios/first-light.toml --frame 60 --sweep 500

@@ -10,12 +10,12 @@ use trigger_search::{Area, Around, BEAM, Finder, Found, Report, page, write_wave
 
 use crate::commands::again::command;
 use crate::commands::probe::{Target, names};
-use crate::interrupt;
-use crate::loading::{StageArgs, Threads, choose_frames, of_models};
-use crate::output::{Place, expect_outputs, print, tell};
-use crate::progress::Display;
 use crate::rehearsing::rehearse;
-use crate::{Failure, Verdict, values};
+use command_line::interrupt;
+use command_line::loading::{StageArgs, Threads, choose_frames, of_models};
+use command_line::output::{Place, expect_outputs, print, tell};
+use command_line::progress::Display;
+use command_line::{Failure, Verdict, values};
 use text::Span;
 
 const AFTER: &str = "Examples:

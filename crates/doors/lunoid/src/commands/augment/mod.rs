@@ -17,12 +17,12 @@ use vehicle_shadow::{
     ScanConverter, Sequence, ShadowFolder, Shape, TrueGround, USUAL_TRACKS, timing_record, tracks_along,
 };
 
-use crate::interrupt;
-use crate::loading::{StageArgs, Threads};
-use crate::output::{Place, expect_outputs, tell, warn};
-use crate::program::COMMIT;
-use crate::progress::Saying;
-use crate::{Failure, Verdict, values};
+use command_line::interrupt;
+use command_line::loading::{StageArgs, Threads};
+use command_line::output::{Place, expect_outputs, tell, warn};
+use command_line::program::COMMIT;
+use command_line::progress::Saying;
+use command_line::{Failure, Verdict, values};
 
 use probing::{Probing, Recording};
 
@@ -333,25 +333,4 @@ fn is_picture(name: &str) -> bool {
 
 fn hash(text: &str) -> String {
     blake3::hash(text.as_bytes()).to_hex().to_string()
-}
-
-impl From<AugmentError> for Failure {
-    fn from(error: AugmentError) -> Self {
-        match error {
-            AugmentError::File(error) => error.into(),
-            AugmentError::Poses(faults) => faults.into(),
-            AugmentError::Claim(error) => error.into(),
-            AugmentError::Foreign { .. } | AugmentError::WouldReplace { .. } | AugmentError::Other { .. } => {
-                Self::output(error)
-            }
-            AugmentError::Picture(error) => error.into(),
-            AugmentError::Photograph(error) => error.into(),
-            AugmentError::Folder { doing: "list this folder", .. } => Self::input(error),
-            AugmentError::Folder { .. } => Self::output(error),
-            AugmentError::SameFolder { .. }
-            | AugmentError::Sun { .. }
-            | AugmentError::TracksWithoutGround => Self::usage(error),
-            other => Self::input(other),
-        }
-    }
 }

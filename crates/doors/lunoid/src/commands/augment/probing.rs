@@ -9,9 +9,9 @@ use signal::{Probe, Wire};
 use vehicle_shadow::{Augmentation, Look, Sequence, line_timebase};
 use waveform::{Format, Header};
 
-use crate::Failure;
 use crate::commands::probe::{Target, names};
-use crate::output::Place;
+use command_line::Failure;
+use command_line::output::Place;
 use run_page::Request;
 use scope::write;
 

@@ -5,9 +5,9 @@ use serde_json::{Value, json};
 use timing::Comparison;
 use vehicle_shadow::{Augmentation, FrameWork, GroundLaw, Method, SUN_POINTS, ScanConverter, Sequence};
 
-use crate::Failure;
-use crate::output::{print, print_json};
-use crate::program::COMMIT;
+use command_line::Failure;
+use command_line::output::{print, print_json};
+use command_line::program::COMMIT;
 
 use super::Augment;
 use super::probing::Recorded;

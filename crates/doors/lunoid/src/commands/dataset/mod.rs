@@ -6,18 +6,18 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use dataset::{DataFolder, DatasetError, Estimate, Job, Outcome, Plan, run};
+use dataset::{DataFolder, Estimate, Job, Outcome, Plan, run};
 use replay::Control;
 use shard::Shard;
 use text::Span;
 
-use crate::interrupt;
-use crate::loading::Threads;
-use crate::output::tell;
-use crate::program::program;
-use crate::progress::Saying;
-use crate::sharing::{Sharing, numbers};
-use crate::{Failure, Verdict};
+use command_line::interrupt;
+use command_line::loading::Threads;
+use command_line::output::tell;
+use command_line::program::program;
+use command_line::progress::Saying;
+use command_line::sharing::{Sharing, numbers};
+use command_line::{Failure, Verdict};
 
 const AFTER: &str = "Examples:
   lunoid dataset scenarios/datasets/first-look.toml --list
@@ -105,22 +105,5 @@ impl DatasetCommand {
             (None, None) => String::new(),
         };
         Path::new("runs").join(format!("{name}{part}"))
-    }
-}
-
-impl From<DatasetError> for Failure {
-    fn from(error: DatasetError) -> Self {
-        match error {
-            DatasetError::Plan(list) => list.into(),
-            DatasetError::Open(error) => error.into(),
-            DatasetError::File(error) => error.into(),
-            DatasetError::Folder(error) => error.into(),
-            DatasetError::Journal(error) => error.into(),
-            DatasetError::NoSamples { .. } | DatasetError::Folders { .. } => Self::usage(error),
-            DatasetError::Foreign { .. } | DatasetError::Other { .. } | DatasetError::Sheet(_) => {
-                Self::output(error)
-            }
-            _ => Self::input(error),
-        }
     }
 }

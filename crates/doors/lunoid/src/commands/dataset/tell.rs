@@ -7,8 +7,8 @@ use dataset::{CARD, Estimate, MANIFEST, Plan, Split};
 use serde_json::json;
 
 use super::DatasetCommand;
-use crate::output::{print, print_json};
-use crate::{Failure, Verdict};
+use command_line::output::{print, print_json};
+use command_line::{Failure, Verdict};
 
 impl DatasetCommand {
     pub(super) fn tell_estimate(

@@ -12,9 +12,9 @@ use machine::{FrameSweeps, LateOf, LateWords, prepare_twice};
 
 use crate::commands::{again::command, changed};
 use crate::frame::FrameArgs;
-use crate::loading::StageArgs;
-use crate::output::{expect_outputs, print, print_json};
-use crate::{Failure, Verdict};
+use command_line::loading::StageArgs;
+use command_line::output::{expect_outputs, print, print_json};
+use command_line::{Failure, Verdict};
 
 /// Late words in place of a pixel.
 #[derive(Debug, Args)]

@@ -13,12 +13,12 @@ use text::table;
 
 use self::late::{LateArgs, option};
 use crate::commands::again::command;
-use crate::commands::of_run::{load_of, stage_of};
 use crate::frame::FrameArgs;
-use crate::loading::{QualityArgs, StageArgs, expect_machine};
-use crate::output::{print, print_json};
-use crate::values::{pixel, sampling_point};
-use crate::{Failure, Verdict};
+use command_line::loading::{QualityArgs, StageArgs, expect_machine};
+use command_line::of_run::{load_of, stage_of};
+use command_line::output::{print, print_json};
+use command_line::values::{pixel, sampling_point};
+use command_line::{Failure, Verdict};
 
 const AFTER: &str = "Examples:
   lunoid explain scenarios/first-light.toml --frame 60 --pixel 500,300

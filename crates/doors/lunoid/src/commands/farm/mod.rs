@@ -4,7 +4,7 @@ mod status;
 
 use clap::{Args, Subcommand};
 
-use crate::{Failure, Verdict};
+use command_line::{Failure, Verdict};
 
 const AFTER: &str = "Examples:
   lunoid farm status runs

@@ -9,9 +9,9 @@ use clap::Args;
 use farm::{RunStatus, ShardStatus, State, status};
 use serde_json::json;
 
-use crate::interrupt;
-use crate::output::{print, print_json};
-use crate::{Failure, Verdict};
+use command_line::interrupt;
+use command_line::output::{print, print_json};
+use command_line::{Failure, Verdict};
 
 const AFTER: &str = "Examples:
   lunoid farm status runs

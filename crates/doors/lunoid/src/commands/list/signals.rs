@@ -8,9 +8,9 @@ use serde_json::{Value, json};
 use signal::{Signal, Wire};
 use waveform::wire_record;
 
-use crate::loading::{StageArgs, StageOptions, Threads};
-use crate::output::{print, print_json};
-use crate::{Failure, Verdict};
+use command_line::loading::{StageArgs, StageOptions, Threads};
+use command_line::output::{print, print_json};
+use command_line::{Failure, Verdict};
 use text::table;
 
 const AFTER: &str = "Examples:

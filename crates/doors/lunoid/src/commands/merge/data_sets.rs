@@ -8,9 +8,9 @@ use serde_json::{Value, json};
 
 use super::MergeCommand;
 use crate::commands::again::quoted;
-use crate::interrupt;
-use crate::output::{print, print_json, tell};
-use crate::{Failure, Verdict};
+use command_line::interrupt;
+use command_line::output::{print, print_json, tell};
+use command_line::{Failure, Verdict};
 
 impl MergeCommand {
     /// Joins the data sets and says what came of it.

@@ -15,13 +15,13 @@ use merge::{Merge, Outcome, merge};
 use replay::{Control, HeldRun, PAGE, PAGE_DATA, Phases, RunFolder};
 use text::Span;
 
-use super::of_run::stage_of;
-use super::words::words;
-use crate::interrupt;
-use crate::loading::{StageArgs, Threads};
-use crate::output::tell;
-use crate::progress::Saying;
-use crate::{Failure, Verdict};
+use command_line::interrupt;
+use command_line::loading::{StageArgs, Threads};
+use command_line::of_run::stage_of;
+use command_line::output::tell;
+use command_line::progress::Saying;
+use command_line::words::words;
+use command_line::{Failure, Verdict};
 use page::Page;
 
 const AFTER: &str = "Examples:

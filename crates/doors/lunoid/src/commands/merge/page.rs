@@ -8,11 +8,11 @@ use rayon::ThreadPool;
 use replay::{HeldRun, Job, PAGE_DATA, Phases, Pictures, RunFolder, expect_run_of};
 use run_page::{Making, gather};
 
-use crate::Failure;
-use crate::commands::of_run::stage_of;
-use crate::commands::words::words;
-use crate::loading::StageArgs;
-use crate::program::program;
+use command_line::Failure;
+use command_line::loading::StageArgs;
+use command_line::of_run::stage_of;
+use command_line::program::program;
+use command_line::words::words;
 
 /// A page is made from the scenario, which may not be here.
 fn without_page(failure: Failure) -> Failure {

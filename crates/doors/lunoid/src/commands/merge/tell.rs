@@ -9,8 +9,8 @@ use serde_json::{Value, json};
 
 use super::MergeCommand;
 use crate::commands::again::quoted;
-use crate::output::{print, print_json};
-use crate::{Failure, Verdict};
+use command_line::output::{print, print_json};
+use command_line::{Failure, Verdict};
 
 impl MergeCommand {
     pub(super) fn tell_gaps(&self, gaps: &[Gap], words: &[String]) -> Result<Verdict, Failure> {

@@ -4,8 +4,8 @@ use merge::{Gap, Timings, merge_timings};
 use serde_json::{Value, json};
 
 use super::MergeCommand;
-use crate::output::{Place, expect_outputs, print, print_json};
-use crate::{Failure, Verdict};
+use command_line::output::{Place, expect_outputs, print, print_json};
+use command_line::{Failure, Verdict};
 
 impl MergeCommand {
     /// Joins the timing records and says what came of it.

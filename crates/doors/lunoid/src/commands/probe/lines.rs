@@ -11,8 +11,8 @@ use signal::{Signal, Waveform, Wire};
 use text::Span;
 
 use super::{ProbeCommand, Target, say};
-use crate::output::expect_outputs;
-use crate::{Failure, Verdict};
+use command_line::output::expect_outputs;
+use command_line::{Failure, Verdict};
 
 /// Whoever looks at lines of the read beam in one frame.
 struct LineLook<'a> {

@@ -8,7 +8,7 @@ use scope::{Choice, Looking, ScopeError, Written, sweep_space};
 use signal::{Axis, Signal};
 
 use super::{ProbeCommand, Target};
-use crate::Failure;
+use command_line::Failure;
 
 /// The signal of the display that `patterns` choose for a picture, if it is one alone.
 pub fn of_display<'a>(target: Target, table: &'a [Signal], patterns: &[String]) -> Option<&'a Signal> {

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use clap::builder::PossibleValue;
 use waveform::{Format, companions};
 
-use crate::Failure;
-use crate::output::{Place, ending};
+use command_line::Failure;
+use command_line::output::{Place, ending};
 
 /// Pictures of a sweep, by the ending of their names.
 const PICTURES: [(&str, &str); 2] = [("png", "A page of the scope"), ("svg", "The same, as vectors")];

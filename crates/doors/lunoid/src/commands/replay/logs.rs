@@ -11,8 +11,8 @@ use robot_log::{
     expect_own_log, expect_truth_of_log, write_exr, write_mcap,
 };
 
-use crate::Failure;
-use crate::output::Place;
+use command_line::Failure;
+use command_line::output::Place;
 
 /// What else a finished run becomes.
 #[derive(Debug, Args)]

@@ -26,14 +26,14 @@ use replay::{
 use run_page::{Making, Request, check};
 use serde_json::json;
 
-use crate::commands::words::words;
-use crate::interrupt;
-use crate::loading::{QualityArgs, StageArgs, StageOptions, Threads, choose_frames, machine_help};
-use crate::output::{Place, expect_outputs, print, print_json, tell};
-use crate::program::program;
-use crate::progress::Saying;
-use crate::sharing::Sharing;
-use crate::{Failure, Verdict, values};
+use command_line::interrupt;
+use command_line::loading::{QualityArgs, StageArgs, StageOptions, Threads, choose_frames, machine_help};
+use command_line::output::{Place, expect_outputs, print, print_json, tell};
+use command_line::program::program;
+use command_line::progress::Saying;
+use command_line::sharing::Sharing;
+use command_line::words::words;
+use command_line::{Failure, Verdict, values};
 use live::{LiveArgs, LiveRun, stay};
 use logs::{LogArgs, Logged};
 use share::of_one;

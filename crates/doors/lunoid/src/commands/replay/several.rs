@@ -13,10 +13,10 @@ use serde_json::{Value, json};
 
 use super::summary::{Summary, losses};
 use super::{Replay, ended, interrupted};
-use crate::interrupt;
-use crate::loading::{QualityWord, StageArgs, channel_names, choose_frames};
-use crate::output::{print, print_json, tell};
-use crate::{Failure, Verdict};
+use command_line::interrupt;
+use command_line::loading::{QualityWord, StageArgs, channel_names, choose_frames};
+use command_line::output::{print, print_json, tell};
+use command_line::{Failure, Verdict};
 use front_door::{Decides, Opened, decides, open};
 
 /// Name of the phase in which the command works for other machines than the one whose times are told.

@@ -7,10 +7,10 @@ use run_record::ShardRecord;
 use shard::Shard;
 
 use super::{DepthWord, Replay};
-use crate::Failure;
-use crate::commands::words::words;
-use crate::loading::StageArgs;
-use crate::sharing::{block, by_cost};
+use command_line::Failure;
+use command_line::loading::StageArgs;
+use command_line::sharing::{block, by_cost};
+use command_line::words::words;
 
 /// What stands behind the name of the folder of one run.
 pub fn of_one(channel: Option<&str>, shard: Option<Shard>) -> String {

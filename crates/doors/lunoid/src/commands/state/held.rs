@@ -7,12 +7,12 @@ use deadlines::Rehearsal;
 use front_door::Opened;
 use state::{Bench, Mission, State};
 
-use crate::commands::words::words;
-use crate::loading::{StageArgs, StageOptions, Threads};
-use crate::output::Place as Output;
-use crate::program::program;
 use crate::rehearsing::rehearse;
-use crate::{Failure, values};
+use command_line::loading::{StageArgs, StageOptions, Threads};
+use command_line::output::Place as Output;
+use command_line::program::program;
+use command_line::words::words;
+use command_line::{Failure, values};
 
 /// Words of a command line that choose a stage.
 #[derive(Debug, Parser)]

@@ -12,8 +12,8 @@ use serde_json::{Value, json};
 use state::{Bench, State};
 
 use super::held::{HeldArgs, bench};
-use crate::output::{Place, ending, expect_outputs, print, print_json};
-use crate::{Failure, Verdict, values};
+use command_line::output::{Place, ending, expect_outputs, print, print_json};
+use command_line::{Failure, Verdict, values};
 
 const AFTER: &str = "Examples:
   lunoid state load there.state

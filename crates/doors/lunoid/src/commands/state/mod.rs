@@ -7,7 +7,7 @@ mod step;
 
 use clap::{Args, Subcommand};
 
-use crate::{Failure, Verdict};
+use command_line::{Failure, Verdict};
 
 const AFTER: &str = "Examples:
   lunoid state save scenarios/nominal-drive.toml --frame 40 --sweep 262 --out there.state

@@ -9,9 +9,9 @@ use state::Place;
 
 use super::held::bench;
 use crate::frame::FrameArgs;
-use crate::loading::of_models;
-use crate::output::{Place as Output, expect_outputs, print, print_json};
-use crate::{Failure, Verdict, values};
+use command_line::loading::of_models;
+use command_line::output::{Place as Output, expect_outputs, print, print_json};
+use command_line::{Failure, Verdict, values};
 
 const AFTER: &str = "Examples:
   lunoid state save scenarios/first-light.toml --frame 60 --sweep 500 --out there.state

@@ -7,8 +7,8 @@ use serde_json::json;
 use state::{Look, State, Unit};
 
 use super::held::{HeldArgs, bench};
-use crate::output::{Place, expect_outputs, print, print_json};
-use crate::{Failure, Verdict};
+use command_line::output::{Place, expect_outputs, print, print_json};
+use command_line::{Failure, Verdict};
 
 const AFTER: &str = "Examples:
   lunoid state step there.state --by event

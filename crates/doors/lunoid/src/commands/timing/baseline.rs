@@ -13,12 +13,12 @@ use serde_json::json;
 use timing::{Allowance, Comparison, Difference, TimingRecord, Tolerance, Totals, compare};
 
 use crate::commands::changed;
-use crate::loading::{StageArgs, Threads, of_timed};
-use crate::output::{Place, expect_outputs, print, print_json, warn};
 use crate::rehearsing::{choose, record, rehearse, rehearse_timed};
-use crate::sharing::{Sharing, part};
-use crate::values::not_negative;
-use crate::{Failure, Verdict};
+use command_line::loading::{StageArgs, Threads, of_timed};
+use command_line::output::{Place, expect_outputs, print, print_json, warn};
+use command_line::sharing::{Sharing, part};
+use command_line::values::not_negative;
+use command_line::{Failure, Verdict};
 use text::Span;
 
 /// Frames of a baseline that names none.

@@ -7,10 +7,10 @@ use deadlines::columns::{FrameByFour, Limits, remembered};
 use front_door::Opened;
 
 use crate::frame::FrameArgs;
-use crate::loading::of_models;
-use crate::output::{Place, expect_outputs, print, print_json};
 use crate::rehearsing::{record, rehearse_opened};
-use crate::{Failure, Verdict, values};
+use command_line::loading::of_models;
+use command_line::output::{Place, expect_outputs, print, print_json};
+use command_line::{Failure, Verdict, values};
 
 const AFTER: &str = "Example:
   lunoid timing columns scenarios/far-mountains.toml --machine pra-frugal --frame 3 \\

@@ -6,7 +6,7 @@ mod show;
 
 use clap::{Args, Subcommand};
 
-use crate::{Failure, Verdict};
+use command_line::{Failure, Verdict};
 
 const AFTER: &str = "Examples:
   lunoid timing show scenarios/first-light.toml --machine pra-nominal --frames 0..4

@@ -13,11 +13,11 @@ use generator::PlaneKind;
 use picture::write_png;
 use timing::TimingRecord;
 
-use crate::loading::{StageArgs, Threads, of_timed};
-use crate::output::{Place, expect_outputs, print, print_json};
 use crate::rehearsing::{choose, expect_coarse, record, rehearse_timed};
-use crate::values::pair;
-use crate::{Failure, Verdict, values};
+use command_line::loading::{StageArgs, Threads, of_timed};
+use command_line::output::{Place, expect_outputs, print, print_json};
+use command_line::values::pair;
+use command_line::{Failure, Verdict, values};
 use text::Span;
 
 /// Frames that are shown where none are named, spread over the mission.

@@ -30,12 +30,12 @@ use text::visible;
 use self::home::LiveHome;
 pub use self::run::LiveRun;
 use super::{DepthWord, Replay};
-use crate::Failure;
 use crate::browser::open_in_browser;
-use crate::interrupt;
-use crate::loading::StageArgs;
-use crate::output::tell;
 use crate::served::Served;
+use command_line::Failure;
+use command_line::interrupt;
+use command_line::loading::StageArgs;
+use command_line::output::tell;
 
 /// Where the page begins.
 const FIRST: &str = "/live.html";

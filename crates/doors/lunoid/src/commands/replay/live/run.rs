@@ -10,7 +10,7 @@ use report::live_page;
 use run_page::Request;
 use serde_json::json;
 
-use crate::Failure;
+use command_line::Failure;
 
 /// Where a page asks how far the run is.
 const STATE: &str = "live.json";
