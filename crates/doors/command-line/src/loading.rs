@@ -342,8 +342,7 @@ pub fn channel_names(opened: &Opened) -> String {
 pub fn levelled(opened: &Opened) -> Result<&'static Row, Failure> {
     let has_levels = |row: &&Row| row.level_ladders().next().is_some();
     opened.row.filter(has_levels).ok_or_else(|| {
-        let known: Vec<&str> =
-            ROWS.iter().copied().filter(has_levels).map(|row| row.name).collect();
+        let known: Vec<&str> = ROWS.iter().copied().filter(has_levels).map(|row| row.name).collect();
         Failure::usage(format!(
             "{}, --machine {}: it has no levels of detail; expected a generator that has, by --machine: {}",
             opened.scenario_file(),
