@@ -66,9 +66,7 @@ pub fn decode_for(wanted: Use, bytes: &[u8], limits: &Limits) -> Result<AnyPictu
                 return Err(PhotographError::Animated);
             }
             if !wanted.states_light() {
-                light::expect_code_points(format, bytes)?;
-                let gamma = decoder.gamma_value().map_err(|error| damaged(format, error))?;
-                gamma.map_or(Ok(()), |gamma| light::expect_gamma(format, gamma))?;
+                light::expect_chunks(format, bytes)?;
             }
             Opened { format, decoder, bytes: size }.picture(wanted, limits)
         }

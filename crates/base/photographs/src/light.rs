@@ -4,6 +4,8 @@ use crate::error::PhotographError;
 
 /// Gamma of files that mean sRGB (PNG, 4.3.2.1): 1/2.2, as programs round it.
 const SRGB_GAMMA: std::ops::RangeInclusive<f64> = 0.45..=0.46;
+/// What the number of a chunk `gAMA` is divided by.
+const GAMMA_UNIT: f64 = 100_000.0;
 /// Descriptions of colour profiles whose codes are those of sRGB, or of its curve as gamma.
 const SRGB_PROFILES: [&str; 2] = ["srgb", "gray gamma 2.2"];
 /// Bytes of a profile before its table of tags.
@@ -12,14 +14,6 @@ const PROFILE_HEADER: usize = 128;
 const MOST_TAGS: usize = 200;
 /// Most characters of a description that are told.
 const MOST_CHARACTERS: usize = 60;
-
-/// Sees that a gamma is that of sRGB.
-pub fn expect_gamma(format: &'static str, gamma: f64) -> Result<(), PhotographError> {
-    if SRGB_GAMMA.contains(&gamma) {
-        return Ok(());
-    }
-    Err(PhotographError::Light { format, found: format!("gamma {gamma}") })
-}
 
 /// Sees that a colour profile is one of sRGB.
 pub fn expect_profile(format: &'static str, profile: &[u8]) -> Result<(), PhotographError> {
@@ -33,11 +27,18 @@ pub fn expect_profile(format: &'static str, profile: &[u8]) -> Result<(), Photog
     Err(PhotographError::Light { format, found: format!("a colour profile {shown}") })
 }
 
-/// Sees that the code points of a PNG's `cICP` chunk, if it has one, are those of sRGB (ITU-T H.273: primaries 1, transfer 13).
-pub fn expect_code_points(format: &'static str, png: &[u8]) -> Result<(), PhotographError> {
-    match chunk(png, b"cICP") {
-        None | Some([1, 13, ..]) => Ok(()),
-        Some(found) => Err(PhotographError::Light { format, found: format!("code points {found:?}") }),
+/// Sees that a PNG's chunk `cICP`, or else `gAMA`, says sRGB (ITU-T H.273: primaries 1, transfer 13). Its chunk `sRGB` goes before `gAMA`, as the
+/// format has it.
+pub fn expect_chunks(format: &'static str, png: &[u8]) -> Result<(), PhotographError> {
+    let refused = |found| Err(PhotographError::Light { format, found });
+    match (chunk(png, b"cICP"), chunk(png, b"sRGB"), chunk(png, b"gAMA")) {
+        (Some([1, 13, ..]), _, _) | (None, Some(_), _) | (None, None, None) => Ok(()),
+        (Some(found), _, _) => refused(format!("code points {found:?}")),
+        (None, None, Some(found)) => {
+            let scaled = found.first_chunk().map(|bytes| u32::from_be_bytes(*bytes));
+            let gamma = scaled.map_or(0.0, |scaled| f64::from(scaled) / GAMMA_UNIT);
+            if SRGB_GAMMA.contains(&gamma) { Ok(()) } else { refused(format!("gamma {gamma}")) }
+        }
     }
 }
 

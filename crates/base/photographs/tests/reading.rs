@@ -164,6 +164,7 @@ fn light_of_another_kind_is_refused_by_name() {
         with_profile("sRGB v4 preference", true),
         with_profile("Generic Gray Gamma 2.2 Profile", true),
         of_points(&[1, 13, 0, 1]),
+        with_chunk(&with_gamma(1.0), b"sRGB", &[0]),
     ];
     for file in same {
         assert_eq!(of(&file).unwrap(), plain);

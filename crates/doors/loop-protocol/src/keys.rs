@@ -15,9 +15,9 @@ use crate::{Message, RequestRow};
 /// What a problem of a request names as its file.
 pub(crate) const NAME: &str = "request";
 
-/// What states sweeps.
+/// What a request states sweeps by.
 const SWEEPS: &str = "a sweep, or two: the first, and the one after the last, from 0 to 4294967295";
-/// What states samples.
+/// What a request states samples by.
 const SAMPLES: &str = "a sample, or two: the first, and the one after the last, from 0 to 4294967295";
 
 /// Keys of a pose: those that it must have, and those that it may have.

@@ -45,7 +45,7 @@ fn a_client_with_the_token_is_answered_and_no_other() {
         (b"GET / HTTP/1.1\r\nHost: here\r\n\r\n".to_vec(), "the bytes are no message of lunoid.loop/1"),
         (
             request(json!({ "id": 1, "do": "hello", "token": "x".repeat(5000) })),
-            "the message ends within its header",
+            "the first request is too long",
         ),
     ];
     for (bytes, title) in bad {
