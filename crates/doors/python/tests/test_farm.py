@@ -49,7 +49,7 @@ def status(folder: str = "joined-farm") -> dict:
 
 def test_a_farm_goes_on_after_a_job_that_no_worker_can_do(place: Path, whole: dict[str, bytes]) -> None:
     workers = farm.on(None, workers=2)
-    with pytest.raises(farm.FarmError, match="13"):
+    with pytest.raises(lunoid.InputError, match="13"):
         workers.run(job(), shards=13, progress=None)
     assert workers.run(job(), shards=2, progress=None).complete
     assert content(place / "joined") == whole
