@@ -31,7 +31,7 @@ where
 /// Folders of the current one in which a scenario goes by its name.
 const SCENARIOS: [&str; 2] = ["scenarios", "scenarios/real"];
 
-/// A scenario: a path, or the name of a file in one of [`SCENARIOS`], with its ending or without.
+/// A scenario: a path, or the name of a file in one of the folders of scenarios, with its ending or without.
 pub fn scenario(text: &str) -> Result<PathBuf, Infallible> {
     let path = PathBuf::from(text);
     let name = text.strip_suffix(".toml").unwrap_or(text);
