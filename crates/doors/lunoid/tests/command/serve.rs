@@ -51,7 +51,8 @@ fn printed(client: &mut Command) -> Vec<String> {
     let said = String::from_utf8_lossy(&output.stdout).into_owned();
     assert!(output.status.success(), "{said}{}", String::from_utf8_lossy(&output.stderr));
     let words = said.lines().filter_map(|line| line.split(' ').next());
-    words.filter(|word| word.len() == 64).map(str::to_owned).collect()
+    let is_hash = |word: &&str| word.len() == 64 && word.bytes().all(|byte| byte.is_ascii_hexdigit());
+    words.filter(is_hash).map(str::to_owned).collect()
 }
 
 /// What `lunoid replay` draws of what was driven.
