@@ -24,3 +24,14 @@ pub fn depth(view: &View, pose: &Pose, distance: &[f32]) -> Vec<f32> {
 fn of(distance: f32, share: impl FnOnce() -> f64) -> f32 {
     if distance.is_finite() { (f64::from(distance) * share()) as f32 } else { distance }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::of;
+
+    #[test]
+    fn sky_stays_infinitely_far_and_ground_is_its_share_ahead() {
+        assert_eq!(of(f32::INFINITY, || 0.5), f32::INFINITY);
+        assert_eq!(of(4.0, || 0.5), 2.0);
+    }
+}
