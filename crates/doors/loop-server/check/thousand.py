@@ -15,9 +15,11 @@ SMALL = "--sweeps 60 --samples 120 --set scenario.raster.columns=60 --set scenar
 PLAIN = SMALL[4:]
 # A look may take so many times what the picture takes in the program: alone, and with four planes.
 AT_MOST = [1.15, 1.3]
+# All hardware models that ship.
+MODELS = sorted(path.stem for path in pathlib.Path("hardware-models").glob("*.toml"))
 # The scenario of each machine. A guest has no sweeps and samples of its own.
 MACHINES = [
-    *[(name, "scenarios/first-light.toml", SMALL) for name in ("ideal", "pra-nominal", "pra-overloaded", "pra-parts", "pra-wires")],
+    *[(name, "scenarios/first-light.toml", SMALL) for name in MODELS],
     *[(name, "scenarios/first-light.toml", PLAIN) for name in ("exact", "lod-mesh", "smooth-faces")],
     ("lunsim", "scenarios/lunsim-roving.toml", [*PLAIN, "--set", "lunsim.restrictions=false"]),
     ("sampled", "scenarios/night-landing.toml", PLAIN),
