@@ -18,9 +18,9 @@ def value(key: str, found: object) -> str:
     if isinstance(found, float) and math.isfinite(found):
         return repr(float(found))
     if isinstance(found, str):
-        return json.dumps(found)
+        return json.dumps(found, ensure_ascii=False)
     if isinstance(found, Mapping):
-        return "{ " + ", ".join(f"{json.dumps(str(name))} = {value(key, one)}" for name, one in found.items()) + " }"
+        return "{ " + ", ".join(f"{json.dumps(str(name), ensure_ascii=False)} = {value(key, one)}" for name, one in found.items()) + " }"
     if isinstance(found, Sequence):
         return "[" + ", ".join(value(key, one) for one in found) + "]"
     if hasattr(found, "item"):
