@@ -175,9 +175,12 @@ impl Folder {
 
 impl Drop for Folder {
     fn drop(&mut self) {
-        self.lock = None;
-        for name in self.below {
-            self.remove_empty(name);
+        // Without the lock the folders in it are those of whoever holds it, also while they are empty.
+        if let Some(lock) = self.lock.take() {
+            for name in self.below {
+                self.remove_empty(name);
+            }
+            drop(lock);
         }
         for folder in &self.made {
             // A folder with anything in it stays.

@@ -199,6 +199,20 @@ mod unix {
     }
 }
 
+/// Whoever is refused takes nothing away, also where the other has made its folders and written nothing yet.
+#[test]
+fn who_is_refused_removes_no_folder_of_the_holder() {
+    let place = tempfile::tempdir().unwrap();
+    let path = place.path().join("run");
+    let held = claim(&path).unwrap();
+    held.make("frames").unwrap();
+    assert!(matches!(claim(&path), Err(FolderError::Locked { .. })));
+    assert!(path.join("frames").is_dir(), "it has no file yet, and is somebody's");
+    fs::write(held.join("frames/a.png"), "a").unwrap();
+    drop(held);
+    assert!(path.join("frames/a.png").is_file() && !path.join(LOCK).exists());
+}
+
 #[test]
 fn whoever_asks_for_a_lock_keeps_nobody_out() {
     let folder = tempfile::tempdir().expect("a folder");

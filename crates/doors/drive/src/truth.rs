@@ -69,12 +69,15 @@ impl Viewpoint<'_> {
         let Self { drive, bench, frame, pose } = self;
         let file = drive.file();
         let items: TruthItems = names.parse().map_err(|error| DriveError::of(file, &error))?;
-        let items: Vec<TruthItem> = items.iter().filter(|item| !item.kinds().is_empty()).collect();
-        if items.is_empty() {
+        let (items, others): (Vec<TruthItem>, Vec<_>) =
+            items.iter().partition(|item| !item.kinds().is_empty());
+        let is_named = |item: &&TruthItem| names.split(',').any(|word| word.trim() == item.name());
+        if let Some(other) = others.iter().find(is_named) {
+            let title = format!("`{}` is no plane", other.name());
             return Err(DriveError::asked(
                 file,
-                format!("truth of `{names}` has no planes"),
-                "a plane such as range, or Drive::pose for the pose",
+                title,
+                format!("some of {}", Drive::truth_names().join(", ")),
             ));
         }
         let kinds: Vec<PlaneKind> = items.iter().flat_map(|item| item.kinds()).copied().collect();

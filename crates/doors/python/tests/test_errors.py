@@ -22,6 +22,10 @@ def test_three_faults_are_one_error(scene) -> None:
     assert all(word in str(error.value) for word in ("seed", "stray", "start_m"))
 
 
+ENDLESS: list[object] = []
+ENDLESS.append(ENDLESS)
+
+
 @pytest.mark.parametrize(
     "call",
     [
@@ -65,6 +69,27 @@ def test_three_faults_are_one_error(scene) -> None:
         lambda drive: lunoid.open(drive.file, sweeps=2**40),
         lambda drive: lunoid.open(drive.file, threads=-1),
         lambda drive: lunoid.open(drive.file, economy="all"),
+        lambda drive: lunoid.open("\ud800.toml"),
+        lambda drive: lunoid.open(drive.file, machine="a\0b"),
+        lambda drive: lunoid.open(drive.file, sweeps=10**5000),
+        lambda drive: lunoid.open(drive.file, set={"loader.access_ns": 10**5000}),
+        lambda drive: lunoid.open(drive.file, set={"loader.access_ns": 2**63}),
+        lambda drive: lunoid.open(drive.file, set={"scenario.title": "\ud800"}),
+        lambda drive: lunoid.open(drive.file, set={"scenario.title": ENDLESS}),
+        lambda drive: lunoid.Pose("123"),
+        lambda drive: lunoid.Pose({3, 1, 2}),
+        lambda drive: lunoid.Pose(("1", "2", "3")),
+        lambda drive: lunoid.Pose((True, 2, 3)),
+        lambda drive: lunoid.Pose((np.complex128(1 + 5j), 2, 3)),
+        lambda drive: lunoid.Pose((10**5000, 2, 3)),
+        lambda drive: drive.loop().ahead(drive.pose(0), metres=True),
+        lambda drive: drive.truth(0, "range", "pose"),
+        lambda drive: drive.probe("tg.*", sweep=2**32 - 1),
+        lambda drive: drive.study(np.array([1, 2])),
+        lambda drive: drive.frame(0).light("nope"),
+        lambda drive: drive.frame(0).light([]),
+        lambda drive: drive.frame(0).save("/nope/x.png"),
+        lambda drive: drive.frame(0).save(5),
     ],
 )
 def test_what_cannot_be_is_an_input_error(drive: lunoid.Drive, call) -> None:
@@ -80,3 +105,18 @@ def test_settings_are_values(scene) -> None:
     assert late.explain(2, 20, 20).document["frame"] == 2
     turned = lunoid.open(scene, set={"scenario.sun.azimuth_deg": np.float64(90.0), "sampled.overload": "late"})
     assert turned.frame(0).hash != lunoid.open(scene).frame(0).hash
+
+
+def test_texts_and_arrays_are_those_of_the_file(scene) -> None:
+    title = "🚀 é \x7f \"quoted\""
+    assert lunoid.open(scene, set={"scenario.title": title}).title == title
+    ends = np.array([3.0, 250.0])
+    settings = {"scenario.range.start_m": ends[0], "scenario.landscape.generated.extent_m": np.array([400, 400])}
+    by_arrays = lunoid.open(scene, set=settings).frame(0).hash
+    assert by_arrays == lunoid.open(scene, set={"scenario.range.start_m": 3.0}).frame(0).hash
+
+
+def test_numbers_of_numpy_are_numbers() -> None:
+    plain = lunoid.Pose((1.0, 2.0, 3.0), heading_deg=4.0)
+    assert lunoid.Pose(np.array([1, 2, 3]), heading_deg=np.float32(4)) == plain
+    assert lunoid.Pose(iter([1, 2, 3]), heading_deg=np.array(4.0)) == plain  # type: ignore[arg-type]

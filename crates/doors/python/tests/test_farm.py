@@ -216,6 +216,16 @@ def test_an_engine_without_workers_is_not_waited_for_without_end(place, monkeypa
     assert engine.stopped
 
 
+def test_two_programs_that_begin_at_once_lose_nothing(place, whole) -> None:
+    script = "import sys; from lunoid import farm; farm.on(None, workers=1).run(farm.replay('scene.toml', truth=['range', 'label'], out='joined'), shards=2)"
+    both = [subprocess.Popen([sys.executable, "-c", script], stderr=subprocess.PIPE, text=True) for _ in range(2)]
+    said = [process.communicate()[1] for process in both]
+    assert 0 in [process.returncode for process in both], said
+    for process, text in zip(both, said):
+        assert process.returncode == 0 or "is drawing into this folder" in text, text
+    assert content(Path("joined")) == whole
+
+
 def test_a_folder_has_one_job(place) -> None:
     farm.on(None, workers=2).run(job(), shards=2)
     with pytest.raises(lunoid.InputError, match="3 shards; expected the 2 shards"):
@@ -248,6 +258,18 @@ def test_faults_are_told_of_once_before_any_worker_starts(place) -> None:
         farm.on(None).run(farm.replay("scene.toml", out="/proc/none/joined"), shards=2)
     with pytest.raises(lunoid.InputError, match="no job"):
         farm.on(None).run("scene.toml")  # type: ignore[arg-type]
+    for odd in (dict(truth=[""]), dict(page="no"), dict(refresh=1), dict(machine="--help"), dict(machine="a\0b")):
+        with pytest.raises(lunoid.InputError):
+            farm.replay("scene.toml", out="joined", **odd)  # type: ignore[arg-type]
+    with pytest.raises(lunoid.InputError, match="`out` is ''"):
+        farm.replay("scene.toml", out="")
+    with pytest.raises(lunoid.InputError, match="-help"):
+        farm.on(None).run(farm.replay("--help", out="joined"), shards=2)
+    with pytest.raises(lunoid.InputError, match="`progress` is 5"):
+        farm.on(None).run(job(), shards=2, progress=5)  # type: ignore[arg-type]
+    Path("stands").write_text("x")
+    with pytest.raises(lunoid.InputError, match="something else stands"):
+        farm.on(None).run(farm.replay("scene.toml", out="stands"), shards=2)
     with pytest.raises(lunoid.InputError, match="no such program"):
         farm.on(None, program="no-such-lunoid").run(job(), shards=2)
 

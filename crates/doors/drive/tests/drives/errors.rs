@@ -54,7 +54,7 @@ fn what_is_asked_wrongly_is_refused() {
         refused(drive.frame(4)),
         refused(drive.pose(u64::MAX)),
         refused(drive.truth(0, "range,deep")),
-        refused(drive.truth(0, "pose")),
+        refused(drive.truth(0, "range, pose")),
         refused(drive.probe(&["zz.*".into()], 0, 0..1)),
         refused(drive.probe(&["tg.*".into()], 0, 3..3)),
         refused(drive.probe(&["tg.*".into()], 0, 39..41)),

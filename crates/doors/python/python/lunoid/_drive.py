@@ -177,11 +177,11 @@ class Drive:
         """Signals that match any of ``signals``, with ``*`` for any run of characters, in a sweep or a range of sweeps of a frame."""
         patterns = [_asked.word(self.file, "signals", signal) for signal in signals]
         if not isinstance(sweep, range):
-            first = self._counted("sweep", sweep)
+            first = _asked.counted(self.file, "sweep", sweep, most=_asked.MOST - 1)
             sweep = range(first, first + 1)
         if sweep.step != 1:
-            raise refused(self.file, f"sweeps {sweep}", found=sweep, expected="a range of step 1")
-        both = (self._counted("sweep", sweep.start), self._counted("sweep", sweep.stop))
+            raise refused(self.file, f"sweeps {_asked.shown(sweep)}", found=_asked.shown(sweep), expected="a range of step 1")
+        both = (self._counted("sweep", sweep.start), _asked.counted(self.file, "end of sweeps", sweep.stop))
         return Waves(self._open().probe(patterns or ["*"], self._counted("frame", frame), both))
 
     def explain(self, frame: int, column: int, line: int) -> Explanation:
@@ -197,8 +197,7 @@ class Drive:
     def study(self, kind: Literal["error"] = "error", *, only: Sequence[str] = ()) -> Study:
         """Error against run time about the middle frame: the ladders called ``only``, or all ladders of settings. Takes minutes; Ctrl-C ends it
         after the ladder."""
-        if kind != "error":
-            raise refused(self.file, f"no study `{kind}`", found=kind, expected="error")
+        _asked.word(self.file, "kind", kind, ("error",))
         ladders = [_asked.word(self.file, "only", name) for name in _asked.listed(self.file, "only", only)]
         return Study(self._open().study(ladders))
 

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _native
+from . import _asked, _native
+from ._errors import refused
 from ._pose import Pose
 
 
@@ -58,13 +59,15 @@ class Picture:
         planes = dict(self._native.light())
         if plane is None:
             return next(iter(planes.values()))
-        if plane not in planes:
-            raise KeyError(f"{plane}: the picture was made of {', '.join(planes)}")
-        return planes[plane]
+        return planes[_asked.word("picture", "plane", plane, tuple(planes))]
 
     def save(self, path: str | PathLike[str]) -> None:
         """Writes the picture as PNG."""
-        Path(path).write_bytes(self._native.png())
+        place = _asked.path("picture", "path", path)
+        try:
+            Path(place).write_bytes(self._native.png())
+        except OSError as error:
+            raise refused(place, f"cannot write: {error.strerror}", expected="a file in a folder that is there") from error
 
     def _repr_png_(self) -> bytes:
         return self._native.png()

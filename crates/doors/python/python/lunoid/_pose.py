@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from ._asked import real
+from . import _asked
 from ._errors import refused
 
 _Numbers = tuple[float, float, float, float, float, float, float, float]
@@ -36,7 +36,7 @@ class Pose:
     def __post_init__(self) -> None:
         object.__setattr__(self, "eye_m", _three(self.eye_m))
         for name in ("heading_deg", "pitch_deg", "roll_deg", "time_s", "yoke_deg"):
-            object.__setattr__(self, name, real("pose", name, getattr(self, name)))
+            object.__setattr__(self, name, _asked.real("pose", name, getattr(self, name)))
 
     @property
     def x_m(self) -> float:
@@ -55,7 +55,7 @@ class Pose:
 
     def turned(self, degrees: float) -> Pose:
         """The same pose turned clockwise by ``degrees``."""
-        return replace(self, heading_deg=self.heading_deg + real("pose", "degrees", degrees))
+        return replace(self, heading_deg=self.heading_deg + _asked.real("pose", "degrees", degrees))
 
     def _numbers(self) -> _Numbers:
         return (self.time_s, *self.eye_m, self.heading_deg, self.pitch_deg, self.roll_deg, self.yoke_deg)
@@ -64,7 +64,7 @@ class Pose:
     def _told(file: str, name: str, pose: object) -> _Numbers:
         """The numbers of what is to be a pose."""
         if not isinstance(pose, Pose):
-            raise refused(file, f"`{name}` is {pose!r}", found=repr(pose), expected="a lunoid.Pose")
+            raise refused(file, f"`{name}` is {_asked.shown(pose)}", found=_asked.shown(pose), expected="a lunoid.Pose")
         return pose._numbers()
 
     @classmethod
@@ -74,10 +74,9 @@ class Pose:
 
 
 def _three(value: Sequence[float]) -> tuple[float, float, float]:
-    try:
-        x, y, z = value
-    except (TypeError, ValueError):
-        raise refused(
-            "pose", f"a pose whose `eye_m` is {value!r}", found=repr(value), expected="three numbers: north, east, up (m)"
-        ) from None
-    return (real("pose", "x_m", x), real("pose", "y_m", y), real("pose", "z_m", z))
+    found = _asked.listed("pose", "eye_m", value)
+    if len(found) != 3:
+        expected = "three numbers: north, east, up (m)"
+        raise refused("pose", f"`eye_m` is {_asked.shown(value)}", found=_asked.shown(value), expected=expected)
+    x, y, z = found
+    return (_asked.real("pose", "x_m", x), _asked.real("pose", "y_m", y), _asked.real("pose", "z_m", z))

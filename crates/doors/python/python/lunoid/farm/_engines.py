@@ -143,7 +143,7 @@ def choose(engine: Any, workers: int | None) -> Engine:
         raise refused("farm.on", f"workers={workers}", found=workers, expected="none: a client knows its own workers")
     kind = engine if isinstance(engine, ModuleType) else type(engine)
     home = (getattr(kind, "__module__", None) or kind.__name__).split(".")[0]
-    match engine:
+    match engine if isinstance(engine, str) else None:
         case "ray":
             return Ray(_started(_installed("ray", "ray")))
         case "dask":

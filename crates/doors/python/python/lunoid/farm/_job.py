@@ -85,17 +85,19 @@ def replay(
     'scenarios/first-light.toml --truth range --frames 0..4'
     """
     name = _asked.path("farm.replay", "scenario", scenario)
+    # A word that begins with a hyphen is an option to the command.
+    name = f"./{name}" if name.startswith("-") else name
     if frames is not None and not (isinstance(frames, range) and frames.step == 1 and 0 <= frames.start < frames.stop):
-        raise refused(name, f"frames {frames!r}", found=frames, expected="a range of step 1 from 0 on, as range(0, 120)")
+        raise refused(name, f"frames {_asked.shown(frames)}", found=_asked.shown(frames), expected="a range of step 1 from 0 on, as range(0, 120)")
     laid = [_asked.path(name, "overlays", file) for file in _asked.listed(name, "overlays", overlays)]
     ground = None if bank is None else _asked.path(name, "bank", bank)
     stage: list[str] = []
-    stage += _option("--machine", None if machine is None else _asked.word(name, "machine", machine))
+    stage += _option("--machine", None if machine is None else _named(name, "machine", machine))
     for file in laid:
         stage += _option("--overlay", file)
     for key, found in _asked.keyed(name, "set", set):
         stage += _option("--set", f"{key}={_toml_value(key, found)}")
-    stage += _option("--channel", None if channel is None else _asked.word(name, "channel", channel)) + _option("--bank", ground)
+    stage += _option("--channel", None if channel is None else _named(name, "channel", channel)) + _option("--bank", ground)
     stage += [] if _asked.word(name, "economy", economy, _ECONOMIES) == "bounded" else [f"--{economy}"]
     raster = _option("--sweeps", None if sweeps is None else _asked.counted(name, "sweeps", sweeps))
     raster += _option("--samples", None if samples is None else _asked.counted(name, "samples", samples))
@@ -103,12 +105,23 @@ def replay(
     pictures = [] if _asked.counted(name, "depth", depth) == 8 else _option("--depth", depth)
     planes = [_asked.word(name, "truth", plane) for plane in _asked.listed(name, "truth", truth)]
     pictures += _option("--truth", ",".join(planes) or None)
-    flags = {"--refresh": refresh, "--apng": apng, "--no-page": not page}
+    flags = {
+        "--refresh": _asked.flag(name, "refresh", refresh),
+        "--apng": _asked.flag(name, "apng", apng),
+        "--no-page": not _asked.flag(name, "page", page),
+    }
     pictures += [flag for flag, is_given in flags.items() if is_given]
     span = [] if frames is None else _option("--frames", f"{frames.start}..{frames.stop}")
     named = (*laid, *([] if ground is None else [ground]))
     folder = os.path.abspath(_asked.path(name, "out", out))
     return Job(name, tuple(stage), tuple(raster), tuple(pictures), tuple(span), named, folder)
+
+
+def _named(file: str, name: str, value: object) -> str:
+    word = _asked.word(file, name, value)
+    if word.startswith("-"):
+        raise refused(file, f"`{name}` is {word!r}", found=word, expected="a name")
+    return word
 
 
 def _option(name: str, value: object) -> list[str]:

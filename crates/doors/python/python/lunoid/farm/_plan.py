@@ -54,6 +54,8 @@ def plan(job: Job, shards: Literal["by cost"] | int, workers: int, named: str | 
     """
     by: Literal["cost", "count"] = "cost" if shards == BY_COST else "count"
     farm = Path(f"{job.out}-farm")
+    if Path(job.out).exists() and not Path(job.out).is_dir():
+        raise refused(job.out, "something else stands where the joined run is to be", expected="a folder, or nothing", help="choose another out")
     program = _program.find(named)
     version = _program.version(program)
     asked = {"schema": SCHEMA, "program": version, "words": job.words, "by": by}

@@ -82,12 +82,14 @@ class Farm:
         FarmError where the command refuses to draw or to join.
         """
         if not isinstance(job, Job):
-            raise refused("farm.run", f"no job: {job!r}", found=repr(job), expected="what farm.replay returns")
+            raise refused("farm.run", f"no job: {_asked.shown(job)}", found=_asked.shown(job), expected="what farm.replay returns")
         if isinstance(shards, str) and shards != BY_COST:
             raise refused(job.scenario, f"shards {shards!r}", found=shards, expected='"by cost" or a whole number from 1 on')
         if not isinstance(shards, str):
             shards = _asked.counted(job.scenario, "shards", shards, least=1)
         retries = _asked.counted(job.scenario, "retries", retries, least=1)
+        if progress is not None and not callable(progress):
+            raise refused(job.scenario, f"`progress` is {progress!r}", found=repr(progress), expected="a function, or None")
         begun = time.monotonic()
         settled = plan(job, shards, max(1, self._engine.workers()), self._program)
         try:
