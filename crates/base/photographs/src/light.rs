@@ -22,8 +22,7 @@ pub fn expect_profile(format: &'static str, profile: &[u8]) -> Result<(), Photog
     if SRGB_PROFILES.iter().any(|known| lower.contains(known)) {
         return Ok(());
     }
-    let shown: String =
-        name.chars().take(MOST_CHARACTERS).map(|one| if one.is_control() { '?' } else { one }).collect();
+    let shown: String = name.chars().take(MOST_CHARACTERS).collect();
     Err(PhotographError::Light { format, found: format!("a colour profile {shown}") })
 }
 

@@ -61,7 +61,7 @@ def test_colour_has_three_codes(scene) -> None:
     picture = lunoid.open("scenarios/colours.toml", machine="exact", sweeps=64).frame(0)
     assert picture.shape[2] == 3
     assert [picture.light(name).shape for name in ("red", "green", "blue")] == [picture.shape[:2]] * 3
-    with pytest.raises(KeyError):
+    with pytest.raises(lunoid.InputError):
         picture.light("intensity")
 
 

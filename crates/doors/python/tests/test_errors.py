@@ -108,7 +108,7 @@ def test_settings_are_values(scene) -> None:
 
 
 def test_texts_and_arrays_are_those_of_the_file(scene) -> None:
-    title = "🚀 é \x7f \"quoted\""
+    title = "🚀 é \"quoted\""
     assert lunoid.open(scene, set={"scenario.title": title}).title == title
     ends = np.array([3.0, 250.0])
     settings = {"scenario.range.start_m": ends[0], "scenario.landscape.generated.extent_m": np.array([400, 400])}
